@@ -1,0 +1,27 @@
+# One place for the flags of every target.
+#
+# No fused multiply-add contraction, no fast-math, no -march: the same input gives the same bytes on every machine.
+
+add_library(dini_options INTERFACE)
+target_include_directories(dini_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(dini_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Werror -ffp-contract=off)
+if(DINI_SANITIZE)
+  target_compile_options(dini_options INTERFACE -fsanitize=${DINI_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(dini_options INTERFACE -fsanitize=${DINI_SANITIZE})
+endif()
+
+# dini_layer(NAME SOURCES... LINK LIBRARIES...): the static library of one folder.
+function(dini_layer name)
+  cmake_parse_arguments(PARSE_ARGV 1 layer "" "" "SOURCES;LINK")
+  add_library(dini_${name} STATIC ${layer_SOURCES})
+  target_link_libraries(dini_${name} PUBLIC dini_options ${layer_LINK})
+endfunction()
+
+# dini_test(NAME SOURCES... LINK LIBRARIES...): one test program, every case a ctest of its own.
+function(dini_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 test "" "" "SOURCES;LINK")
+  add_executable(tests_${name} ${test_SOURCES})
+  target_link_libraries(tests_${name} PRIVATE dini_test_main ${test_LINK})
+  catch_discover_tests(tests_${name} TEST_PREFIX "${name}: " DISCOVERY_MODE PRE_TEST)
+endfunction()

@@ -1,0 +1,45 @@
+#pragma once
+
+// Triangle meshes, polylines and point clouds: what a graph can draw.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "geometry/column.h"
+
+namespace dini {
+
+/// Linear red, green, blue, alpha in [0, 1].
+using Color = std::array<double, 4>;
+
+/// An indexed triangle mesh in meters, Z up, counter-clockwise front faces.
+/// `normals` (unit), `uvs` and `colors` are either empty or one per vertex. Every index is below `positions.size()`.
+/// `tile_ends` cuts the triangle list into compact runs for encoding: ascending ends, the last equal to
+/// `triangles.size()`; empty means one run.
+struct Mesh {
+  Column<Point> positions;
+  Column<Vector> normals;
+  std::vector<std::array<double, 2>> uvs;
+  std::vector<std::array<float, 4>> colors;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::size_t> tile_ends;
+  Color color = {0.75, 0.78, 0.82, 1};
+
+  std::size_t bytes() const {
+    return positions.bytes() + normals.bytes() + uvs.size() * sizeof(uvs[0]) + colors.size() * sizeof(colors[0]) +
+           triangles.size() * sizeof(triangles[0]) + tile_ends.size() * sizeof(std::size_t);
+  }
+};
+
+using SharedMesh = std::shared_ptr<const Mesh>;
+
+/// A run of points joined by straight segments; `closed` joins the last to the first.
+struct Polyline {
+  Column<Point> points;
+  bool closed = false;
+};
+
+}  // namespace dini

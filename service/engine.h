@@ -1,0 +1,82 @@
+#pragma once
+
+// The engine: one request answered, whoever asks. The server and the command line are two thin faces over this class, so a
+// graph gives the same bytes and the same problems through both.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "geometry/cancel.h"
+#include "graph/limits.h"
+#include "graph/problem.h"
+
+namespace dini {
+
+enum class Quality { draft, final };
+
+/// What to evaluate: a graph document, values for its parameters by name, and the node to export.
+/// An empty `output` means the only export node of the graph; several are a problem that lists them.
+struct EvaluateRequest {
+  Json graph;
+  Json parameters = Json::object();
+  std::string output;
+  Quality quality = Quality::final;
+};
+
+/// What to look at: one output of one node. An empty `output` means the node's only or first output.
+struct InspectRequest {
+  Json graph;
+  Json parameters = Json::object();
+  std::string node;
+  std::string output;
+  bool full = false;  ///< meshes with positions and indices
+};
+
+/// A checked request: everything that is known before anything is computed.
+class Prepared;
+
+/// A finished evaluation.
+struct Evaluated {
+  std::shared_ptr<const std::string> glb;  ///< the finished file, extras included
+  Json report;                             ///< times, cached or not, sizes, measures, warnings; see docs/http.md
+};
+
+class Engine {
+ public:
+  explicit Engine(Limits limits = {});
+  ~Engine();
+
+  const Limits& limits() const;
+
+  /// The cards of every node type and wire type: the body of `GET /v1/nodes`.
+  const Json& catalogue() const;
+
+  /// Every static problem at once, inferred types and axes per wire, predicted sizes. Never evaluates, never fails.
+  /// {"valid": bool, "errors": [...], "wires": {...}, "cost": {...}}
+  Json validate(const Json& graph, const Json& parameters) const;
+
+  /// Reads and checks; nothing is computed. The entity tag depends on everything that can influence the bytes.
+  Result<std::shared_ptr<const Prepared>> prepare(const EvaluateRequest& request) const;
+  static const std::string& entity_tag(const Prepared& prepared);
+
+  /// Evaluates and encodes. Identical concurrent calls compute once. Problems with the codes `deadline`, `superseded` and
+  /// `client-gone` mean that `cancel` stopped the work.
+  Result<Evaluated> evaluate(const Prepared& prepared, const Cancel& cancel) const;
+
+  /// The value on any wire, in full double precision.
+  Result<Json> inspect(const InspectRequest& request, const Cancel& cancel) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// The strict reader for every document from outside: refuses duplicate keys, NUL, NaN, anything after the end, depth and
+/// size beyond the limits. The problem has code `not-json`.
+Result<Json> parse_json(std::string_view text, const Limits& limits);
+
+/// A problem list as JSON: [{"code", "detail", "node", "port", "pointer", "fix"}], absent members left out.
+Json to_json(const Problems& problems);
+
+}  // namespace dini
