@@ -18,9 +18,9 @@ using Json = nlohmann::json;
 struct Problem {
   std::string code;
   std::string detail;
-  std::string node;
-  std::string port;
-  std::string pointer;
+  std::string node = {};
+  std::string port = {};
+  std::string pointer = {};
   Json fix = nullptr;
 };
 
