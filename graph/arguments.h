@@ -8,7 +8,7 @@
 //   Batch<T>            a run of values at once, as component arrays, for functions that call SIMD kernels
 //   BatchOut<T>         where such a function writes its results
 //   std::int64_t, bool, std::string, Color, or an enum with ChoiceNames      a literal written in the graph
-//   Mixed               all values of an input that takes several, whatever their types
+//   Several<types...>   all values of an input that takes several, of any of these types, with all their axes
 //   const Context&      the evaluation itself; first, if at all
 
 #include <array>
@@ -31,7 +31,11 @@ struct ChoiceNames;
 template <class E>
 concept ChoiceEnum = std::is_enum_v<E> && requires { ChoiceNames<E>::names.size(); };
 
-using Mixed = std::vector<Value>;
+/// All values of an input that takes several links, each of one of `Types`.
+template <WireType... Types>
+struct Several {
+  std::vector<Value> values;
+};
 
 /// One evaluation of one node: what it receives and the axes involved.
 struct Call {
@@ -135,9 +139,10 @@ template <WireValue T>
 struct ArgumentTraits<BatchOut<T>> {
   static constexpr ArgumentKind kind = ArgumentKind::out;
 };
-template <>
-struct ArgumentTraits<Mixed> {
+template <WireType... Types>
+struct ArgumentTraits<Several<Types...>> {
   static constexpr ArgumentKind kind = ArgumentKind::mixed;
+  static constexpr std::array types = {Types...};
 };
 template <WireType Type>
 struct LiteralTraits {
@@ -294,15 +299,15 @@ class Reader<L> {
   L value_{};
 };
 
-template <>
-class Reader<Mixed> {
+template <WireType... Types>
+class Reader<Several<Types...>> {
  public:
-  Reader(const Call& call, std::size_t port) : values_(std::get<Mixed>(call.arguments[port])) {}
+  Reader(const Call& call, std::size_t port) : several_{std::get<std::vector<Value>>(call.arguments[port])} {}
   void begin_run(std::size_t, std::size_t) {}
-  const Mixed& get(std::size_t) const { return values_; }
+  const Several<Types...>& get(std::size_t) const { return several_; }
 
  private:
-  const Mixed& values_;
+  Several<Types...> several_;
 };
 
 }  // namespace dini

@@ -46,7 +46,7 @@ class Inference {
   }
 
   bool is_mixed(const PlannedInput& input) const {
-    return node_.overload->input_is_mixed[static_cast<std::size_t>(&input - node_.inputs.data())];
+    return node_.overload->is_mixed(static_cast<std::size_t>(&input - node_.inputs.data()));
   }
 
   /// The first input whose axes the function consumes.

@@ -7,7 +7,7 @@
 //   Made<T>               all values along the axes that the node makes
 //   std::tuple<...>       several outputs, each of the above
 //   Attempt<any of these> the same, or a Failure
-//   void                  when it writes through BatchOut parameters
+//   std::optional<Failure>, or void, when it writes through BatchOut parameters
 // Runs are independent and spread over threads; which thread does what never shows in the result.
 
 #include <tbb/blocked_range.h>
@@ -88,7 +88,7 @@ template <class R, class... A>
 class LiftedFunction {
  public:
   using Function = R (*)(A...);
-  static constexpr bool batched = std::is_void_v<R>;
+  static constexpr bool batched = ((ArgumentTraits<std::remove_cvref_t<A>>::kind == ArgumentKind::out) || ...);
   using OutputTuple = typename std::conditional_t<batched, BatchOutputs<std::remove_cvref_t<A>...>,
                                                   Outputs<std::conditional_t<batched, int, R>>>::Tuple;
   static constexpr std::size_t output_count = std::tuple_size_v<OutputTuple>;
@@ -171,7 +171,13 @@ class LiftedFunction {
         std::size_t stop = begin + 1;
         while (stop < end && (same_place(std::get<I>(readers), begin, stop) && ...)) ++stop;
         if (stop < end) (std::get<I>(readers).begin_run(begin, stop), ...);
-        function_(batch_argument<std::remove_cvref_t<A>, I>(std::get<I>(readers), begin, stop, columns)...);
+        if constexpr (std::is_void_v<R>) {
+          function_(batch_argument<std::remove_cvref_t<A>, I>(std::get<I>(readers), begin, stop, columns)...);
+        } else if (auto failure = function_(
+                       batch_argument<std::remove_cvref_t<A>, I>(std::get<I>(readers), begin, stop, columns)...)) {
+          first.report(begin, std::move(*failure));
+          return;
+        }
         begin = stop;
       }
     } else {

@@ -18,20 +18,16 @@
 namespace dini {
 
 template <class A>
-WireType wire_type_of() {
-  if constexpr (ArgumentTraits<A>::kind == ArgumentKind::mixed) {
-    return WireType::mesh;  // stands for "any"; Overload::input_is_mixed tells
-  } else {
-    return ArgumentTraits<A>::type;
-  }
-}
-
-template <class A>
 void describe_argument(Overload& overload, std::vector<std::vector<std::string>>& choices) {
   using Traits = ArgumentTraits<A>;
   if constexpr (takes_port<A>) {
-    overload.inputs.push_back(wire_type_of<A>());
-    overload.input_is_mixed.push_back(Traits::kind == ArgumentKind::mixed);
+    overload.mixed_types.emplace_back();
+    if constexpr (Traits::kind == ArgumentKind::mixed) {
+      overload.mixed_types.back().assign(Traits::types.begin(), Traits::types.end());
+      overload.inputs.push_back(Traits::types.front());
+    } else {
+      overload.inputs.push_back(Traits::type);
+    }
     overload.input_is_optional.push_back(Traits::kind == ArgumentKind::optional);
     overload.input_is_block.push_back(Traits::kind == ArgumentKind::block);
     if constexpr (Traits::kind == ArgumentKind::block) overload.consumed_axes = Traits::rank;

@@ -25,13 +25,15 @@ const std::string& text_at(const Literals& literals, std::string_view port);
 /// One function behind a node, for one type of its first input.
 struct Overload {
   std::vector<WireType> inputs;
-  std::vector<bool> input_is_mixed;
+  std::vector<std::vector<WireType>> mixed_types;  ///< what an input that keeps its values apart takes; else empty
   std::vector<bool> input_is_optional;
   std::vector<bool> input_is_block;
   std::vector<WireType> outputs;
   std::vector<bool> output_makes_axes;
   int consumed_axes = 0;
   std::function<LiftedResult(const Call&)> run;
+
+  bool is_mixed(std::size_t port) const { return !mixed_types[port].empty(); }
 };
 
 /// The axes that a node makes, per output, from its literals and its id.

@@ -24,11 +24,8 @@ void complete_ports(NodeType& type) {
   for (std::size_t port = 0; port < type.inputs.size(); ++port) {
     InputPort& input = type.inputs[port];
     for (const Overload& overload : type.overloads) {
-      if (overload.input_is_mixed[port]) {
-        for (const WireType any : {WireType::mesh, WireType::point, WireType::circle}) add_type(input.types, any);
-      } else {
-        add_type(input.types, overload.inputs[port]);
-      }
+      for (const WireType type_taken : overload.mixed_types[port]) add_type(input.types, type_taken);
+      if (!overload.is_mixed(port)) add_type(input.types, overload.inputs[port]);
       input.optional = overload.input_is_optional[port];
     }
     input.choices = type.choices[port];
@@ -44,7 +41,6 @@ void check_input(const NodeType& type, const InputPort& input) {
   if (spec.minimum && spec.soft_minimum && *spec.soft_minimum < *spec.minimum) refuse(type, input.name + ": soft range");
   if (spec.maximum && spec.soft_maximum && *spec.soft_maximum > *spec.maximum) refuse(type, input.name + ": soft range");
   if (spec.default_value.is_null()) return;
-  if (spec.takes_several) refuse(type, input.name + ": an input that takes several has no default");
   const LiteralOutcome outcome = read_literal(spec.default_value, input.types.front(), input);
   if (std::holds_alternative<LiteralProblem>(outcome)) refuse(type, input.name + ": default outside its own range");
 }

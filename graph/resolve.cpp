@@ -175,7 +175,7 @@ class Resolver {
         read_json(overload, port, item, resolved);
       }
     }
-    if (listed_[port] && !overload.input_is_mixed[port]) input.list_axis = Axis{"", given.size(), false};
+    if (listed_[port] && !overload.is_mixed(port)) input.list_axis = Axis{"", given.size(), false};
   }
 
   void use_default(const Overload& overload, std::size_t port, Resolved& resolved) const {
@@ -195,8 +195,8 @@ class Resolver {
     const InputPort& card = type_.inputs[port];
     const WireType wanted = overload.inputs[port];
     const WireType type = item.shape.type;
-    const bool literal_only = !overload.input_is_mixed[port] && info(wanted).literal_only;
-    const bool fits = overload.input_is_mixed[port]
+    const bool literal_only = !overload.is_mixed(port) && info(wanted).literal_only;
+    const bool fits = overload.is_mixed(port)
                           ? std::find(card.types.begin(), card.types.end(), type) != card.types.end()
                           : type == wanted;
     if (literal_only) {
@@ -220,7 +220,7 @@ class Resolver {
                                               std::string(name(given.parameter->type))));
       return;
     }
-    LiteralOutcome outcome = overload.input_is_mixed[port]
+    LiteralOutcome outcome = overload.is_mixed(port)
                                  ? LiteralProblem{"type-mismatch", "expected a link to a " + names_of(card.types)}
                                  : read_literal(given.literal, wanted, card);
     if (auto* wrong = std::get_if<LiteralProblem>(&outcome)) {

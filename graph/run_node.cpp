@@ -84,7 +84,7 @@ class NodeRunner {
 
   Argument argument(std::size_t port) const {
     const PlannedInput& input = node_.inputs[port];
-    const bool mixed = node_.overload->input_is_mixed[port];
+    const bool mixed = node_.overload->is_mixed(port);
     if (input.items.empty()) return std::monostate{};
     if (!input.list_axis && !mixed) return read(input.items.front());
     std::vector<Value> values;
