@@ -44,11 +44,13 @@ count_ctest() {
     awk '{ failed += $1; total += $2 } END { print total - failed, failed + 0 }'
 }
 
-# The test runner of node: "# pass 12" or "ℹ pass 12" and so on, once per run. A cancelled test is a failed one.
+# The test runner of node, "# pass 12" or "ℹ pass 12" and so on, once per run; a cancelled test is a failed one.
+# A runner of our own closes with "12 passed, 0 failed".
 count_node() {
   sed -E 's/\x1b\[[0-9;]*m//g' "$1" | awk '
-    $2 == "pass" && NF == 3 { passed += $3 }
-    ($2 == "fail" || $2 == "cancelled") && NF == 3 { failed += $3 }
+    NF == 3 && $2 == "pass" { passed += $3 }
+    NF == 3 && ($2 == "fail" || $2 == "cancelled") { failed += $3 }
+    /^[0-9]+ passed, [0-9]+ failed$/ { passed += $1; failed += $3 }
     END { print passed + 0, failed + 0 }'
 }
 
