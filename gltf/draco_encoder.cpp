@@ -1,5 +1,6 @@
 #include "gltf/draco_encoder.h"
 
+#include <algorithm>
 #include <draco/compression/expert_encode.h>
 #include <draco/core/encoder_buffer.h>
 #include <draco/mesh/mesh.h>
@@ -16,17 +17,28 @@ constexpr std::size_t smallest_valence_mesh = 1000;
 
 template <class Value, std::size_t width>
 int add_attribute(draco::Mesh& mesh, draco::GeometryAttribute::Type type, draco::DataType data_type, bool normalized,
-                  const std::vector<std::array<Value, width>>& values) {
+                  const std::vector<std::array<Value, width>>& values,
+                  const std::vector<std::array<Value, width>>& unused_values = {}) {
   if (values.empty()) return -1;
+  constexpr std::size_t row = sizeof(values[0]);
   draco::GeometryAttribute description;
-  description.Init(type, nullptr, width, data_type, normalized, sizeof(values[0]), 0);
-  const int id = mesh.AddAttribute(description, true, static_cast<std::uint32_t>(values.size()));
-  mesh.attribute(id)->buffer()->Write(0, values.data(), values.size() * sizeof(values[0]));
+  description.Init(type, nullptr, width, data_type, normalized, row, 0);
+  const int id = mesh.AddAttribute(description, true, static_cast<std::uint32_t>(values.size() + unused_values.size()));
+  draco::DataBuffer* buffer = mesh.attribute(id)->buffer();
+  buffer->Write(0, values.data(), values.size() * row);
+  if (!unused_values.empty()) buffer->Write(values.size() * row, unused_values.data(), unused_values.size() * row);
   return id;
 }
 
-void set_grid(draco::ExpertEncoder& encoder, int attribute, int dimensions, const QuantizationGrid& grid) {
-  encoder.SetAttributeExplicitQuantization(attribute, grid.bits(), dimensions, grid.origin().data(), grid.range());
+// How libdraco is told the grid: it quantizes over the box of all values of an attribute, used by a vertex or not, so
+// the corners of the grid are added as unused values. Its option for explicit quantization keeps six decimals of origin
+// and range only (and crashes for small ranges).
+template <std::size_t width>
+std::vector<std::array<float, width>> grid_corners(const QuantizationGrid& grid) {
+  std::vector<std::array<float, width>> corners(2);
+  std::copy_n(grid.box().minimum.begin(), width, corners[0].begin());
+  std::copy_n(grid.box().maximum.begin(), width, corners[1].begin());
+  return corners;
 }
 
 // Vertices are shared by index already, so no deduplication is needed: every attribute maps vertex i to value i.
@@ -41,9 +53,11 @@ EncodeResult<EncodedTile> encode_unguarded(const Tile& tile, const SceneGrids& g
   }
   EncodedTile result;
   using Attribute = draco::GeometryAttribute;
-  result.position_id = add_attribute(mesh, Attribute::POSITION, draco::DT_FLOAT32, false, tile.positions);
+  result.position_id = add_attribute(mesh, Attribute::POSITION, draco::DT_FLOAT32, false, tile.positions,
+                                     grid_corners<3>(grids.positions));
   result.normal_id = add_attribute(mesh, Attribute::NORMAL, draco::DT_FLOAT32, false, tile.normals);
-  result.uv_id = add_attribute(mesh, Attribute::TEX_COORD, draco::DT_FLOAT32, false, tile.uvs);
+  result.uv_id =
+      add_attribute(mesh, Attribute::TEX_COORD, draco::DT_FLOAT32, false, tile.uvs, grid_corners<2>(grids.uvs));
   result.color_id = add_attribute(mesh, Attribute::COLOR, draco::DT_UINT8, true, tile.colors);
 
   draco::ExpertEncoder encoder(mesh);
@@ -57,9 +71,9 @@ EncodeResult<EncodedTile> encode_unguarded(const Tile& tile, const SceneGrids& g
   } else {
     encoder.SetEncodingMethod(draco::MESH_SEQUENTIAL_ENCODING);
   }
-  set_grid(encoder, result.position_id, 3, grids.positions);
+  encoder.SetAttributeQuantization(result.position_id, grids.positions.bits());
   if (result.normal_id >= 0) encoder.SetAttributeQuantization(result.normal_id, options.normal_bits);
-  if (result.uv_id >= 0) set_grid(encoder, result.uv_id, 2, grids.uvs);
+  if (result.uv_id >= 0) encoder.SetAttributeQuantization(result.uv_id, grids.uvs.bits());
 
   draco::EncoderBuffer buffer;
   const draco::Status status = encoder.EncodeToBuffer(&buffer);

@@ -12,6 +12,12 @@ constexpr double float_rounding = 0x1p-24;
 // Below this a cell size would leave the normal floats, and the number of cells per meter would overflow.
 constexpr float smallest_range = 1e-30f;
 
+float largest_extent(const FloatBox& box) {
+  float result = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) result = std::max(result, box.maximum[axis] - box.minimum[axis]);
+  return result;
+}
+
 }  // namespace
 
 void FloatBox::include(const std::array<float, 3>& point) {
@@ -36,11 +42,12 @@ float FloatBox::largest() const {
   return result;
 }
 
-QuantizationGrid::QuantizationGrid(const FloatBox& box, int bits) : bits_(bits), largest_(box.largest()) {
+QuantizationGrid::QuantizationGrid(const FloatBox& box, int bits) : bits_(bits) {
   if (box.empty()) return;
-  origin_ = box.minimum;
-  range_ = smallest_range;
-  for (std::size_t axis = 0; axis < 3; ++axis) range_ = std::max(range_, box.maximum[axis] - box.minimum[axis]);
+  box_ = box;
+  if (largest_extent(box_) == 0) return;
+  if (largest_extent(box_) < smallest_range) box_.maximum[0] = box_.minimum[0] + smallest_range;
+  range_ = largest_extent(box_);
 }
 
 float QuantizationGrid::cells() const { return static_cast<float>((1u << bits_) - 1u); }
@@ -48,8 +55,9 @@ float QuantizationGrid::cells() const { return static_cast<float>((1u << bits_) 
 float QuantizationGrid::decoded(std::size_t axis, float value) const {
   const float cells_per_meter = cells() / range_;
   const float meters_per_cell = range_ / cells();
-  const float cell = std::floor((value - origin_[axis]) * cells_per_meter + 0.5f);
-  return cell * meters_per_cell + origin_[axis];
+  const float origin = box_.minimum[axis];
+  const float cell = std::floor((value - origin) * cells_per_meter + 0.5f);
+  return cell * meters_per_cell + origin;
 }
 
 FloatBox QuantizationGrid::decoded(const FloatBox& box) const {
@@ -63,10 +71,12 @@ FloatBox QuantizationGrid::decoded(const FloatBox& box) const {
 }
 
 double QuantizationGrid::position_error() const {
+  const double largest = static_cast<double>(box_.largest());
+  if (largest_extent(box_) == 0) return float_rounding * largest;
   // Six roundings relative to the range (offset, two in cells, the half, two back) and two relative to the coordinate
   // (to float, adding the origin); 8 and 2.5 leave room for the products of roundings.
   const double range = static_cast<double>(range_);
-  return 0.5 * range / static_cast<double>(cells()) + float_rounding * (8 * range + 2.5 * largest_);
+  return 0.5 * range / static_cast<double>(cells()) + float_rounding * (8 * range + 2.5 * largest);
 }
 
 double octahedral_error(int bits) {

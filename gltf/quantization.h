@@ -28,11 +28,13 @@ class QuantizationGrid {
  public:
   QuantizationGrid() = default;
 
-  /// The grid that covers `box`: origin at its minimum, range its largest extent. `bits` in 1..20.
-  /// An empty box gives a grid at zero. A box of no extent gives a range of 1e-30, small but safe to divide by.
+  /// The grid that covers `box`: origin at its minimum, range its largest extent, widened to about 1e-30 so that it is
+  /// safe to divide by. A single point has range 1 and is exact. An empty box gives the grid of the point zero. `bits`
+  /// in 1..20.
   QuantizationGrid(const FloatBox& box, int bits);
 
-  const std::array<float, 3>& origin() const { return origin_; }
+  /// The box that the grid covers. Its minimum is the origin and its largest extent, in float32, the range.
+  const FloatBox& box() const { return box_; }
   float range() const { return range_; }
   int bits() const { return bits_; }
 
@@ -50,10 +52,9 @@ class QuantizationGrid {
  private:
   float cells() const;
 
-  std::array<float, 3> origin_ = {0, 0, 0};
+  FloatBox box_ = {{0, 0, 0}, {0, 0, 0}};
   float range_ = 1;
   int bits_ = 14;
-  double largest_ = 0;
 };
 
 /// Bound in radians on the angle between a unit normal and its octahedral rounding to `bits` bits per coordinate.
