@@ -24,8 +24,8 @@ double longest_edge(const Mesh& mesh) {
   double longest = 0;
   for (const auto& triangle : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
-      longest = std::max(longest, length(to_vector(mesh.positions[triangle[k]]) -
-                                         to_vector(mesh.positions[triangle[(k + 1) % 3]])));
+      longest = std::max(
+          longest, length(to_vector(mesh.positions[triangle[k]]) - to_vector(mesh.positions[triangle[(k + 1) % 3]])));
     }
   }
   return longest;
