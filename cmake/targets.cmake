@@ -7,7 +7,9 @@ target_include_directories(dini_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(dini_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Werror -ffp-contract=off)
 if(DINI_SANITIZE)
-  target_compile_options(dini_options INTERFACE -fsanitize=${DINI_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  # The instrumented code makes g++ warn of uninitialized values in the standard library that are none.
+  target_compile_options(dini_options INTERFACE
+    -fsanitize=${DINI_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all -Wno-maybe-uninitialized)
   target_link_options(dini_options INTERFACE -fsanitize=${DINI_SANITIZE})
 endif()
 
@@ -23,5 +25,6 @@ function(dini_test name)
   cmake_parse_arguments(PARSE_ARGV 1 test "" "" "SOURCES;LINK")
   add_executable(tests_${name} ${test_SOURCES})
   target_link_libraries(tests_${name} PRIVATE dini_test_main ${test_LINK})
+  target_precompile_headers(tests_${name} REUSE_FROM dini_test_headers)
   catch_discover_tests(tests_${name} TEST_PREFIX "${name}: " DISCOVERY_MODE PRE_TEST)
 endfunction()

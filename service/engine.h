@@ -8,12 +8,11 @@
 #include <string>
 
 #include "geometry/cancel.h"
+#include "graph/context.h"
 #include "graph/limits.h"
 #include "graph/problem.h"
 
 namespace dini {
-
-enum class Quality { draft, final };
 
 /// What to evaluate: a graph document, values for its parameters by name, and the node to export.
 /// An empty `output` means the only export node of the graph; several are a problem that lists them.

@@ -1,0 +1,81 @@
+#include "geometry/merge.h"
+
+#include <algorithm>
+
+#include "geometry/normals.h"
+
+namespace dini {
+
+namespace {
+
+/// What the merged mesh has: the union of what its parts have.
+struct Outline {
+  std::size_t vertices = 0, triangles = 0;
+  bool normals = false, uvs = false, colors = false;
+  const Mesh* first = nullptr;
+};
+
+Outline outline_of(std::span<const SharedMesh> meshes) {
+  Outline outline;
+  for (const SharedMesh& mesh : meshes) {
+    if (!mesh) continue;
+    if (!outline.first) outline.first = mesh.get();
+    outline.vertices += mesh->positions.size();
+    outline.triangles += mesh->triangles.size();
+    outline.normals |= !mesh->normals.empty();
+    outline.uvs |= !mesh->uvs.empty();
+    outline.colors |= !mesh->colors.empty() || mesh->color != outline.first->color;
+  }
+  return outline;
+}
+
+void append_attributes(const Mesh& mesh, const Outline& outline, Mesh& merged, std::size_t base, const Cancel& cancel) {
+  const std::size_t count = mesh.positions.size();
+  for (std::size_t i = 0; i < count; ++i) merged.positions.set(base + i, mesh.positions[i]);
+  if (outline.normals) {
+    const Column<Vector> computed = mesh.normals.empty() ? smooth_normals(mesh, cancel) : Column<Vector>();
+    const Column<Vector>& normals = mesh.normals.empty() ? computed : mesh.normals;
+    for (std::size_t i = 0; i < count; ++i) merged.normals.set(base + i, normals[i]);
+  }
+  if (outline.uvs) {
+    merged.uvs.insert(merged.uvs.end(), mesh.uvs.begin(), mesh.uvs.end());
+    merged.uvs.resize(base + count);
+  }
+  if (outline.colors) {
+    std::array<float, 4> fill;
+    std::transform(mesh.color.begin(), mesh.color.end(), fill.begin(), [](double c) { return static_cast<float>(c); });
+    merged.colors.insert(merged.colors.end(), mesh.colors.begin(), mesh.colors.end());
+    merged.colors.resize(base + count, fill);
+  }
+}
+
+void append_triangles(const Mesh& mesh, Mesh& merged, std::size_t base) {
+  const auto shift = static_cast<std::uint32_t>(base);
+  const std::size_t first = merged.triangles.size();
+  for (const auto& [a, b, c] : mesh.triangles) merged.triangles.push_back({a + shift, b + shift, c + shift});
+  for (const std::size_t end : mesh.tile_ends) merged.tile_ends.push_back(first + end);
+  if (mesh.tile_ends.empty() && !mesh.triangles.empty()) merged.tile_ends.push_back(merged.triangles.size());
+}
+
+}  // namespace
+
+Mesh merge(std::span<const SharedMesh> meshes, const Cancel& cancel) {
+  const Outline outline = outline_of(meshes);
+  Mesh merged;
+  if (!outline.first) return merged;
+  merged.color = outline.first->color;
+  merged.positions = Column<Point>(outline.vertices);
+  if (outline.normals) merged.normals = Column<Vector>(outline.vertices);
+  merged.triangles.reserve(outline.triangles);
+  std::size_t base = 0;
+  for (const SharedMesh& mesh : meshes) {
+    if (!mesh) continue;
+    if (cancel.stopped()) return {};
+    append_attributes(*mesh, outline, merged, base, cancel);
+    append_triangles(*mesh, merged, base);
+    base += mesh->positions.size();
+  }
+  return merged;
+}
+
+}  // namespace dini

@@ -1,0 +1,32 @@
+#include "geometry/normals.h"
+
+#include "geometry/corner.h"
+#include "geometry/weld.h"
+
+namespace dini {
+
+Column<Vector> smooth_normals(const Mesh& mesh, const Cancel& cancel) {
+  constexpr std::size_t check_interval = 4096;
+  const std::vector<std::uint32_t> labels = position_labels(mesh.positions);
+  std::vector<Vector> sums(mesh.positions.size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (i % check_interval == 0 && cancel.stopped()) {
+      sums.assign(sums.size(), Vector{});
+      break;
+    }
+    const std::array<Vector, 3> weighted = angle_weighted_normals(corners_of(mesh, mesh.triangles[i]));
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      Vector& sum = sums[labels[mesh.triangles[i][corner]]];
+      sum = sum + weighted[corner];
+    }
+  }
+  Column<Vector> normals(mesh.positions.size());
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const Vector sum = sums[labels[i]];
+    // Triangles that cancel leave only round-off, whose direction means nothing.
+    normals.set(i, squared_length(sum) > 1e-20 ? normalized(sum) : Vector{0, 0, 1});
+  }
+  return normals;
+}
+
+}  // namespace dini

@@ -1,0 +1,41 @@
+#include "geometry/weld.h"
+
+#include <bit>
+#include <limits>
+
+namespace dini {
+
+namespace {
+
+std::uint64_t mixed(std::uint64_t bits) {
+  bits ^= bits >> 32;
+  bits *= 0xd6e8feb86659fd93u;
+  bits ^= bits >> 32;
+  bits *= 0xd6e8feb86659fd93u;
+  return bits ^ (bits >> 32);
+}
+
+std::uint64_t hash_of(const Point& p) {
+  // Adding zero turns -0 into 0, which must have the same hash.
+  return mixed(std::bit_cast<std::uint64_t>(p.x + 0.0) +
+               mixed(std::bit_cast<std::uint64_t>(p.y + 0.0) + mixed(std::bit_cast<std::uint64_t>(p.z + 0.0))));
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> position_labels(const Column<Point>& positions) {
+  constexpr std::uint32_t empty = std::numeric_limits<std::uint32_t>::max();
+  const std::size_t mask = std::bit_ceil(2 * positions.size() + 1) - 1;
+  std::vector<std::uint32_t> table(mask + 1, empty);
+  std::vector<std::uint32_t> labels(positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Point point = positions[i];
+    std::size_t slot = hash_of(point) & mask;
+    while (table[slot] != empty && positions[table[slot]] != point) slot = (slot + 1) & mask;
+    if (table[slot] == empty) table[slot] = static_cast<std::uint32_t>(i);
+    labels[i] = table[slot];
+  }
+  return labels;
+}
+
+}  // namespace dini

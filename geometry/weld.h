@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/column.h"
+
+namespace dini {
+
+/// For every position the smallest index that holds exactly the same coordinates (0 and -0 count as the same).
+/// Meshes that double vertices along texture seams or sharp edges become connected again through these labels.
+std::vector<std::uint32_t> position_labels(const Column<Point>& positions);
+
+}  // namespace dini

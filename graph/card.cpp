@@ -1,0 +1,67 @@
+#include "graph/card.h"
+
+namespace dini {
+
+namespace {
+
+Json names_of(const std::vector<WireType>& types) {
+  Json names = Json::array();
+  for (const WireType type : types) names.push_back(name(type));
+  return names;
+}
+
+Json input_card(const InputPort& port) {
+  Json json = {{"name", port.name},
+               {"types", names_of(port.types)},
+               {"doc", port.doc},
+               {"required", port.required()},
+               {"several", port.spec.takes_several}};
+  if (!port.spec.default_value.is_null()) json["default"] = port.spec.default_value;
+  if (!port.spec.unit_text.empty()) json["unit"] = port.spec.unit_text;
+  if (port.spec.minimum) json["minimum"] = *port.spec.minimum;
+  if (port.spec.maximum) json["maximum"] = *port.spec.maximum;
+  if (port.spec.soft_minimum) json["soft_minimum"] = *port.spec.soft_minimum;
+  if (port.spec.soft_maximum) json["soft_maximum"] = *port.spec.soft_maximum;
+  if (!port.choices.empty()) json["choices"] = port.choices;
+  return json;
+}
+
+/// An output whose type follows the first input's, overload by overload.
+bool follows_first_input(const NodeType& type, std::size_t output) {
+  if (type.overloads.size() < 2) return false;
+  for (const Overload& overload : type.overloads) {
+    if (overload.inputs.empty() || overload.outputs[output] != overload.inputs.front()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Json card(const NodeType& type) {
+  Json inputs = Json::array();
+  for (const InputPort& port : type.inputs) inputs.push_back(input_card(port));
+  Json outputs = Json::array();
+  for (std::size_t k = 0; k < type.outputs.size(); ++k) {
+    Json output = {{"name", type.outputs[k].name}, {"types", names_of(type.outputs[k].types)}, {"doc", type.outputs[k].doc}};
+    if (follows_first_input(type, k)) output["same_as"] = type.inputs.front().name;
+    outputs.push_back(std::move(output));
+  }
+  return {{"id", type.id},         {"title", type.title},     {"family", type.family}, {"doc", type.doc},
+          {"source", type.source}, {"details", type.details}, {"version", type.version}, {"inputs", std::move(inputs)},
+          {"outputs", std::move(outputs)}};
+}
+
+Json wire_type_cards() {
+  Json types = Json::array();
+  for (const WireInfo& wire : wire_types()) {
+    types.push_back({{"name", wire.name},
+                     {"family", wire.family},
+                     {"color", wire.color},
+                     {"shape", wire.shape},
+                     {"doc", wire.doc},
+                     {"literal_only", wire.literal_only}});
+  }
+  return types;
+}
+
+}  // namespace dini

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/cancel.h"
+
+namespace dini {
+
+/// How much detail an evaluation asks for: `draft` while a value is being dragged, `final` otherwise.
+enum class Quality { draft, final };
+
+/// Something a node wants to say although it succeeded.
+struct Warning {
+  std::string code;
+  std::string detail;
+  std::string port = {};
+
+  friend bool operator==(const Warning&, const Warning&) = default;
+};
+
+/// Why a node cannot give a value: a stable code, one sentence, and the port to blame (may be empty).
+struct Failure {
+  std::string code;
+  std::string detail;
+  std::string port = {};
+};
+
+/// What a node function may ask about the evaluation it runs in. Shared by all threads that run the node.
+class Context {
+ public:
+  Context(const Cancel& cancel, Quality quality) : cancel_(cancel), quality_(quality) {}
+
+  const Cancel& cancel() const { return cancel_; }
+  Quality quality() const { return quality_; }
+
+  /// Adds a warning, once.
+  void warn(Warning warning) const {
+    const std::lock_guard lock(mutex_);
+    for (const Warning& known : warnings_) {
+      if (known == warning) return;
+    }
+    warnings_.push_back(std::move(warning));
+  }
+
+  std::vector<Warning> take_warnings() const {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(warnings_, {});
+  }
+
+ private:
+  const Cancel& cancel_;
+  Quality quality_;
+  mutable std::mutex mutex_;
+  mutable std::vector<Warning> warnings_;
+};
+
+}  // namespace dini

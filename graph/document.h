@@ -1,0 +1,80 @@
+#pragma once
+
+// The graph document, format 1: what editor, REST and command line exchange. Reading is strict, and writing what was read
+// gives the same document again.
+
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "graph/limits.h"
+#include "graph/problem.h"
+#include "graph/wire.h"
+
+namespace dini {
+
+/// {"from": "node"} or {"from": "node.output"}.
+struct Link {
+  std::string node;
+  std::string output;  ///< empty: the node's first output
+
+  friend bool operator==(const Link&, const Link&) = default;
+};
+
+/// {"parameter": "name"}.
+struct ParameterReference {
+  std::string name;
+
+  friend bool operator==(const ParameterReference&, const ParameterReference&) = default;
+};
+
+/// One thing given to an input: a literal, a link, or a parameter.
+using InputItem = std::variant<Json, Link, ParameterReference>;
+
+/// What is given to an input. `list` when it was written as a list that holds links or parameters; a list of plain literals is
+/// one literal until the port it goes to is known.
+struct InputEntry {
+  std::vector<InputItem> items;
+  bool list = false;
+
+  friend bool operator==(const InputEntry&, const InputEntry&) = default;
+};
+
+struct NodeEntry {
+  std::string type;
+  std::map<std::string, InputEntry> inputs;
+  bool bypass = false;
+
+  friend bool operator==(const NodeEntry&, const NodeEntry&) = default;
+};
+
+/// A graph parameter: what a form shows and what a request may set.
+struct Parameter {
+  WireType type = WireType::number;  ///< number, integer, boolean, choice, vector or color
+  Json default_value;
+  std::optional<double> minimum, maximum, step;
+  std::vector<std::string> choices;
+  std::optional<std::string> unit, label, description;
+
+  friend bool operator==(const Parameter&, const Parameter&) = default;
+};
+
+struct Document {
+  Json meta = nullptr;  ///< free; never influences evaluation
+  Json ui = nullptr;    ///< free; never influences evaluation
+  std::map<std::string, Parameter> parameters;
+  std::map<std::string, NodeEntry> nodes;
+
+  friend bool operator==(const Document&, const Document&) = default;
+};
+
+/// Reads a document; every structural problem at once. Pointers start with `/graph`.
+Result<Document> read_document(const Json& json, const Limits& limits);
+
+Json write_document(const Document& document);
+
+/// Ids of nodes and names of parameters: [A-Za-z][A-Za-z0-9_-]{0,63}.
+bool is_identifier(std::string_view text);
+
+}  // namespace dini

@@ -1,0 +1,243 @@
+#include "graph/infer.h"
+
+#include <algorithm>
+
+#include "graph/literal.h"
+
+namespace dini {
+
+namespace {
+
+const Axis* find_axis(const Axes& axes, const std::string& name) {
+  const auto found = std::find_if(axes.begin(), axes.end(), [&](const Axis& axis) { return axis.name == name; });
+  return found == axes.end() ? nullptr : &*found;
+}
+
+std::string describe(const Axis& axis) { return std::to_string(axis.size) + (axis.closed ? " closed" : " open"); }
+
+std::string names_of(const Axes& axes) {
+  if (axes.empty()) return "no axes";
+  std::string text = axes.size() == 1 ? "the axis" : "the axes";
+  for (const Axis& axis : axes) text += " " + axis.name;
+  return text;
+}
+
+class Inference {
+ public:
+  Inference(PlannedNode& node, const Limits& limits) : node_(node), limits_(limits) {}
+
+  std::optional<Problem> run() {
+    name_lists();
+    for (PlannedInput& input : node_.inputs) {
+      if (auto problem = join_items(input)) return problem;
+    }
+    if (auto problem = find_consumed()) return problem;
+    if (auto problem = unite()) return problem;
+    return make_outputs();
+  }
+
+ private:
+  const std::string& port_name(const PlannedInput& input) const {
+    return node_.type->inputs[static_cast<std::size_t>(&input - node_.inputs.data())].name;
+  }
+
+  Problem problem(std::string code, const std::string& port, std::string detail) const {
+    return {std::move(code), std::move(detail), node_.id, port, ""};
+  }
+
+  bool is_mixed(const PlannedInput& input) const {
+    return node_.overload->is_mixed(static_cast<std::size_t>(&input - node_.inputs.data()));
+  }
+
+  /// The first input whose axes the function consumes.
+  PlannedInput* primary() {
+    for (std::size_t port = 0; port < node_.inputs.size(); ++port) {
+      if (node_.overload->input_is_block[port]) return &node_.inputs[port];
+    }
+    return nullptr;
+  }
+
+  std::string text_literal(const std::string& port) const {
+    const auto found = node_.literals.find(port);
+    return found == node_.literals.end() ? "" : std::get<std::string>(found->second);
+  }
+
+  /// Lists of one node share an axis: the consumed one of a wired primary input, else what `axis` says, else the node's id.
+  void name_lists() {
+    std::string name = text_literal("axis");
+    if (name.empty()) name = node_.id;
+    PlannedInput* first = primary();
+    if (first != nullptr && !first->list_axis && !first->items.empty()) {
+      const std::string over = text_literal(node_.type->over.front());
+      const Axes& axes = first->items.front().shape.axes;
+      if (!over.empty()) {
+        name = over;
+      } else if (!axes.empty()) {
+        name = axes.back().name;
+      }
+    }
+    for (PlannedInput& input : node_.inputs) {
+      if (!input.list_axis) continue;
+      input.list_axis->name = name;
+      const Axis* paired = first != nullptr && !first->list_axis && !first->items.empty()
+                               ? find_axis(first->items.front().shape.axes, name)
+                               : nullptr;
+      if (paired != nullptr) input.list_axis->closed = paired->closed;
+    }
+  }
+
+  std::optional<Problem> add_axes(Axes& axes, const Axes& more, const std::string& port, const std::string& other) const {
+    for (const Axis& axis : more) {
+      const Axis* known = find_axis(axes, axis.name);
+      if (known == nullptr) {
+        axes.push_back(axis);
+      } else if (known->size != axis.size || known->closed != axis.closed) {
+        return problem("axis-mismatch", port,
+                       "axis " + axis.name + " is " + describe(axis) + " at " + port + " but " + describe(*known) + " at " +
+                           other + "; the same name must have the same size and closure, different axes different names");
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// The shape of an input from its items.
+  std::optional<Problem> join_items(PlannedInput& input) const {
+    if (input.items.empty()) return std::nullopt;
+    input.shape = input.items.front().shape;
+    if (is_mixed(input)) {
+      input.shape.axes.clear();
+      input.shape.vertices = 0;
+      for (const PlannedItem& item : input.items) input.shape.vertices += item.shape.vertices;
+      return std::nullopt;
+    }
+    if (!input.list_axis) return std::nullopt;
+    for (const PlannedItem& item : input.items) {
+      if (auto found = add_axes(input.shape.axes, item.shape.axes, port_name(input), port_name(input))) return found;
+    }
+    return add_axes(input.shape.axes, {*input.list_axis}, port_name(input), port_name(input));
+  }
+
+  std::optional<Problem> find_consumed() {
+    const auto wanted = static_cast<std::size_t>(node_.overload->consumed_axes);
+    if (wanted == 0) return std::nullopt;
+    const PlannedInput& first = *primary();
+    const Axes& axes = first.shape.axes;
+    if (axes.size() < wanted) {
+      return problem("axis-mismatch", port_name(first),
+                     port_name(first) + " needs " + std::to_string(wanted) + (wanted == 1 ? " axis" : " axes") + ", it has " +
+                         names_of(axes));
+    }
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < wanted; ++k) names.push_back(text_literal(node_.type->over[k]));
+    // Axes that are not named are the last ones that are left, in their order.
+    std::vector<std::string> left;
+    for (const Axis& axis : axes) {
+      if (std::find(names.begin(), names.end(), axis.name) == names.end()) left.push_back(axis.name);
+    }
+    for (std::size_t k = wanted; k-- > 0;) {
+      if (!names[k].empty() || left.empty()) continue;
+      names[k] = left.back();
+      left.pop_back();
+    }
+    for (std::size_t k = 0; k < wanted; ++k) {
+      const Axis* axis = find_axis(axes, names[k]);
+      if (axis == nullptr) {
+        return problem("axis-mismatch", node_.type->over[k],
+                       "there is no axis " + excerpt(names[k]) + " at " + port_name(first) + ", it has " + names_of(axes));
+      }
+      if (find_axis(node_.consumed, names[k]) != nullptr) {
+        return problem("axis-mismatch", node_.type->over[k], "the axis " + names[k] + " is named twice");
+      }
+      node_.consumed.push_back(*axis);
+    }
+    return std::nullopt;
+  }
+
+  /// The lifted axes: all axes of all inputs, less the consumed ones.
+  std::optional<Problem> unite() {
+    Axes all;
+    std::map<std::string, std::string> from;
+    for (const PlannedInput& input : node_.inputs) {
+      for (const Axis& axis : input.shape.axes) {
+        if (auto found = add_axes(all, {axis}, port_name(input), from[axis.name])) return found;
+        from.emplace(axis.name, port_name(input));
+      }
+    }
+    for (const Axis& axis : all) {
+      const bool consumed = find_axis(node_.consumed, axis.name) != nullptr;
+      const PlannedInput* block = consumed ? primary() : nullptr;
+      if (!consumed) {
+        node_.lifted.push_back(axis);
+      } else if (block != nullptr && !only_blocks_have(axis.name)) {
+        return problem("axis-mismatch", from[axis.name],
+                       "the axis " + axis.name + " is used up by " + port_name(*block) +
+                           ", so no other input of this node may run over it");
+      }
+    }
+    return std::nullopt;
+  }
+
+  bool only_blocks_have(const std::string& axis) const {
+    for (std::size_t port = 0; port < node_.inputs.size(); ++port) {
+      if (!node_.overload->input_is_block[port] && find_axis(node_.inputs[port].shape.axes, axis) != nullptr) return false;
+    }
+    return true;
+  }
+
+  std::size_t vertices_per_run() const {
+    if (node_.type->vertices) return node_.type->vertices(node_.literals, node_.consumed);
+    std::size_t total = 0;
+    for (const PlannedInput& input : node_.inputs) {
+      const std::size_t meshes = is_mixed(input) ? 1 : std::max<std::size_t>(1, sample_count(input.shape.axes));
+      total += input.shape.vertices / meshes;
+    }
+    return total;
+  }
+
+  std::optional<Problem> make_outputs() {
+    const Overload& overload = *node_.overload;
+    node_.made.assign(overload.outputs.size(), {});
+    if (node_.type->axes) {
+      std::vector<Axes> made = node_.type->axes(node_.literals, node_.id);
+      made.resize(overload.outputs.size());
+      for (std::size_t output = 0; output < overload.outputs.size(); ++output) {
+        if (overload.output_makes_axes[output]) node_.made[output] = made[output];
+      }
+    }
+    for (std::size_t output = 0; output < overload.outputs.size(); ++output) {
+      WireShape shape{overload.outputs[output], node_.lifted, 0};
+      for (const Axis& axis : node_.made[output]) {
+        if (find_axis(shape.axes, axis.name) != nullptr) {
+          return problem("axis-mismatch", "", "this node makes the axis " + axis.name + ", which its inputs have already; give it another name");
+        }
+        shape.axes.push_back(axis);
+      }
+      const std::size_t samples = sample_count(shape.axes);
+      if (samples > limits_.samples) return too_many("values", samples, limits_.samples);
+      if (shape.type == WireType::mesh || shape.type == WireType::asset) {
+        const std::size_t each = vertices_per_run();
+        if (samples > 0 && each > limits_.vertices / samples) {
+          return too_many("vertices", each > limits_.vertices ? each : each * samples, limits_.vertices);
+        }
+        shape.vertices = each * samples;
+      }
+      node_.outputs.push_back(std::move(shape));
+    }
+    return std::nullopt;
+  }
+
+  Problem too_many(const char* what, std::size_t count, std::size_t limit) const {
+    return problem("limit-exceeded", "",
+                   "this node would make " + std::to_string(count) + " " + what + ", at most " + std::to_string(limit) +
+                       " are accepted");
+  }
+
+  PlannedNode& node_;
+  const Limits& limits_;
+};
+
+}  // namespace
+
+std::optional<Problem> infer_axes(PlannedNode& node, const Limits& limits) { return Inference(node, limits).run(); }
+
+}  // namespace dini

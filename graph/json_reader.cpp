@@ -1,0 +1,133 @@
+#include "graph/json_reader.h"
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+namespace dini {
+
+namespace {
+
+/// Builds the document while counting; stops at the first thing that is refused.
+class StrictReader : public nlohmann::json_sax<Json> {
+ public:
+  explicit StrictReader(const Limits& limits) : limits_(limits) {}
+
+  bool null() override { return add(nullptr); }
+  bool boolean(bool value) override { return add(value); }
+  bool number_integer(number_integer_t value) override { return add(value); }
+  bool number_unsigned(number_unsigned_t value) override { return add(value); }
+  bool number_float(number_float_t value, const string_t&) override { return add(value); }
+  bool string(string_t& value) override { return short_enough(value) && add(std::move(value)); }
+  bool binary(binary_t&) override { return refuse("not-json", "binary values are not JSON"); }
+
+  bool start_object(std::size_t) override { return open(Json::object()); }
+  bool start_array(std::size_t) override { return open(Json::array()); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+
+  bool key(string_t& name) override {
+    if (!short_enough(name)) return false;
+    if (std::any_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; })) {
+      return refuse("not-json", "a name holds a control character");
+    }
+    if (stack_.back()->contains(name)) return refuse("not-json", "the name " + Json(name).dump() + " stands twice in one object");
+    key_ = std::move(name);
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) override {
+    // Numbers beyond double arrive here too; the library's text repeats the whole token, so it is not passed on.
+    const bool overflow = error.id == 406;
+    problem_ = {"not-json", (overflow ? "a number is too large, at byte " : "the text is not JSON, at byte ") +
+                                std::to_string(position)};
+    return false;
+  }
+
+  Result<Json> result(bool read) && {
+    if (read) return std::move(root_);
+    return problem_;
+  }
+
+ private:
+  bool refuse(std::string code, std::string detail) {
+    problem_ = {std::move(code), std::move(detail)};
+    return false;
+  }
+
+  bool short_enough(const std::string& text) {
+    if (text.size() <= limits_.string_bytes) return true;
+    return refuse("limit-exceeded", "a text is longer than " + std::to_string(limits_.string_bytes) + " bytes");
+  }
+
+  bool count() {
+    if (++values_ <= limits_.json_values) return true;
+    return refuse("limit-exceeded", "the document holds more than " + std::to_string(limits_.json_values) + " values");
+  }
+
+  Json* place(Json value) {
+    if (stack_.empty()) {
+      root_ = std::move(value);
+      return &root_;
+    }
+    Json& parent = *stack_.back();
+    if (parent.is_array()) {
+      parent.push_back(std::move(value));
+      return &parent.back();
+    }
+    return &(parent[key_] = std::move(value));
+  }
+
+  bool add(Json value) {
+    if (!count()) return false;
+    place(std::move(value));
+    return true;
+  }
+
+  bool open(Json value) {
+    if (!count()) return false;
+    if (stack_.size() >= limits_.json_depth) {
+      return refuse("not-json", "the document is nested deeper than " + std::to_string(limits_.json_depth) + " levels");
+    }
+    stack_.push_back(place(std::move(value)));
+    return true;
+  }
+
+  bool close() {
+    stack_.pop_back();
+    return true;
+  }
+
+  const Limits& limits_;
+  Json root_;
+  std::vector<Json*> stack_;
+  std::string key_;
+  std::size_t values_ = 0;
+  Problem problem_;
+};
+
+}  // namespace
+
+Result<Json> parse_json(std::string_view text, const Limits& limits) {
+  if (text.find('\0') != std::string_view::npos) return Problem{"not-json", "the text holds a NUL byte"};
+  if (text.starts_with("\xEF\xBB\xBF")) return Problem{"not-json", "the text starts with a byte order mark"};
+  StrictReader reader(limits);
+  const bool read = Json::sax_parse(text, &reader);
+  return std::move(reader).result(read);
+}
+
+std::string pointer_token(std::string_view token) {
+  std::string escaped;
+  for (const char c : token) {
+    if (c == '~') {
+      escaped += "~0";
+    } else if (c == '/') {
+      escaped += "~1";
+    } else {
+      escaped += c;
+    }
+  }
+  return escaped;
+}
+
+}  // namespace dini

@@ -1,0 +1,131 @@
+#include "graph/literal.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dini {
+
+namespace {
+
+constexpr std::int64_t largest_exact_integer = std::int64_t{1} << 53;
+
+LiteralProblem mismatch(const Json& json, const std::string& accepted) {
+  return {"type-mismatch", "got " + excerpt(json) + ", expected " + accepted};
+}
+
+bool outside(double value, const InputSpec& spec) {
+  return (spec.minimum && value < *spec.minimum) || (spec.maximum && value > *spec.maximum);
+}
+
+LiteralProblem out_of_range(const Json& json, const InputSpec& spec) {
+  return {"out-of-range", "got " + excerpt(json) + ", accepted is " + range_text(spec.minimum, spec.maximum)};
+}
+
+LiteralOutcome read_number(const Json& json, const InputPort& port) {
+  if (!json.is_number()) return mismatch(json, "a number");
+  const double value = json.get<double>();
+  if (!std::isfinite(value)) return LiteralProblem{"non-finite", "the number is not finite"};
+  if (outside(value, port.spec)) return out_of_range(json, port.spec);
+  return Argument(Value{{}, single_column(value)});
+}
+
+LiteralOutcome read_integer(const Json& json, const InputPort& port) {
+  if (!json.is_number_integer()) return mismatch(json, "a whole number");
+  const bool too_large = json.is_number_unsigned()
+                             ? json.get<std::uint64_t>() > static_cast<std::uint64_t>(largest_exact_integer)
+                             : std::abs(json.get<std::int64_t>() / 2) > largest_exact_integer / 2;
+  if (too_large || outside(json.get<double>(), port.spec)) return out_of_range(json, port.spec);
+  return Argument(Literal(json.get<std::int64_t>()));
+}
+
+/// The numbers of an array of `least` to `most` finite numbers; empty when it is anything else.
+std::vector<double> numbers_of(const Json& json, std::size_t least, std::size_t most) {
+  if (!json.is_array() || json.size() < least || json.size() > most) return {};
+  std::vector<double> numbers;
+  for (const Json& item : json) {
+    if (!item.is_number() || !std::isfinite(item.get<double>())) return {};
+    numbers.push_back(item.get<double>());
+  }
+  return numbers;
+}
+
+template <class T>
+LiteralOutcome read_triple(const Json& json) {
+  const std::vector<double> numbers = numbers_of(json, 3, 3);
+  if (numbers.empty()) return mismatch(json, "three finite numbers [x, y, z]");
+  return Argument(Value{{}, single_column(T{numbers[0], numbers[1], numbers[2]})});
+}
+
+LiteralOutcome read_color(const Json& json) {
+  std::vector<double> numbers = numbers_of(json, 3, 4);
+  if (numbers.empty()) return mismatch(json, "a color [red, green, blue] or [red, green, blue, alpha]");
+  if (std::any_of(numbers.begin(), numbers.end(), [](double n) { return n < 0 || n > 1; })) {
+    return LiteralProblem{"out-of-range", "got " + excerpt(json) + ", every component must be 0 to 1"};
+  }
+  numbers.resize(4, 1.0);
+  return Argument(Literal(Color{numbers[0], numbers[1], numbers[2], numbers[3]}));
+}
+
+LiteralOutcome read_choice(const Json& json, const InputPort& port) {
+  std::string accepted;
+  for (const std::string& word : port.choices) accepted += (accepted.empty() ? "" : ", ") + word;
+  if (!json.is_string()) return mismatch(json, "one of " + accepted);
+  const auto& word = json.get_ref<const std::string&>();
+  if (std::find(port.choices.begin(), port.choices.end(), word) == port.choices.end()) {
+    return LiteralProblem{"not-in-choices", "got " + excerpt(json) + ", accepted are " + accepted};
+  }
+  return Argument(Literal(word));
+}
+
+}  // namespace
+
+LiteralOutcome read_literal(const Json& json, WireType type, const InputPort& port) {
+  switch (type) {
+    case WireType::number:
+      return read_number(json, port);
+    case WireType::integer:
+      return read_integer(json, port);
+    case WireType::vector:
+      return read_triple<Vector>(json);
+    case WireType::point:
+      return read_triple<Point>(json);
+    case WireType::color:
+      return read_color(json);
+    case WireType::choice:
+      return read_choice(json, port);
+    case WireType::text:
+      if (!json.is_string()) return mismatch(json, "a text");
+      return Argument(Literal(json.get<std::string>()));
+    case WireType::boolean:
+      if (!json.is_boolean()) return mismatch(json, "true or false");
+      return Argument(Literal(json.get<bool>()));
+    case WireType::generator:
+    case WireType::circle:
+    case WireType::sphere:
+    case WireType::mesh:
+    case WireType::asset:
+      break;
+  }
+  return mismatch(json, "a link to a " + std::string(name(type)));
+}
+
+std::string to_text(double value) { return Json(value == std::floor(value) && std::abs(value) < 1e15
+                                                    ? Json(static_cast<std::int64_t>(value))
+                                                    : Json(value)).dump(); }
+
+std::string range_text(std::optional<double> minimum, std::optional<double> maximum) {
+  if (minimum && maximum) return to_text(*minimum) + " to " + to_text(*maximum);
+  if (minimum) return "at least " + to_text(*minimum);
+  if (maximum) return "at most " + to_text(*maximum);
+  return "any";
+}
+
+std::string excerpt(const Json& json) {
+  constexpr std::size_t longest = 60;
+  if (json.is_structured() && json.size() > 8) return json.is_array() ? "a long list" : "an object";
+  std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+  if (text.size() > longest) text = text.substr(0, longest) + "...";
+  return text;
+}
+
+}  // namespace dini

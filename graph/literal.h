@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "graph/port.h"
+#include "graph/value.h"
+
+namespace dini {
+
+/// Why a literal is refused: a code and what would be accepted.
+struct LiteralProblem {
+  std::string code;
+  std::string detail;
+};
+
+using LiteralOutcome = std::variant<Argument, LiteralProblem>;
+
+/// Reads a literal for a port as one wire type: numbers and integers within the hard range, finite triples for vectors and
+/// points, a choice among the port's words. Generators, circles, spheres and meshes have no literals.
+LiteralOutcome read_literal(const Json& json, WireType type, const InputPort& port);
+
+/// A number as text for people: the shortest that reads back, without an exponent where possible.
+std::string to_text(double value);
+
+/// "0 to 4", "at least 1", or "any" for a hard range.
+std::string range_text(std::optional<double> minimum, std::optional<double> maximum);
+
+/// `json` cut to a length that suits an error message.
+std::string excerpt(const Json& json);
+
+}  // namespace dini

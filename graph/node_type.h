@@ -1,0 +1,70 @@
+#pragma once
+
+// A node type: what a card shows and what the engine runs. Built by `node(...)` in graph/node_builder.h.
+//
+// If a function consumes axes (Block parameters) it sees all values along them; every other axis of its inputs is lifted.
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "graph/lift.h"
+#include "graph/port.h"
+
+namespace dini {
+
+/// The literals of a node by port name, for rules that need them before anything is computed.
+using Literals = std::map<std::string, Literal, std::less<>>;
+
+/// Reads literals that a card guarantees to be there.
+std::int64_t integer_at(const Literals& literals, std::string_view port);
+bool boolean_at(const Literals& literals, std::string_view port);
+const std::string& text_at(const Literals& literals, std::string_view port);
+
+/// One function behind a node, for one type of its first input.
+struct Overload {
+  std::vector<WireType> inputs;
+  std::vector<std::vector<WireType>> mixed_types;  ///< what an input that keeps its values apart takes; else empty
+  std::vector<bool> input_is_optional;
+  std::vector<bool> input_is_block;
+  std::vector<WireType> outputs;
+  std::vector<bool> output_makes_axes;
+  int consumed_axes = 0;
+  std::function<LiftedResult(const Call&)> run;
+
+  bool is_mixed(std::size_t port) const { return !mixed_types[port].empty(); }
+};
+
+/// The axes that a node makes, per output, from its literals and its id.
+using AxisRule = std::function<std::vector<Axes>(const Literals&, const std::string& node_id)>;
+
+/// A bound of the vertices of one mesh that a node makes, from its literals and the consumed axes.
+using VertexRule = std::function<std::size_t(const Literals&, const Axes& consumed)>;
+
+struct NodeType {
+  std::string id;
+  std::string title;
+  std::string family;
+  std::string doc;
+  std::string source;   ///< equation or figure of the paper, or another publication; may be empty
+  std::string details;  ///< degenerate cases and anything else a user should know; may be empty
+  int version = 1;      ///< raised when results change; part of the fingerprint
+
+  std::vector<InputPort> inputs;
+  std::vector<OutputPort> outputs;
+  std::vector<std::vector<std::string>> choices;
+  std::vector<Overload> overloads;
+
+  std::vector<std::string> over;  ///< text inputs that name the consumed axes, in order
+  AxisRule axes;
+  VertexRule vertices;
+  bool depends_on_quality = false;
+  bool always_evaluated = false;  ///< runs even when the asked output does not need it (checks)
+
+  const InputPort* find_input(std::string_view name) const;
+  const OutputPort* find_output(std::string_view name) const;
+  std::size_t input_index(std::string_view name) const;
+};
+
+}  // namespace dini

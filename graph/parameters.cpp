@@ -1,0 +1,157 @@
+#include "graph/parameters.h"
+
+#include <algorithm>
+#include <array>
+
+#include "graph/json_reader.h"
+#include "graph/literal.h"
+#include "graph/nearest.h"
+
+namespace dini {
+
+namespace {
+
+constexpr std::array parameter_types = {WireType::number, WireType::integer, WireType::boolean,
+                                        WireType::choice, WireType::vector,  WireType::color};
+
+std::optional<WireType> parameter_type(const Json& json) {
+  if (!json.is_string()) return std::nullopt;
+  for (const WireType type : parameter_types) {
+    if (json.get_ref<const std::string&>() == name(type)) return type;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> names_of(const std::map<std::string, Parameter>& parameters) {
+  std::vector<std::string> names;
+  for (const auto& [name, parameter] : parameters) names.push_back(name);
+  return names;
+}
+
+/// Collects the problems of one parameter.
+class ParameterReader {
+ public:
+  ParameterReader(const Json& json, std::string pointer) : json_(json), pointer_(std::move(pointer)) {}
+
+  Result<Parameter> read() {
+    if (!json_.is_object()) return Problem{"type-mismatch", "a parameter must be an object", "", "", pointer_};
+    refuse_unknown();
+    const std::optional<WireType> type = parameter_type(json_.value("type", Json()));
+    if (!type) {
+      add("type", "type must be number, integer, boolean, choice, vector or color");
+      return problems_;
+    }
+    parameter_.type = *type;
+    parameter_.minimum = number("min");
+    parameter_.maximum = number("max");
+    parameter_.step = number("step");
+    parameter_.unit = text("unit");
+    parameter_.label = text("label");
+    parameter_.description = text("description");
+    read_choices();
+    read_default();
+    if (!problems_.empty()) return problems_;
+    return parameter_;
+  }
+
+ private:
+  void add(const std::string& member, std::string detail, std::string code = "type-mismatch") {
+    problems_.push_back({std::move(code), std::move(detail), "", "", pointer_ + "/" + pointer_token(member)});
+  }
+
+  void refuse_unknown() {
+    static const std::vector<std::string> known = {"type", "default", "min",         "max",    "step",
+                                                   "unit", "label",   "description", "choices"};
+    for (const auto& [member, value] : json_.items()) {
+      if (std::find(known.begin(), known.end(), member) != known.end()) continue;
+      add(member, "unknown member " + excerpt(member) + did_you_mean(member, known), "unknown-member");
+    }
+  }
+
+  std::optional<double> number(const char* member) {
+    if (!json_.contains(member)) return std::nullopt;
+    if (!json_[member].is_number()) {
+      add(member, std::string(member) + " must be a number");
+      return std::nullopt;
+    }
+    return json_[member].get<double>();
+  }
+
+  std::optional<std::string> text(const char* member) {
+    if (!json_.contains(member)) return std::nullopt;
+    if (!json_[member].is_string()) {
+      add(member, std::string(member) + " must be a text");
+      return std::nullopt;
+    }
+    return json_[member].get<std::string>();
+  }
+
+  void read_choices() {
+    const Json choices = json_.value("choices", Json::array());
+    const bool texts = choices.is_array() &&
+                       std::all_of(choices.begin(), choices.end(), [](const Json& word) { return word.is_string(); });
+    if (!texts || (choices.empty() == (parameter_.type == WireType::choice))) {
+      add("choices", "a choice lists its words in \"choices\", other types have none");
+      return;
+    }
+    parameter_.choices = choices.get<std::vector<std::string>>();
+  }
+
+  void read_default() {
+    if (!json_.contains("default")) {
+      problems_.push_back({"required-member-missing", "the parameter has no \"default\"", "", "", pointer_});
+      return;
+    }
+    parameter_.default_value = json_["default"];
+    const LiteralOutcome outcome =
+        read_literal(parameter_.default_value, parameter_.type, parameter_port(parameter_));
+    if (const auto* problem = std::get_if<LiteralProblem>(&outcome)) add("default", problem->detail, problem->code);
+  }
+
+  const Json& json_;
+  std::string pointer_;
+  Parameter parameter_;
+  Problems problems_;
+};
+
+}  // namespace
+
+InputPort parameter_port(const Parameter& parameter) {
+  InputPort port;
+  port.spec.minimum = parameter.minimum;
+  port.spec.maximum = parameter.maximum;
+  port.choices = parameter.choices;
+  port.types = {parameter.type};
+  return port;
+}
+
+Result<Parameter> read_parameter(const Json& json, const std::string& pointer) {
+  return ParameterReader(json, pointer).read();
+}
+
+Result<std::map<std::string, Json>> resolve_parameters(const Document& document, const Json& given) {
+  Problems problems;
+  std::map<std::string, Json> values;
+  for (const auto& [name, parameter] : document.parameters) values[name] = parameter.default_value;
+  if (!given.is_object()) return Problem{"type-mismatch", "parameters must be an object of values by name", "", "", "/parameters"};
+  for (const auto& [name, value] : given.items()) {
+    const std::string pointer = "/parameters/" + pointer_token(name);
+    const auto parameter = document.parameters.find(name);
+    if (parameter == document.parameters.end()) {
+      const std::string hint = did_you_mean(name, names_of(document.parameters));
+      problems.push_back({"unknown-parameter", "the graph has no parameter " + excerpt(name) + hint, "", "", pointer});
+      continue;
+    }
+    const LiteralOutcome outcome =
+        read_literal(value, parameter->second.type, parameter_port(parameter->second));
+    if (const auto* problem = std::get_if<LiteralProblem>(&outcome)) {
+      problems.push_back({problem->code, parameter->second.label.value_or(name) + ": " + problem->detail, "", "", pointer});
+      continue;
+    }
+    values[name] = value;
+  }
+  if (!problems.empty()) return problems;
+  return values;
+}
+
+}  // namespace dini

@@ -1,0 +1,77 @@
+#pragma once
+
+// A plan: a checked graph with everything resolved that can be known before anything is computed.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "graph/digest.h"
+#include "graph/document.h"
+#include "graph/node_type.h"
+
+namespace dini {
+
+/// What is known about a wire before evaluation. `vertices` is a bound over all meshes on it.
+struct WireShape {
+  WireType type = WireType::number;
+  Axes axes;
+  std::size_t vertices = 0;
+};
+
+/// Output `output` of the planned node `node`.
+struct Source {
+  std::size_t node = 0;
+  std::size_t output = 0;
+};
+
+/// One thing that reaches an input: a wire or a literal.
+struct PlannedItem {
+  std::variant<Source, Argument> from;
+  WireShape shape;
+};
+
+/// What reaches one port; no items when the port is left out. `list_axis` joins the items of a list.
+struct PlannedInput {
+  std::vector<PlannedItem> items;
+  std::optional<Axis> list_axis;
+  WireShape shape;
+  std::set<std::string> parameters;  ///< graph parameters that reach this port directly
+};
+
+struct PlannedNode {
+  std::string id;
+  const NodeType* type = nullptr;
+  const Overload* overload = nullptr;  ///< null for a bypassed node
+  std::optional<PlannedItem> bypass;   ///< what a bypassed node passes on
+  std::vector<PlannedInput> inputs;
+  Literals literals;
+  Axes lifted;
+  Axes consumed;
+  std::vector<Axes> made;
+  std::vector<WireShape> outputs;
+  Digest fingerprint{};
+  std::set<std::string> parameters;  ///< all graph parameters that can change this node's outputs
+};
+
+/// Predicted totals of a plan.
+struct Cost {
+  std::size_t samples = 0;
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  std::size_t bytes = 0;
+};
+
+struct Plan {
+  std::vector<PlannedNode> nodes;  ///< every node after the nodes it needs
+  std::map<std::string, std::size_t> index;
+  std::map<std::string, Json> parameters;
+  Quality quality = Quality::final;
+  Cost cost;
+};
+
+}  // namespace dini

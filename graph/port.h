@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "graph/problem.h"
+#include "graph/wire.h"
+
+namespace dini {
+
+/// What a card says about an input beside its name and text: default, unit, ranges.
+/// The hard range is enforced for literals and wired numbers alike; the soft range is only the slider's extent.
+class InputSpec {
+ public:
+  InputSpec() = default;
+  explicit InputSpec(Json value) : default_value(std::move(value)) {}
+
+  InputSpec&& hard(double least, double most) && {
+    minimum = least;
+    maximum = most;
+    return std::move(*this);
+  }
+  InputSpec&& soft(double least, double most) && {
+    soft_minimum = least;
+    soft_maximum = most;
+    return std::move(*this);
+  }
+  InputSpec&& unit(std::string text) && {
+    unit_text = std::move(text);
+    return std::move(*this);
+  }
+  /// Takes a list of links and literals, which share one axis.
+  InputSpec&& several() && {
+    takes_several = true;
+    return std::move(*this);
+  }
+
+  /// A text that names an axis: it chooses how axes pair up, but never changes a value.
+  InputSpec&& names_axis() && {
+    is_axis_name = true;
+    return std::move(*this);
+  }
+
+  Json default_value = nullptr;
+  std::optional<double> minimum, maximum, soft_minimum, soft_maximum;
+  std::string unit_text;
+  bool takes_several = false;
+  bool is_axis_name = false;
+};
+
+/// The spec of an input that has a default; `required()` of one that must be given.
+inline InputSpec defaults(Json value) { return InputSpec(std::move(value)); }
+inline InputSpec required() { return InputSpec(); }
+
+/// One input of a node type, as its card shows it.
+struct InputPort {
+  std::string name;
+  std::string doc;
+  InputSpec spec;
+  std::vector<WireType> types;  ///< One per overload, repeats left out.
+  std::vector<std::string> choices;
+  bool optional = false;  ///< May be absent and has no default.
+
+  bool required() const { return !optional && spec.default_value.is_null(); }
+};
+
+/// One output of a node type.
+struct OutputPort {
+  std::string name;
+  std::string doc;
+  std::vector<WireType> types;
+};
+
+}  // namespace dini

@@ -1,0 +1,106 @@
+#include "graph/registry.h"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "graph/literal.h"
+#include "graph/node_builder.h"
+
+namespace dini {
+
+namespace {
+
+[[noreturn]] void refuse(const NodeType& type, const std::string& why) {
+  throw std::logic_error("node type \"" + type.id + "\": " + why);
+}
+
+void add_type(std::vector<WireType>& types, WireType type) {
+  if (std::find(types.begin(), types.end(), type) == types.end()) types.push_back(type);
+}
+
+/// Fills in what the functions' signatures say about the ports.
+void complete_ports(NodeType& type) {
+  for (std::size_t port = 0; port < type.inputs.size(); ++port) {
+    InputPort& input = type.inputs[port];
+    for (const Overload& overload : type.overloads) {
+      for (const WireType type_taken : overload.mixed_types[port]) add_type(input.types, type_taken);
+      if (!overload.is_mixed(port)) add_type(input.types, overload.inputs[port]);
+      input.optional = overload.input_is_optional[port];
+    }
+    input.choices = type.choices[port];
+  }
+  for (std::size_t port = 0; port < type.outputs.size(); ++port) {
+    for (const Overload& overload : type.overloads) add_type(type.outputs[port].types, overload.outputs[port]);
+  }
+}
+
+void check_input(const NodeType& type, const InputPort& input) {
+  if (input.name.empty() || input.doc.empty()) refuse(type, "an input lacks its name or its text");
+  const InputSpec& spec = input.spec;
+  if (spec.minimum && spec.soft_minimum && *spec.soft_minimum < *spec.minimum) refuse(type, input.name + ": soft range");
+  if (spec.maximum && spec.soft_maximum && *spec.soft_maximum > *spec.maximum) refuse(type, input.name + ": soft range");
+  if (spec.default_value.is_null()) return;
+  const LiteralOutcome outcome = read_literal(spec.default_value, input.types.front(), input);
+  if (std::holds_alternative<LiteralProblem>(outcome)) refuse(type, input.name + ": default outside its own range");
+}
+
+template <class Ports>
+void check_names(const NodeType& type, const Ports& ports) {
+  std::set<std::string> names;
+  for (const auto& port : ports) {
+    if (!names.insert(port.name).second) refuse(type, "two ports are called " + port.name);
+  }
+}
+
+}  // namespace
+
+void Registry::add(NodeType type) {
+  if (type.title.empty() || type.family.empty() || type.doc.empty()) refuse(type, "title, family or doc is missing");
+  for (const Overload& overload : type.overloads) {
+    if (overload.inputs.size() != type.inputs.size()) refuse(type, "the card does not describe every input");
+    if (overload.outputs.size() != type.outputs.size()) refuse(type, "the card does not describe every output");
+    if (overload.consumed_axes > static_cast<int>(type.over.size())) refuse(type, "a consumed axis has no input to name it");
+    const bool makes = std::count(overload.output_makes_axes.begin(), overload.output_makes_axes.end(), true) > 0;
+    if (makes != static_cast<bool>(type.axes)) refuse(type, "made axes and the axis rule do not agree");
+  }
+  complete_ports(type);
+  check_names(type, type.inputs);
+  check_names(type, type.outputs);
+  for (const InputPort& input : type.inputs) check_input(type, input);
+  for (const std::string& port : type.over) {
+    if (type.find_input(port) == nullptr) refuse(type, "no input names the consumed axis " + port);
+  }
+  const std::string id = type.id;
+  if (!types_.emplace(id, std::move(type)).second) throw std::logic_error("node type \"" + id + "\" is declared twice");
+}
+
+const NodeType* Registry::find(std::string_view id) const {
+  const auto found = types_.find(id);
+  return found == types_.end() ? nullptr : &found->second;
+}
+
+namespace {
+
+std::string axis_name(const Literals& literals, const std::string& port, const std::string& node_id) {
+  const std::string& given = text_at(literals, port);
+  return given.empty() ? node_id : given;
+}
+
+}  // namespace
+
+AxisRule one_axis(std::string count, std::string axis, std::string closed) {
+  return [=](const Literals& literals, const std::string& node_id) {
+    const auto size = static_cast<std::size_t>(integer_at(literals, count));
+    return std::vector<Axes>{{{axis_name(literals, axis, node_id), size, boolean_at(literals, closed)}}};
+  };
+}
+
+AxisRule one_axis(std::string count, std::string axis, bool closed) {
+  return [=](const Literals& literals, const std::string& node_id) {
+    const auto size = static_cast<std::size_t>(integer_at(literals, count));
+    return std::vector<Axes>{{{axis_name(literals, axis, node_id), size, closed}}};
+  };
+}
+
+}  // namespace dini

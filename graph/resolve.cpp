@@ -1,0 +1,278 @@
+#include "graph/resolve.h"
+
+#include <algorithm>
+
+#include "graph/json_reader.h"
+#include "graph/literal.h"
+
+namespace dini {
+
+namespace {
+
+/// Something given to an input, before its type is settled: a wire, or JSON from the document or from a parameter.
+struct Given {
+  std::optional<PlannedItem> wire;
+  Json literal;
+  const Parameter* parameter = nullptr;
+};
+
+std::string names_of(const std::vector<WireType>& types) {
+  std::string text;
+  for (const WireType type : types) text += (text.empty() ? "" : " or ") + std::string(name(type));
+  return text;
+}
+
+bool parameter_fits(WireType parameter, WireType port) {
+  if (parameter == port) return true;
+  switch (parameter) {
+    case WireType::integer:
+      return port == WireType::number;
+    case WireType::vector:
+      return port == WireType::point;
+    case WireType::choice:
+      return port == WireType::text;
+    default:
+      return false;
+  }
+}
+
+/// `value` moved into the hard range of the port, for a fix.
+Json clamped(const Json& value, const InputSpec& spec) {
+  const double number = value.get<double>();
+  const double inside = std::clamp(number, spec.minimum.value_or(number), spec.maximum.value_or(number));
+  if (value.is_number_integer()) return static_cast<std::int64_t>(inside);
+  return inside;
+}
+
+class Resolver {
+ public:
+  Resolver(const std::string& id, const NodeEntry& entry, const NodeType& type, const Document& document, const Plan& plan)
+      : id_(id), entry_(entry), type_(type), document_(document), plan_(plan) {}
+
+  Resolved run() {
+    gather();
+    Resolved best;
+    if (entry_.bypass) {
+      pass_on(best);
+      return best;
+    }
+    // The overload with the fewest problems is the one that was meant; the first one on a tie.
+    for (std::size_t k = 0; k < type_.overloads.size(); ++k) {
+      Resolved candidate = read_as(type_.overloads[k]);
+      if (k == 0 || candidate.problems.size() < best.problems.size()) best = std::move(candidate);
+      if (best.problems.empty()) break;
+    }
+    return best;
+  }
+
+ private:
+  std::string pointer(const std::string& port) const {
+    return "/graph/nodes/" + id_ + (port.empty() ? "" : "/inputs/" + pointer_token(port));
+  }
+
+  Problem problem(std::string code, const std::string& port, std::string detail) const {
+    return {std::move(code), std::move(detail), id_, port, pointer(port)};
+  }
+
+  void gather() {
+    given_.resize(type_.inputs.size());
+    listed_.resize(type_.inputs.size());
+    for (std::size_t port = 0; port < type_.inputs.size(); ++port) {
+      const auto entry = entry_.inputs.find(type_.inputs[port].name);
+      if (entry == entry_.inputs.end()) continue;
+      const InputEntry& input = entry->second;
+      listed_[port] = input.list;
+      const auto* literal = input.list ? nullptr : std::get_if<Json>(&input.items.front());
+      if (literal != nullptr && literal->is_array() && type_.inputs[port].spec.takes_several) {
+        listed_[port] = true;
+        for (const Json& item : *literal) given_[port].push_back({{}, item});
+        continue;
+      }
+      for (const InputItem& item : input.items) given_[port].push_back(look_up(item, port));
+    }
+  }
+
+  Given look_up(const InputItem& item, std::size_t port) {
+    if (const auto* link = std::get_if<Link>(&item)) return {wire(*link, type_.inputs[port].name), nullptr};
+    if (const auto* reference = std::get_if<ParameterReference>(&item)) {
+      return {{}, plan_.parameters.at(reference->name), &document_.parameters.at(reference->name)};
+    }
+    return {{}, std::get<Json>(item)};
+  }
+
+  PlannedItem wire(const Link& link, const std::string& port) {
+    const std::size_t index = plan_.index.at(link.node);
+    const PlannedNode& source = plan_.nodes[index];
+    std::size_t output = 0;
+    if (!link.output.empty()) {
+      output = static_cast<std::size_t>(source.type->find_output(link.output) - source.type->outputs.data());
+    }
+    if (!source.bypass) return {Source{index, output}, source.outputs[output]};
+    if (output > 0) {
+      early_.push_back(problem("dangling-link", port,
+                               "node " + link.node + " is bypassed and passes on its first input only, as output " +
+                                   source.type->outputs.front().name));
+    }
+    return *source.bypass;
+  }
+
+  /// A bypassed node passes its first input on, whatever else is given to it.
+  void pass_on(Resolved& resolved) {
+    resolved.node.id = id_;
+    resolved.node.type = &type_;
+    resolved.problems = early_;
+    const std::string& port = type_.inputs.empty() ? id_ : type_.inputs.front().name;
+    if (given_.empty() || given_.front().empty() || !given_.front().front().wire) {
+      resolved.problems.push_back(problem("required-input-missing", port, "a bypassed node needs a link at its first input"));
+      return;
+    }
+    resolved.node.bypass = given_.front().front().wire;
+    resolved.node.outputs = {resolved.node.bypass->shape};
+    if (const auto* source = std::get_if<Source>(&resolved.node.bypass->from)) {
+      resolved.node.parameters = plan_.nodes[source->node].parameters;
+    }
+  }
+
+  Resolved read_as(const Overload& overload) const {
+    Resolved resolved;
+    resolved.problems = early_;
+    PlannedNode& node = resolved.node;
+    node.id = id_;
+    node.type = &type_;
+    node.overload = &overload;
+    node.inputs.resize(type_.inputs.size());
+    for (std::size_t port = 0; port < type_.inputs.size(); ++port) read_port(overload, port, resolved);
+    for (PlannedInput& input : node.inputs) {
+      node.parameters.insert(input.parameters.begin(), input.parameters.end());
+      for (const PlannedItem& item : input.items) {
+        const auto* source = std::get_if<Source>(&item.from);
+        if (source == nullptr) continue;
+        const std::set<std::string>& upstream = plan_.nodes[source->node].parameters;
+        node.parameters.insert(upstream.begin(), upstream.end());
+      }
+    }
+    check_list_sizes(resolved);
+    return resolved;
+  }
+
+  void read_port(const Overload& overload, std::size_t port, Resolved& resolved) const {
+    const InputPort& card = type_.inputs[port];
+    PlannedInput& input = resolved.node.inputs[port];
+    const std::vector<Given>& given = given_[port];
+    if (given.empty()) {
+      use_default(overload, port, resolved);
+      return;
+    }
+    if (listed_[port] && !card.spec.takes_several) {
+      resolved.problems.push_back(
+          problem("type-mismatch", card.name, card.name + " takes one value, got a list of " + std::to_string(given.size())));
+      return;
+    }
+    for (const Given& item : given) {
+      if (item.wire) {
+        read_wire(overload, port, *item.wire, resolved);
+      } else {
+        read_json(overload, port, item, resolved);
+      }
+    }
+    if (listed_[port] && !overload.is_mixed(port)) input.list_axis = Axis{"", given.size(), false};
+  }
+
+  void use_default(const Overload& overload, std::size_t port, Resolved& resolved) const {
+    const InputPort& card = type_.inputs[port];
+    if (card.required()) {
+      const std::string more = card.spec.takes_several && listed_[port] ? "; the list is empty" : "";
+      resolved.problems.push_back(problem("required-input-missing", card.name,
+                                          card.name + " is not given, it takes " + names_of(card.types) + more));
+      return;
+    }
+    if (card.optional) return;
+    const Given standard{{}, card.spec.default_value};
+    read_json(overload, port, standard, resolved);
+  }
+
+  void read_wire(const Overload& overload, std::size_t port, const PlannedItem& item, Resolved& resolved) const {
+    const InputPort& card = type_.inputs[port];
+    const WireType wanted = overload.inputs[port];
+    const WireType type = item.shape.type;
+    const bool literal_only = !overload.is_mixed(port) && info(wanted).literal_only;
+    const bool fits = overload.is_mixed(port)
+                          ? std::find(card.types.begin(), card.types.end(), type) != card.types.end()
+                          : type == wanted;
+    if (literal_only) {
+      resolved.problems.push_back(problem("type-mismatch", card.name,
+                                          card.name + " is written in the graph or given as a parameter (" +
+                                              std::string(name(wanted)) + "); it takes no link"));
+    } else if (!fits) {
+      resolved.problems.push_back(problem(
+          "type-mismatch", card.name, card.name + " takes " + names_of(card.types) + ", got a link to a " + std::string(name(type))));
+    } else {
+      resolved.node.inputs[port].items.push_back(item);
+    }
+  }
+
+  void read_json(const Overload& overload, std::size_t port, const Given& given, Resolved& resolved) const {
+    const InputPort& card = type_.inputs[port];
+    const WireType wanted = overload.inputs[port];
+    if (given.parameter != nullptr && !parameter_fits(given.parameter->type, wanted)) {
+      resolved.problems.push_back(problem("type-mismatch", card.name,
+                                          card.name + " takes " + names_of(card.types) + ", got a parameter of type " +
+                                              std::string(name(given.parameter->type))));
+      return;
+    }
+    LiteralOutcome outcome = overload.is_mixed(port)
+                                 ? LiteralProblem{"type-mismatch", "expected a link to a " + names_of(card.types)}
+                                 : read_literal(given.literal, wanted, card);
+    if (auto* wrong = std::get_if<LiteralProblem>(&outcome)) {
+      Problem found = problem(wrong->code, card.name, card.name + ": " + wrong->detail);
+      if (wrong->code == "out-of-range" && given.parameter == nullptr && given.literal.is_number()) {
+        found.fix = {{{"op", "replace"}, {"path", found.pointer}, {"value", clamped(given.literal, card.spec)}}};
+      }
+      resolved.problems.push_back(std::move(found));
+      return;
+    }
+    Argument& argument = std::get<Argument>(outcome);
+    PlannedInput& input = resolved.node.inputs[port];
+    if (given.parameter != nullptr) note_parameter(given.parameter, input);
+    if (const auto* literal = std::get_if<Literal>(&argument)) resolved.node.literals[card.name] = *literal;
+    input.items.push_back({std::move(argument), {wanted, {}, 0}});
+  }
+
+  void note_parameter(const Parameter* parameter, PlannedInput& input) const {
+    for (const auto& [name, known] : document_.parameters) {
+      if (&known == parameter) input.parameters.insert(name);
+    }
+  }
+
+  void check_list_sizes(Resolved& resolved) const {
+    const PlannedInput* first = nullptr;
+    for (const PlannedInput& input : resolved.node.inputs) {
+      if (!input.list_axis) continue;
+      if (first == nullptr) first = &input;
+      if (input.list_axis->size == first->list_axis->size) continue;
+      const std::string& port = type_.inputs[static_cast<std::size_t>(&input - resolved.node.inputs.data())].name;
+      const std::string& other = type_.inputs[static_cast<std::size_t>(first - resolved.node.inputs.data())].name;
+      resolved.problems.push_back(problem("axis-mismatch", port,
+                                          port + " lists " + std::to_string(input.list_axis->size) + " items but " + other + " lists " +
+                                              std::to_string(first->list_axis->size) + "; lists of one node pair up"));
+    }
+  }
+
+  const std::string& id_;
+  const NodeEntry& entry_;
+  const NodeType& type_;
+  const Document& document_;
+  const Plan& plan_;
+  std::vector<std::vector<Given>> given_;
+  std::vector<bool> listed_;
+  Problems early_;
+};
+
+}  // namespace
+
+Resolved resolve_node(const std::string& id, const NodeEntry& entry, const NodeType& type, const Document& document,
+                      const Plan& plan) {
+  return Resolver(id, entry, type, document, plan).run();
+}
+
+}  // namespace dini

@@ -1,0 +1,123 @@
+#include "graph/run_node.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "graph/json_reader.h"
+#include "graph/literal.h"
+
+namespace dini {
+
+namespace {
+
+/// " at k = 3, v = 0" for the sample `index` of a family over `axes`.
+std::string place_text(const Axes& axes, std::size_t index) {
+  std::string text;
+  for (std::size_t k = axes.size(); k-- > 0;) {
+    const std::string one = axes[k].name + " = " + std::to_string(index % axes[k].size);
+    text = text.empty() ? one : one + ", " + text;
+    index /= axes[k].size;
+  }
+  return text.empty() ? "" : " at " + text;
+}
+
+/// True when a value may stand on a wire: all components finite, or the point at infinity.
+template <class T>
+bool may_stand(const Column<T>& column, std::size_t index) {
+  bool finite = true;
+  for (std::size_t k = 0; k < Column<T>::width; ++k) finite = finite && std::isfinite(column.component(k)[index]);
+  if (finite) return true;
+  if constexpr (std::is_same_v<T, Point>) return column[index] == Point::at_infinity();
+  return false;
+}
+
+std::optional<std::size_t> first_bad(const AnyColumn& any) {
+  return std::visit(
+      []<class T>(const std::shared_ptr<const Column<T>>& column) -> std::optional<std::size_t> {
+        if constexpr (Column<T>::numeric) {
+          for (std::size_t i = 0; i < column->size(); ++i) {
+            if (!may_stand(*column, i)) return i;
+          }
+        }
+        return std::nullopt;
+      },
+      any);
+}
+
+class NodeRunner {
+ public:
+  NodeRunner(const PlannedNode& node, const ColumnOf& column_of, const Context& context)
+      : node_(node), column_of_(column_of), call_{context, {}, node.lifted, node.consumed, node.made} {}
+
+  Result<NodeResult> run() {
+    for (std::size_t port = 0; port < node_.inputs.size(); ++port) {
+      call_.arguments.push_back(argument(port));
+      if (auto problem = out_of_range(port)) return *problem;
+    }
+    LiftedResult lifted = node_.overload->run(call_);
+    if (auto* failed = std::get_if<FailedRun>(&lifted)) {
+      return problem(failed->failure.code, failed->failure.port,
+                     failed->failure.detail + place_text(node_.lifted, failed->index));
+    }
+    NodeResult result{std::move(std::get<0>(lifted)), call_.context.take_warnings()};
+    if (call_.context.cancel().stopped()) return result;
+    for (std::size_t output = 0; output < result.columns.size(); ++output) {
+      if (const std::optional<std::size_t> bad = first_bad(result.columns[output])) {
+        return problem("non-finite", "",
+                       "output " + node_.type->outputs[output].name + " is not a finite " +
+                           std::string(name(node_.outputs[output].type)) + place_text(node_.outputs[output].axes, *bad));
+      }
+    }
+    return result;
+  }
+
+ private:
+  Problem problem(std::string code, const std::string& port, std::string detail) const {
+    const std::string pointer = "/graph/nodes/" + node_.id + (port.empty() ? "" : "/inputs/" + pointer_token(port));
+    return {std::move(code), std::move(detail), node_.id, port, pointer};
+  }
+
+  Argument read(const PlannedItem& item) const {
+    if (const auto* source = std::get_if<Source>(&item.from)) return Value{item.shape.axes, column_of_(*source)};
+    return std::get<Argument>(item.from);
+  }
+
+  Argument argument(std::size_t port) const {
+    const PlannedInput& input = node_.inputs[port];
+    const bool mixed = node_.overload->is_mixed(port);
+    if (input.items.empty()) return std::monostate{};
+    if (!input.list_axis && !mixed) return read(input.items.front());
+    std::vector<Value> values;
+    for (const PlannedItem& item : input.items) values.push_back(std::get<Value>(read(item)));
+    if (mixed) return values;
+    return stack(values, *input.list_axis);
+  }
+
+  std::optional<Problem> out_of_range(std::size_t port) const {
+    const InputPort& card = node_.type->inputs[port];
+    const auto* value = std::get_if<Value>(&call_.arguments[port]);
+    if (value == nullptr || value->type() != WireType::number || (!card.spec.minimum && !card.spec.maximum)) return std::nullopt;
+    const Column<double>& column = dini::column_of<double>(*value);
+    const double least = card.spec.minimum.value_or(-HUGE_VAL);
+    const double most = card.spec.maximum.value_or(HUGE_VAL);
+    for (std::size_t i = 0; i < column.size(); ++i) {
+      if (column[i] >= least && column[i] <= most) continue;
+      return problem("out-of-range", card.name,
+                     card.name + ": got " + to_text(column[i]) + place_text(value->axes, i) + ", accepted is " +
+                         range_text(card.spec.minimum, card.spec.maximum));
+    }
+    return std::nullopt;
+  }
+
+  const PlannedNode& node_;
+  const ColumnOf& column_of_;
+  Call call_;
+};
+
+}  // namespace
+
+Result<NodeResult> run_node(const PlannedNode& node, const ColumnOf& column_of, const Context& context) {
+  return NodeRunner(node, column_of, context).run();
+}
+
+}  // namespace dini

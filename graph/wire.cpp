@@ -1,0 +1,35 @@
+#include "graph/wire.h"
+
+#include <array>
+
+namespace dini {
+
+namespace {
+
+// Colors keep an OKLab distance of at least 0.116 under every simulated color blindness.
+constexpr std::array<WireInfo, 13> types = {{
+    {WireType::number, "number", "number", "#C1D7D0", "dot", "A real number.", false},
+    {WireType::vector, "vector", "vector", "#2FC2FF", "circle", "A free direction in space, in meters.", false},
+    {WireType::point, "point", "point", "#F2FF71", "circle", "A position in space, or the point at infinity.", false},
+    {WireType::generator, "generator", "versor", "#9F68B4", "diamond",
+     "A bivector: a point pair, flat point, direction, dual line or a sum of them, ready to be exponentiated.", false},
+    {WireType::circle, "circle", "round", "#F3AF20", "ring", "An oriented circle or line.", false},
+    {WireType::sphere, "sphere", "round", "#F3AF20", "disc", "An oriented sphere or plane.", false},
+    {WireType::mesh, "mesh", "mesh", "#7F61FF", "square", "A triangle mesh.", false},
+    {WireType::asset, "asset", "asset", "#F1491A", "rounded", "A finished file with its media type.", false},
+    {WireType::integer, "integer", "number", "#C1D7D0", "dot", "A whole number, written in the graph.", true},
+    {WireType::text, "text", "number", "#C1D7D0", "dot", "A short text, written in the graph.", true},
+    {WireType::choice, "choice", "number", "#C1D7D0", "dot", "One of a fixed list of words.", true},
+    {WireType::boolean, "boolean", "number", "#C1D7D0", "dot", "True or false.", true},
+    {WireType::color, "color", "number", "#C1D7D0", "dot", "Linear red, green, blue and alpha from 0 to 1.", true},
+}};
+
+}  // namespace
+
+std::span<const WireInfo> wire_types() { return types; }
+
+const WireInfo& info(WireType type) { return types[static_cast<std::size_t>(type)]; }
+
+std::string_view name(WireType type) { return info(type).name; }
+
+}  // namespace dini

@@ -1,0 +1,98 @@
+#pragma once
+
+// The closed list of wire types. A wire carries a family of one of these; the literal-only types are never wired.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "algebra/elements.h"
+#include "geometry/mesh.h"
+
+namespace dini {
+
+enum class WireType : std::uint8_t {
+  number,
+  vector,
+  point,
+  generator,
+  circle,
+  sphere,
+  mesh,
+  asset,
+  integer,
+  text,
+  choice,
+  boolean,
+  color,
+};
+
+/// Bytes with a media type: what `export` makes.
+struct Asset {
+  std::string media_type;
+  std::string bytes;
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  double position_error = 0;  ///< Bound of the error per coordinate that the encoding added, in meters.
+};
+
+using SharedAsset = std::shared_ptr<const Asset>;
+
+/// What a reader of the catalogue needs to know about a wire type.
+struct WireInfo {
+  WireType type;
+  std::string_view name;
+  std::string_view family;  ///< Types of one family share a color.
+  std::string_view color;
+  std::string_view shape;  ///< How a socket is drawn: one shape per type.
+  std::string_view doc;
+  bool literal_only;
+};
+
+std::span<const WireInfo> wire_types();
+const WireInfo& info(WireType type);
+std::string_view name(WireType type);
+
+/// The wire type of a C++ type; only wire types have one.
+template <class T>
+struct Wire;
+template <>
+struct Wire<double> {
+  static constexpr WireType type = WireType::number;
+};
+template <>
+struct Wire<Vector> {
+  static constexpr WireType type = WireType::vector;
+};
+template <>
+struct Wire<Point> {
+  static constexpr WireType type = WireType::point;
+};
+template <>
+struct Wire<Generator> {
+  static constexpr WireType type = WireType::generator;
+};
+template <>
+struct Wire<Circle> {
+  static constexpr WireType type = WireType::circle;
+};
+template <>
+struct Wire<Sphere> {
+  static constexpr WireType type = WireType::sphere;
+};
+template <>
+struct Wire<SharedMesh> {
+  static constexpr WireType type = WireType::mesh;
+};
+template <>
+struct Wire<SharedAsset> {
+  static constexpr WireType type = WireType::asset;
+};
+
+template <class T>
+concept WireValue = requires { Wire<T>::type; };
+
+}  // namespace dini

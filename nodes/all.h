@@ -1,0 +1,24 @@
+#pragma once
+
+#include "graph/registry.h"
+
+namespace dini {
+
+/// Adds every node type of the catalogue, one line per family in nodes/all.cpp.
+void add_all_nodes(Registry& registry);
+
+void add_numbers(Registry& registry);
+void add_elements(Registry& registry);
+void add_generators(Registry& registry);
+void add_transforms(Registry& registry);
+void add_fields(Registry& registry);
+void add_sampling(Registry& registry);
+void add_surfaces(Registry& registry);
+void add_meshes(Registry& registry);
+void add_answers(Registry& registry);
+void add_export(Registry& registry);
+
+/// The families in the order a catalogue shows them, with their titles: [{"name", "title"}].
+Json family_titles();
+
+}  // namespace dini

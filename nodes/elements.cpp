@@ -1,0 +1,121 @@
+#include "algebra/construct.h"
+#include "algebra/extract.h"
+#include "graph/node_builder.h"
+#include "nodes/all.h"
+
+namespace dini {
+
+namespace {
+
+Point point_at_position(const Point& position) { return position; }
+
+Attempt<Circle> circle_element(const Point& center, const Vector& normal, double radius) {
+  if (normal == Vector{}) return Failure{"degenerate", "the normal of a circle must not be zero", "normal"};
+  return circle_from(center, normal, radius);
+}
+
+Attempt<Circle> line_element(const Point& point, const Vector& direction) {
+  if (direction == Vector{}) return Failure{"degenerate", "the direction of a line must not be zero", "direction"};
+  return line_from(point, direction);
+}
+
+Generator point_pair(const Point& position, const Vector& direction, double split) {
+  return split_pair(position, direction, split);
+}
+
+std::tuple<Generator, double> pair_through(const Point& a, double weight_a, const Point& b, double weight_b) {
+  const PointProduct product = point_product(a, weight_a, b, weight_b);
+  return {product.generator, product.scalar};
+}
+
+Generator flat(const Point& position) { return flat_point(position); }
+
+Generator free_direction(const Vector& direction) { return direction_generator(direction); }
+
+Attempt<Generator> rotation_about(const Circle& axis) {
+  const std::optional<CircleCoordinates> found = coordinates(axis);
+  if (!found || !found->line) return Failure{"degenerate", "the axis of a rotation must be a line", "axis"};
+  return rotation_generator(axis);
+}
+
+}  // namespace
+
+void add_elements(Registry& registry) {
+  registry.add(node("point", point_at_position)
+                   .title("Point")
+                   .family("elements")
+                   .doc("A position in space.")
+                   .input("position", "Where it is.", defaults({0, 0, 0}).unit("m"))
+                   .output("point", "The point."));
+
+  registry.add(node("circle", circle_element)
+                   .title("Circle")
+                   .family("elements")
+                   .doc("An oriented circle; it runs counter-clockwise about its normal.")
+                   .details("A zero normal is an error. A radius of zero gives the degenerate circle at its center.")
+                   .input("center", "Its center.", defaults({0, 0, 0}).unit("m"))
+                   .input("normal", "Axis direction, of any length.", defaults({0, 0, 1}))
+                   .input("radius", "Its radius.", defaults(1).hard(0, 1e9).soft(0, 4).unit("m"))
+                   .output("circle", "The circle."));
+
+  registry.add(node("line", line_element)
+                   .title("Line")
+                   .family("elements")
+                   .doc("An oriented line: a circle through infinity.")
+                   .details("A zero direction is an error.")
+                   .input("point", "A point on it.", defaults({0, 0, 0}).unit("m"))
+                   .input("direction", "Where it runs, of any length.", defaults({0, 0, 1}))
+                   .output("circle", "The line, as a circle through infinity."));
+
+  registry.add(node("point_pair", point_pair)
+                   .title("Point pair")
+                   .family("elements")
+                   .doc("A generator of boosts: a tangent vector at a point, null or split into two poles.")
+                   .source("Boosted Surfaces, eqs. (1), (4), fig. 8")
+                   .details("With split s the square of the pair is 2 s |direction|^2. A zero direction gives the generator of the "
+                            "identity.")
+                   .input("position", "Where the tangent sits.", defaults({0, 0, 0}).unit("m"))
+                   .input("direction", "The tangent; its length is the strength, in 1/m.", defaults({0, 0, 1}))
+                   .input("split", "0 null, above 0 real, below 0 imaginary.", defaults(0).hard(-1e9, 1e9).soft(-1, 1))
+                   .output("generator", "The point pair."));
+
+  registry.add(node("point_pair_through", pair_through)
+                   .title("Point pair through two points")
+                   .family("elements")
+                   .doc("The geometric product of two weighted points: a scalar and the point pair that joins them.")
+                   .source("Boosted Surfaces, eqs. (19), (20)")
+                   .details("The weight replaces the no coefficient of a point. Coincident points of equal weight give the zero generator.")
+                   .input("a", "First point.", defaults({0, 0, 1}).unit("m"))
+                   .input("weight_a", "Weight of its no coefficient.", defaults(1).hard(-1e9, 1e9).soft(-1, 1))
+                   .input("b", "Second point.", defaults({0, 0, -1}).unit("m"))
+                   .input("weight_b", "Weight of its no coefficient.", defaults(1).hard(-1e9, 1e9).soft(-1, 1))
+                   .output("generator", "The bivector part of the product.")
+                   .output("scalar", "The scalar part of the product."));
+
+  registry.add(node("flat_point", flat)
+                   .title("Flat point")
+                   .family("elements")
+                   .doc("A generator of scaling about a point: exp(k p^ni) scales by e^(2k).")
+                   .source("Boosted Surfaces, section 4")
+                   .input("position", "The center of the scaling.", defaults({0, 0, 0}).unit("m"))
+                   .output("generator", "The flat point p^ni."));
+
+  registry.add(node("direction", free_direction)
+                   .title("Direction")
+                   .family("elements")
+                   .doc("A generator of translation: exp(k v^ni) moves by -2 k v.")
+                   .source("Boosted Surfaces, section 4")
+                   .input("direction", "The direction v.", defaults({0, 0, 1}))
+                   .output("generator", "The direction v^ni."));
+
+  registry.add(node("rotation", rotation_about)
+                   .title("Rotation")
+                   .family("elements")
+                   .doc("A generator of rotation about a line: exp(k B) turns by -2 k radians, right hand.")
+                   .source("Boosted Surfaces, section 4")
+                   .details("The generator is the dual of the line, of unit length.")
+                   .input("axis", "The line to turn about.")
+                   .output("generator", "The dual line."));
+}
+
+}  // namespace dini

@@ -1,0 +1,18 @@
+# Sourced: the C++ builds.
+# shellcheck shell=bash
+
+# cpp_build PRESET [TARGET...]: configures when the preset is new or changed, then builds as much as can be built.
+cpp_build() {
+  local preset=$1 target targets=()
+  shift
+  for target in "$@"; do targets+=(--target "$target"); done
+  if [[ ! -f build/$preset/build.ninja || CMakePresets.json -nt build/$preset/build.ninja ]]; then
+    cmake --preset "$preset" || return 1
+    touch "build/$preset/build.ninja"
+  fi
+  cmake --build --preset "$preset" "${targets[@]}" -- -k 0
+}
+
+# cpp_sources: every C++ file of the project, NUL-separated.
+cpp_folders=(algebra geometry gltf graph nodes service server cli tests bench)
+cpp_sources() { find "${cpp_folders[@]}" \( -name '*.h' -o -name '*.cpp' \) -print0 | sort -z; }

@@ -1,0 +1,31 @@
+# Sourced: installs and builds web/, each only when something changed. Stamps live in web/node_modules.
+# shellcheck shell=bash
+
+# web_lock_hash: of what decides which packages are installed.
+web_lock_hash() {
+  { node --version && cat web/package-lock.json; } | sha256sum
+}
+
+# web_source_hash: of everything that the built page is made from.
+web_source_hash() {
+  find web \( -path web/node_modules -o -path web/dist -o -path web/test -o -path web/e2e \) -prune -o -type f -print0 |
+    sort -z | xargs -0 sha256sum | sha256sum
+}
+
+# stamped FILE HASH: true when the step that wrote FILE last ran on the same content.
+stamped() { [[ -f $1 && $(<"$1") == "$2" ]]; }
+
+web_install() {
+  local stamp=web/node_modules/.dini-installed hash
+  hash=$(web_lock_hash) || return 1
+  if stamped "$stamp" "$hash"; then return 0; fi
+  npm --prefix web ci --no-audit --no-fund --loglevel=error </dev/null && echo "$hash" >"$stamp"
+}
+
+web_build() {
+  local stamp=web/node_modules/.dini-built hash
+  web_install || return 1
+  hash=$(web_source_hash) || return 1
+  if [[ -f web/dist/index.html ]] && stamped "$stamp" "$hash"; then return 0; fi
+  npm --prefix web run --silent build </dev/null && echo "$hash" >"$stamp"
+}

@@ -1,0 +1,219 @@
+#include "geometry/surface.h"
+
+#include "tests/geometry/grids.h"
+
+using namespace dini;
+using namespace dini::test;
+
+namespace {
+
+Grid torus_grid(std::size_t rows, std::size_t columns) {
+  return Grid(rows, columns, true, true, [](double u, double v) { return torus_point(u, v); });
+}
+
+Grid sphere_grid(std::size_t rows, std::size_t columns) {
+  return Grid(rows, columns, false, true, [](double u, double v) { return sphere_point(u, v); });
+}
+
+Grid plane_grid(std::size_t rows, std::size_t columns) {
+  return Grid(rows, columns, false, false, [](double u, double v) { return Point{u, v, 0}; });
+}
+
+}  // namespace
+
+TEST_CASE("a flat sheet looks along rows cross columns and spans the unit square of texture") {
+  const Mesh mesh = surface_of(plane_grid(3, 5)).mesh;
+  CHECK(mesh.positions.size() == 15);
+  CHECK(mesh.triangles.size() == 16);
+  CHECK(normals_match_faces(mesh));
+  for (std::size_t i = 0; i < 15; ++i) {
+    CHECK(length(mesh.normals[i] - Vector{0, 0, 1}) < 1e-14);
+    CHECK(mesh.uvs[i] == std::array<double, 2>{mesh.positions[i].x, mesh.positions[i].y});
+  }
+  const Measures measures = measured(mesh);
+  CHECK(measures.area == Approx(1).epsilon(1e-14));
+  CHECK(measures.euler == 1);
+  CHECK(measures.boundary_edges == 12);
+}
+
+TEST_CASE("a doubly closed grid is a watertight torus that shares its seams") {
+  const auto rows = GENERATE(3, 4, 7, 40);
+  const auto columns = GENERATE(3, 5, 32);
+  const Mesh mesh = surface_of(torus_grid(rows, columns)).mesh;
+  CHECK(mesh.positions.size() == static_cast<std::size_t>(rows * columns));
+  CHECK(mesh.triangles.size() == static_cast<std::size_t>(2 * rows * columns));
+  const Measures measures = measured(mesh);
+  CHECK(measures.closed);
+  CHECK(measures.euler == 0);
+  CHECK(measures.boundary_edges == 0);
+  CHECK(measures.volume > 0);
+  CHECK(least_height(mesh) > 1e-3);
+}
+
+TEST_CASE("rows that are one point become poles of a watertight sphere") {
+  const auto rows = GENERATE(3, 4, 25);
+  const auto columns = GENERATE(3, 4, 48);
+  const Mesh mesh = surface_of(sphere_grid(rows, columns)).mesh;
+  CHECK(mesh.positions.size() == static_cast<std::size_t>((rows - 2) * columns + 2));
+  CHECK(mesh.triangles.size() == static_cast<std::size_t>(2 * (rows - 2) * columns));
+  const Measures measures = measured(mesh);
+  CHECK(measures.closed);
+  CHECK(measures.euler == 2);
+  CHECK(measures.volume > 0);
+  CHECK(normals_match_faces(mesh));
+  CHECK(least_height(mesh) > 1e-3);
+}
+
+TEST_CASE("columns that are one point become poles as well") {
+  const Grid grid(24, 13, true, false, [](double u, double v) { return sphere_point(v, -u); });
+  const Measures measures = measured(surface_of(grid).mesh);
+  CHECK(measures.closed);
+  CHECK(measures.euler == 2);
+  CHECK(measures.volume > 0);
+}
+
+TEST_CASE("poles that coincide only up to round-off are poles") {
+  const Grid grid(9, 16, false, true, [](double u, double v) {
+    const Point p = sphere_point(u, v);
+    return Point{p.x + 3e-16 * std::round(17 * v), p.y, p.z};
+  });
+  CHECK(measured(surface_of(grid).mesh).euler == 2);
+}
+
+TEST_CASE("a row inside a grid that is one point becomes the tip of a double cone") {
+  const Grid grid(5, 12, false, true, [](double u, double v) {
+    const SineCosine around = sine_cosine(v);
+    return Point{(u - 0.5) * around.cosine, (u - 0.5) * around.sine, u};
+  });
+  const Mesh mesh = surface_of(grid).mesh;
+  CHECK(mesh.positions.size() == 4 * 12 + 1);
+  CHECK(mesh.triangles.size() == (2 + 1 + 1 + 2) * 12);
+  CHECK(least_height(mesh) > 1e-3);
+}
+
+TEST_CASE("normals of a sphere grid converge to the exact ones") {
+  const double coarse = normal_error(surface_of(sphere_grid(25, 48)).mesh, sphere_normal);
+  const double fine = normal_error(surface_of(sphere_grid(49, 96)).mesh, sphere_normal);
+  CHECK(coarse < 1e-3);
+  CHECK(fine < coarse / 7);
+}
+
+TEST_CASE("normals of a torus grid converge with the fourth order") {
+  const double coarse = normal_error(surface_of(torus_grid(64, 48)).mesh, [](const Point& p) { return torus_normal(p); });
+  const double fine = normal_error(surface_of(torus_grid(128, 96)).mesh, [](const Point& p) { return torus_normal(p); });
+  CHECK(coarse < 1e-3);
+  CHECK(coarse / fine > 14);
+}
+
+TEST_CASE("normals stay exact to a part in a thousand at open borders") {
+  const Grid grid(20, 30, false, false, [](double u, double v) { return sphere_point(0.2 + 0.5 * u, 0.4 * v); });
+  CHECK(normal_error(surface_of(grid).mesh, sphere_normal) < 1e-3);
+}
+
+TEST_CASE("area and volume of a torus grid converge to the closed forms") {
+  const double area = 4 * pi * pi * 2 * 0.5, volume = 2 * pi * pi * 2 * 0.25;
+  const Measures coarse = measured(surface_of(torus_grid(64, 32)).mesh);
+  const Measures fine = measured(surface_of(torus_grid(128, 64)).mesh);
+  CHECK(fine.area == Approx(area).epsilon(2e-3));
+  CHECK(fine.volume == Approx(volume).epsilon(4e-3));
+  CHECK(std::abs(fine.area - area) < std::abs(coarse.area - area) / 3.5);
+  CHECK(std::abs(fine.volume - volume) < std::abs(coarse.volume - volume) / 3.5);
+}
+
+TEST_CASE("quads are split along the shorter diagonal unless that folds them") {
+  Column<Point> points(4);
+  points.set(1, {0, 1, 0});
+  points.set(2, {1, 0, 0});
+  SECTION("a stretched corner") {
+    points.set(3, {3, 3, 0});
+    const Mesh mesh = surface({.points = points, .rows = 2, .columns = 2}, {}, never_stopped).mesh;
+    CHECK(mesh.triangles.size() == 2);
+    CHECK(measured(mesh).area == Approx(3));
+  }
+  SECTION("a corner pulled in past the shorter diagonal") {
+    points.set(0, {0.9, 0.9, 0});
+    points.set(3, {3, 3, 0});
+    points.set(1, {0, 1, 0});
+    const Mesh mesh = surface({.points = points, .rows = 2, .columns = 2}, {}, never_stopped).mesh;
+    CHECK(normals_match_faces(mesh));
+    CHECK(measured(mesh).area == Approx(2.1));
+  }
+}
+
+TEST_CASE("thinning keeps closed axes closed, ends in place and the budget") {
+  const std::size_t budget = GENERATE(12u, 100u, 777u, 5000u);
+  const Mesh torus = surface_of(torus_grid(101, 67), {.triangle_budget = budget}).mesh;
+  CHECK(torus.triangles.size() <= std::max<std::size_t>(budget, 18));
+  CHECK(torus.triangles.size() >= std::min<std::size_t>(budget, 18) / 2);
+  CHECK(measured(torus).closed);
+  CHECK(measured(torus).euler == 0);
+  const Mesh sphere = surface_of(sphere_grid(101, 67), {.triangle_budget = budget}).mesh;
+  CHECK(sphere.triangles.size() <= std::max<std::size_t>(budget, 6));
+  if (budget >= 100) {
+    CHECK(measured(sphere).euler == 2);
+    CHECK(measured(sphere).minimum.z == -1);
+    CHECK(measured(sphere).maximum.z == 1);
+  }
+}
+
+TEST_CASE("normals stay accurate on unevenly thinned grids") {
+  const Mesh mesh = surface_of(torus_grid(150, 110), {.triangle_budget = 9000}).mesh;
+  CHECK(mesh.triangles.size() > 8000);
+  CHECK(normal_error(mesh, [](const Point& p) { return torus_normal(p); }) < 1e-3);
+}
+
+TEST_CASE("tiles hold every triangle once and at most 128 x 128 quads") {
+  const Mesh mesh = surface_of(plane_grid(300, 131)).mesh;
+  CHECK(mesh.tile_ends.size() == 6);
+  CHECK(mesh.tile_ends.back() == mesh.triangles.size());
+  CHECK(mesh.triangles.size() == 2 * 299 * 130);
+  CHECK(largest_tile(mesh) == 2 * 128 * 128);
+}
+
+TEST_CASE("a grid is read through its strides") {
+  const Grid grid = plane_grid(4, 6);
+  const Mesh mesh =
+      surface({.points = grid.points, .rows = 6, .columns = 2, .offset = 6, .row_stride = 1, .column_stride = 6}, {},
+              never_stopped)
+          .mesh;
+  CHECK(mesh.positions.size() == 12);
+  CHECK(mesh.normals[0].z == Approx(-1));
+  CHECK(measured(mesh).minimum.x == Approx(1.0 / 3));
+  CHECK(measured(mesh).maximum.x == Approx(2.0 / 3));
+}
+
+TEST_CASE("degenerate grids give empty meshes") {
+  const auto empty = [](const Grid& grid) {
+    const SurfaceResult result = surface_of(grid);
+    return result.mesh.triangles.empty() && result.mesh.positions.empty() && result.mesh.tile_ends.empty();
+  };
+  const bool closed = GENERATE(false, true);
+  CHECK(empty(Grid(6, 5, closed, closed, [](double, double) { return Point{1, 2, 3}; })));
+  CHECK(empty(Grid(1, 5, closed, closed, [](double, double v) { return Point{v, 0, 0}; })));
+  CHECK(empty(Grid(5, 1, closed, closed, [](double u, double) { return Point{u, 0, 0}; })));
+  CHECK(empty(Grid(1, 1, closed, closed, [](double, double) { return Point{1, 0, 0}; })));
+  CHECK(empty(Grid(0, 0, closed, closed, [](double, double) { return Point{}; })));
+  CHECK(empty(Grid(5, 4, closed, closed, [](double u, double v) { return Point{u + v, u + v, 0}; })));
+  CHECK(empty(Grid(5, 4, closed, closed, [](double, double) { return Point::at_infinity(); })));
+  CHECK(empty(Grid(5, 4, closed, closed, [](double u, double v) { return Point{u + 1e9, v, 0}; })));
+}
+
+TEST_CASE("a closed axis of two samples is open") {
+  const Grid grid(2, 8, true, false, [](double u, double v) { return Point{u, v, 0}; });
+  CHECK(surface_of(grid).mesh.triangles.size() == 14);
+}
+
+TEST_CASE("a stopped request ends early") {
+  Cancel cancel;
+  cancel.stop(StopReason::client_gone);
+  const Grid grid = torus_grid(300, 300);
+  CHECK(surface(grid.view(), {}, cancel).mesh.triangles.size() <= 2 * 128 * 128);
+}
+
+TEST_CASE("the same grid gives the same mesh") {
+  const Grid grid = sphere_grid(30, 30);
+  const Mesh a = surface_of(grid).mesh, b = surface_of(grid).mesh;
+  CHECK(a.positions == b.positions);
+  CHECK(a.normals == b.normals);
+  CHECK(a.triangles == b.triangles);
+}
