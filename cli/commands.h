@@ -1,0 +1,17 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace dini::cli {
+
+/// Each adds one command with its options and help. When the command is given, `chosen` becomes what runs it and
+/// answers the exit code.
+using Command = std::function<int()>;
+void add_serve(CLI::App& program, Command& chosen);
+void add_eval(CLI::App& program, Command& chosen);
+void add_validate(CLI::App& program, Command& chosen);
+void add_inspect(CLI::App& program, Command& chosen);
+void add_nodes(CLI::App& program, Command& chosen);
+
+}  // namespace dini::cli

@@ -1,0 +1,65 @@
+#include <iostream>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/computing.h"
+#include "cli/documents.h"
+#include "cli/exit_codes.h"
+#include "cli/terminal.h"
+
+namespace dini::cli {
+namespace {
+
+struct Options {
+  std::string graph;
+  std::string place;
+  std::vector<std::string> settings;
+  bool full = false;
+  Computing computing;
+};
+
+int fail(const Problems& problems, int code) {
+  print_problems(problems);
+  return code;
+}
+
+int run(Options& options) {
+  if (const Problems wrong = options.computing.apply(); !wrong.empty()) return fail(wrong, exit_usage);
+  const Limits limits;
+  const auto parameters = read_settings(options.settings, limits);
+  if (!parameters) return fail(parameters.problems(), exit_usage);
+  const auto graph = read_graph(options.graph, limits);
+  if (!graph) return fail(graph.problems(), exit_code_for(graph.problems(), Stage::checking));
+
+  const auto dot = options.place.find('.');
+  const InspectRequest request{.graph = *graph,
+                               .parameters = *parameters,
+                               .node = options.place.substr(0, dot),
+                               .output = dot == std::string::npos ? "" : options.place.substr(dot + 1),
+                               .full = options.full};
+  const Engine engine(limits);
+  // `inspect` checks and evaluates in one call; a graph that checks out can only have failed while being evaluated.
+  const auto value = engine.inspect(request, Cancel());
+  if (!value) {
+    const bool valid = engine.validate(*graph, *parameters).value("valid", false);
+    return fail(value.problems(), exit_code_for(value.problems(), valid ? Stage::evaluating : Stage::checking));
+  }
+  std::cout << value->dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+  return exit_ok;
+}
+
+}  // namespace
+
+void add_inspect(CLI::App& program, Command& chosen) {
+  auto* command = program.add_subcommand("inspect", "Print the value on a wire, in full double precision, as JSON");
+  const auto options = std::make_shared<Options>();
+  command->add_option("graph", options->graph, "The graph document, or - for standard input")->required();
+  command->add_option("place", options->place, "NODE or NODE.OUTPUT")->required();
+  command->add_option("--set", options->settings, "A parameter as name=value; may be repeated")
+      ->allow_extra_args(false);
+  command->add_flag("--full", options->full, "Meshes with all positions and indices");
+  options->computing.add_options(*command);
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace dini::cli

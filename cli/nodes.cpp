@@ -1,0 +1,47 @@
+#include <iostream>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/exit_codes.h"
+#include "service/engine.h"
+#include "service/markdown.h"
+
+namespace dini::cli {
+namespace {
+
+struct Options {
+  bool json = false;
+  bool markdown = false;
+};
+
+void print_list(const Json& catalogue) {
+  for (const Json& node : catalogue.value("nodes", Json::array())) {
+    std::string id = node.value("id", "");
+    id.resize(std::max<std::size_t>(id.size(), 20), ' ');
+    std::cout << id << " " << node.value("doc", "") << "\n";
+  }
+}
+
+int run(const Options& options) {
+  const Engine engine;
+  if (options.json) {
+    std::cout << engine.catalogue().dump(2) << "\n";
+  } else if (options.markdown) {
+    std::cout << nodes_markdown(engine.catalogue());
+  } else {
+    print_list(engine.catalogue());
+  }
+  return exit_ok;
+}
+
+}  // namespace
+
+void add_nodes(CLI::App& program, Command& chosen) {
+  auto* command = program.add_subcommand("nodes", "List the node types");
+  const auto options = std::make_shared<Options>();
+  auto* json = command->add_flag("--json", options->json, "The whole catalogue as JSON");
+  command->add_flag("--markdown", options->markdown, "The catalogue as a page to read")->excludes(json);
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace dini::cli

@@ -1,0 +1,63 @@
+#include <iostream>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/documents.h"
+#include "cli/exit_codes.h"
+#include "cli/terminal.h"
+
+namespace dini::cli {
+namespace {
+
+struct Options {
+  std::string graph;
+  std::vector<std::string> settings;
+  bool json = false;
+};
+
+void print_verdict(const Json& verdict) {
+  for (const Json& error : verdict.value("errors", Json::array())) std::cout << problem_line(error) << "\n";
+  if (!verdict.value("valid", false)) return;
+  std::string cost;
+  const Json predicted = verdict.value("cost", Json::object());
+  for (const auto& [name, amount] : predicted.items()) {
+    cost += (cost.empty() ? " (" : ", ") + amount.dump() + " " + name;
+  }
+  std::cout << "valid" << printable(cost) << (cost.empty() ? "" : ")") << "\n";
+}
+
+int run(const Options& options) {
+  const Limits limits;
+  const auto parameters = read_settings(options.settings, limits);
+  if (!parameters) {
+    print_problems(parameters.problems());
+    return exit_usage;
+  }
+  const auto graph = read_graph(options.graph, limits);
+  if (!graph) {
+    print_problems(graph.problems());
+    return exit_code_for(graph.problems(), Stage::checking);
+  }
+  const Json verdict = Engine(limits).validate(*graph, *parameters);
+  if (options.json) {
+    std::cout << verdict.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+  } else {
+    print_verdict(verdict);
+  }
+  return verdict.value("valid", false) ? exit_ok : exit_invalid_graph;
+}
+
+}  // namespace
+
+void add_validate(CLI::App& program, Command& chosen) {
+  auto* command =
+      program.add_subcommand("validate", "List everything that is wrong with a graph, without evaluating it");
+  const auto options = std::make_shared<Options>();
+  command->add_option("graph", options->graph, "The graph document, or - for standard input")->required();
+  command->add_option("--set", options->settings, "A parameter as name=value; may be repeated")
+      ->allow_extra_args(false);
+  command->add_flag("--json", options->json, "Answer as JSON, with types, axes and predicted cost");
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace dini::cli

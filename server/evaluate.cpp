@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <array>
+
+#include "server/computation.h"
+#include "server/handlers.h"
+#include "server/negotiation.h"
+#include "server/responses.h"
+
+namespace dini::server {
+namespace {
+
+constexpr std::string_view model_type = "model/gltf-binary";
+constexpr std::string_view report_type = "application/json";
+constexpr std::string_view both_type = "multipart/form-data";
+constexpr std::array offers = {model_type, report_type, both_type};
+
+bool is_plain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+}
+
+std::string file_name(const EvaluateRequest& request) {
+  std::string name;
+  std::ranges::copy_if(request.output.substr(0, 64), std::back_inserter(name), is_plain);
+  return (name.empty() ? "model" : name) + ".glb";
+}
+
+/// From the fingerprint, so that equal requests give equal bytes; and no answer contains the hash of its own request.
+std::string boundary_for(const std::string& tag) {
+  std::string name = "dini-";
+  std::ranges::copy_if(tag, std::back_inserter(name), is_plain);
+  return name.substr(0, 64);
+}
+
+std::string multipart(const std::string& boundary, const std::string& report, const std::string& model,
+                      const std::string& file) {
+  std::string body;
+  body.reserve(report.size() + model.size() + 512);
+  body += "--" + boundary + "\r\nContent-Disposition: form-data; name=\"report\"\r\nContent-Type: ";
+  body.append(report_type) += "\r\n\r\n";
+  body += report;
+  body += "\r\n--" + boundary + "\r\nContent-Disposition: form-data; name=\"model\"; filename=\"" + file +
+          "\"\r\nContent-Type: ";
+  body.append(model_type) += "\r\n\r\n";
+  body += model;
+  body += "\r\n--" + boundary + "--\r\n";
+  return body;
+}
+
+/// The report's times, for Server-Timing.
+void add_timings(const Json& report, Exchange& exchange) {
+  const auto times = report.find("milliseconds");
+  if (times == report.end() || !times->is_object()) return;
+  for (const auto& [name, milliseconds] : times->items()) {
+    if (milliseconds.is_number()) exchange.timings.emplace_back(name, milliseconds.get<double>());
+  }
+}
+
+void set_content(Reply& reply, std::string_view type, const Evaluated& evaluated, const std::string& tag,
+                 const std::string& file) {
+  reply.type = type;
+  if (type == report_type) {
+    reply.body = dump(evaluated.report);
+  } else if (type == both_type) {
+    const std::string boundary = boundary_for(tag);
+    reply.type += "; boundary=" + boundary;
+    reply.body = multipart(boundary, dump(evaluated.report), *evaluated.glb, file);
+  } else {
+    reply.body = *evaluated.glb;
+    reply.headers.emplace_back("Content-Disposition", "inline; filename=\"" + file + "\"");
+  }
+}
+
+}  // namespace
+
+Reply evaluate(Call& call) {
+  auto json = read_json(call);
+  if (!json) return problem_reply(json.problems(), call.exchange);
+  const auto type = choose_type(call.header("Accept"), offers);
+  if (!type) {
+    return problem_reply(
+        Problem{.code = "not-acceptable",
+                .detail = "Available are model/gltf-binary, application/json and multipart/form-data."},
+        call.exchange);
+  }
+  RequestBody body(*std::move(json), {"graph", "parameters", "output", "quality", "deadline_ms"});
+  const EvaluateRequest request{
+      .graph = body.object("graph", true),
+      .parameters = body.object("parameters", false),
+      .output = body.text("output", false),
+      .quality = body.choice("quality", {"final", "draft"}) == "draft" ? Quality::draft : Quality::final};
+  Computation computation(call, body);
+  if (!body.problems().empty()) return problem_reply(body.problems(), call.exchange);
+
+  const auto prepared = call.engine().prepare(request);
+  if (!prepared) return problem_reply(prepared.problems(), call.exchange);
+  const std::string& tag = Engine::entity_tag(**prepared);
+  // One tag for the result in all its forms; clients keep it and ask again, so an unchanged graph costs nothing.
+  Reply reply{.headers = {{"ETag", tag}, {"Cache-Control", "no-cache"}, {"Vary", "Accept"}}};
+  if (names_tag(call.header("If-None-Match"), tag)) {
+    reply.status = 304;
+    return reply;
+  }
+
+  const auto evaluated = [&]() -> Result<Evaluated> {
+    const auto pass = computation.enter();
+    if (!pass) return pass.problems();
+    return call.engine().evaluate(**prepared, computation.cancel());
+  }();
+  if (!evaluated) return problem_reply(evaluated.problems(), call.exchange);
+  add_timings(evaluated->report, call.exchange);
+  set_content(reply, *type, *evaluated, tag, file_name(request));
+  return reply;
+}
+
+}  // namespace dini::server

@@ -1,0 +1,60 @@
+#include "server/examples.h"
+
+#include <vector>
+
+#include "server/files.h"
+
+namespace dini::server {
+namespace {
+
+Problem bad_example(const std::filesystem::path& path, const std::string& why) {
+  return {.code = "bad-example", .detail = path.string() + ": " + why};
+}
+
+/// The first thing that is wrong with a document, in words; empty when nothing is.
+std::string first_error(const Engine& engine, const Json& graph) {
+  const Json verdict = engine.validate(graph, Json::object());
+  if (verdict.value("valid", false)) return {};
+  const Json errors = verdict.value("errors", Json::array());
+  return errors.empty() ? "the graph is not valid" : errors.front().value("detail", "the graph is not valid");
+}
+
+}  // namespace
+
+Result<Examples> Examples::load(const std::filesystem::path& folder, const Engine& engine) {
+  Examples examples;
+  std::error_code error;
+  std::filesystem::directory_iterator entry(folder, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    const std::filesystem::path& path = entry->path();
+    if (path.extension() != ".json") continue;
+    auto text = read_file(path);
+    if (!text) return text.problems();
+    auto graph = parse_json(*text, engine.limits());
+    if (!graph) return bad_example(path, graph.problems().front().detail);
+    if (const std::string wrong = first_error(engine, *graph); !wrong.empty()) return bad_example(path, wrong);
+    examples.graphs_.emplace(path.stem().string(), *std::move(graph));
+  }
+  if (error) return bad_example(folder, error.message());
+  return examples;
+}
+
+Json Examples::list() const {
+  Json list = Json::array();
+  for (const auto& [id, graph] : graphs_) {
+    Json example = {{"id", id}, {"title", id}, {"graph", graph}};
+    const Json meta = graph.value("meta", Json::object());
+    for (const auto* member : {"title", "description", "figure"}) {
+      if (meta.contains(member)) example[member] = meta.at(member);
+    }
+    list.push_back(std::move(example));
+  }
+  return {{"examples", std::move(list)}};
+}
+
+const Json* Examples::find(std::string_view id) const {
+  const auto found = graphs_.find(id);
+  return found != graphs_.end() ? &found->second : nullptr;
+}
+
+}  // namespace dini::server

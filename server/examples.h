@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "service/engine.h"
+
+namespace dini::server {
+
+/// The built-in graphs, read once and checked by the engine: an example that is wrong keeps the server from starting.
+class Examples {
+ public:
+  /// No examples.
+  Examples() = default;
+
+  /// Every `<id>.json` of a folder. Problems name the file.
+  static Result<Examples> load(const std::filesystem::path& folder, const Engine& engine);
+
+  /// {"examples": [{"id", "title", "description", "figure", "graph"}]}, ordered by id.
+  Json list() const;
+
+  /// The document itself, or nothing.
+  const Json* find(std::string_view id) const;
+
+ private:
+  std::map<std::string, Json, std::less<>> graphs_;
+};
+
+}  // namespace dini::server

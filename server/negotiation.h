@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace dini::server {
+
+/// The offer that an `Accept` header likes best, the first of several; nothing when it accepts none of them. An empty
+/// header accepts everything.
+std::optional<std::string_view> choose_type(std::string_view accept, std::span<const std::string_view> offers);
+
+/// True when an `If-None-Match` header names the tag or is `*`. Weak tags compare like strong ones (RFC 9110, 13.1.2):
+/// a proxy that compresses the answer weakens its tag.
+bool names_tag(std::string_view if_none_match, std::string_view tag);
+
+}  // namespace dini::server

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "graph/problem.h"
+
+namespace dini::server {
+
+/// The members of a JSON request body. Every problem is collected, so that one answer names them all.
+class RequestBody {
+ public:
+  /// Members outside `known` are problems, with the nearest known name.
+  RequestBody(Json body, std::initializer_list<std::string_view> known);
+
+  /// An object; `required` ones that are missing are a problem, others are empty.
+  Json object(std::string_view name, bool required);
+  std::string text(std::string_view name, bool required);
+  std::string choice(std::string_view name, std::initializer_list<std::string_view> choices);  ///< the first by default
+  bool boolean(std::string_view name);                                                         ///< false by default
+  std::optional<std::int64_t> positive_integer(std::string_view name);
+
+  const Problems& problems() const { return problems_; }
+
+ private:
+  const Json* find(std::string_view name, bool required);
+  void wrong_type(std::string_view name, std::string_view expected);
+
+  Json body_;
+  Problems problems_;
+};
+
+}  // namespace dini::server

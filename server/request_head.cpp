@@ -1,0 +1,203 @@
+#include "server/request_head.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "server/text.h"
+
+namespace dini::server {
+namespace {
+
+constexpr std::string_view line_end = "\r\n";
+
+Problem bad_request(std::string detail) { return {.code = "bad-request", .detail = std::move(detail)}; }
+
+bool is_token_character(char c) {
+  const bool alphanumeric = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+  return alphanumeric || std::string_view("!#$%&'*+-.^_`|~").find(c) != std::string_view::npos;
+}
+
+bool is_token(std::string_view text) { return !text.empty() && std::ranges::all_of(text, is_token_character); }
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+bool is_method(std::string_view method) {
+  constexpr std::array<std::string_view, 7> methods = {"GET", "HEAD", "POST", "PUT", "PATCH", "DELETE", "OPTIONS"};
+  return std::ranges::find(methods, method) != methods.end();
+}
+
+bool may_have_body(std::string_view method) {
+  return method == "POST" || method == "PUT" || method == "PATCH" || method == "DELETE";
+}
+
+/// Controls hidden behind percent signs: whoever decodes the value later must not meet a line end or a NUL.
+bool hides_control(std::string_view text) {
+  for (std::size_t i = 0; i + 2 < text.size(); ++i) {
+    if (text[i] != '%') continue;
+    unsigned value = 0;
+    const auto [end, error] = std::from_chars(text.data() + i + 1, text.data() + i + 3, value, 16);
+    if (error == std::errc() && end == text.data() + i + 3 && (value < 0x20 || value == 0x7f)) return true;
+  }
+  return false;
+}
+
+std::optional<Problem> read_request_line(std::string_view line, const Settings& settings, RequestHead& head) {
+  if (line.size() > settings.line_bytes) {
+    return Problem{.code = "uri-too-long",
+                   .detail = "The request line is longer than " + std::to_string(settings.line_bytes) + " bytes."};
+  }
+  const auto first = line.find(' ');
+  const auto last = line.rfind(' ');
+  if (first == std::string_view::npos || first == last) {
+    return bad_request("The request line must be a method, a target and a version.");
+  }
+  head.method = line.substr(0, first);
+  head.target = line.substr(first + 1, last - first - 1);
+  head.version = line.substr(last + 1);
+  if (!is_token(head.method)) return bad_request("The method is not a token.");
+  if (head.version != "HTTP/1.1" && head.version != "HTTP/1.0") {
+    if (head.version.starts_with("HTTP/")) {
+      return Problem{.code = "http-version", .detail = "Only HTTP/1.1 and HTTP/1.0 are spoken here."};
+    }
+    return bad_request("The request line must end with the HTTP version.");
+  }
+  if (!is_method(head.method)) return Problem{.code = "method-not-allowed", .detail = "This method is not known here."};
+  if (head.target != "*" && !head.target.starts_with('/')) return bad_request("The target must be a path.");
+  const auto forbidden = [](char c) {
+    return is_control(c) || c == ' ' || c == '#' || static_cast<unsigned char>(c) > 0x7e;
+  };
+  if (std::ranges::any_of(head.target, forbidden) || hides_control(head.target)) {
+    return bad_request("The target holds a control character, a space, '#' or a byte that should be percent-encoded.");
+  }
+  return std::nullopt;
+}
+
+/// Takes "name: value" apart; no spaces before the colon, no folded lines, no controls.
+std::optional<Problem> read_header_line(std::string_view line, const Settings& settings, RequestHead& head) {
+  if (line.size() > settings.line_bytes || head.headers.size() >= settings.header_count) {
+    return Problem{.code = "headers-too-large",
+                   .detail = "At most " + std::to_string(settings.header_count) + " headers of " +
+                             std::to_string(settings.line_bytes) + " bytes each are accepted."};
+  }
+  const auto colon = line.find(':');
+  if (colon == std::string_view::npos || !is_token(line.substr(0, colon))) {
+    return bad_request("A header is not of the form 'Name: value'.");
+  }
+  const std::string_view value = trim(line.substr(colon + 1));
+  if (std::ranges::any_of(value, [](char c) { return is_control(c) && c != '\t'; }) || hides_control(value)) {
+    return bad_request("A header value holds a control character.");
+  }
+  head.headers.emplace_back(line.substr(0, colon), value);
+  return std::nullopt;
+}
+
+std::optional<Problem> read_length(std::string_view value, std::size_t limit, RequestHead& head) {
+  std::size_t length = 0;
+  const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), length);
+  const bool digits = !value.empty() && std::ranges::all_of(value, [](char c) { return c >= '0' && c <= '9'; });
+  if (!digits) return bad_request("Content-Length must be a decimal number.");
+  // A length past 64 bits is a lie rather than a large body.
+  if (error != std::errc() || end != value.data() + value.size()) return bad_request("Content-Length is out of range.");
+  if (length > limit) {
+    return Problem{.code = "body-too-large",
+                   .detail = "The body has " + std::to_string(length) + " bytes; at most " + std::to_string(limit) +
+                             " are accepted."};
+  }
+  head.content_length = length;
+  return std::nullopt;
+}
+
+/// Takes out the headers that decide where the request ends, so that nobody after us decides differently.
+std::optional<Problem> read_framing(RequestHead& head, std::size_t body_limit) {
+  std::optional<std::string> length;
+  std::size_t hosts = 0;
+  std::vector<std::pair<std::string, std::string>> kept;
+  for (auto& [name, value] : head.headers) {
+    const std::string lower = to_lower(name);
+    if (lower == "transfer-encoding") {
+      return Problem{.code = "length-required", .detail = "Chunked bodies are not accepted; send Content-Length."};
+    }
+    if (lower == "content-encoding" && to_lower(value) != "identity") {
+      return Problem{.code = "unsupported-media-type", .detail = "Compressed request bodies are not accepted."};
+    }
+    if (lower == "content-length") {
+      if (length) return bad_request("Content-Length is given twice.");
+      length = value;
+    } else if (lower == "expect") {
+      if (to_lower(value) != "100-continue") {
+        return Problem{.code = "expectation-failed", .detail = "Only 'Expect: 100-continue' is understood."};
+      }
+      head.expects_continue = true;
+    } else if (lower == "connection") {
+      head.close = head.close || to_lower(value).find("close") != std::string::npos;
+    } else if (lower != "range" && lower != "if-range" && lower != "content-encoding") {
+      hosts += lower == "host" ? 1 : 0;
+      kept.emplace_back(std::move(name), std::move(value));
+    }
+  }
+  head.headers = std::move(kept);
+  head.close = head.close || head.version == "HTTP/1.0";
+  if (hosts != 1) return bad_request("Exactly one Host header is needed.");
+  if (length) {
+    if (auto problem = read_length(*length, body_limit, head)) return problem;
+    if (head.content_length > 0 && !may_have_body(head.method)) {
+      return bad_request("A " + head.method + " request must not have a body.");
+    }
+  } else if (may_have_body(head.method) && head.method != "DELETE") {
+    return Problem{.code = "length-required", .detail = "Send Content-Length with the body."};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<RequestHead> parse_head(std::string_view bytes, const Settings& settings, std::size_t body_limit) {
+  RequestHead head;
+  bool first = true;
+  while (true) {
+    const auto end = bytes.find(line_end);
+    if (end == std::string_view::npos) return bad_request("The head does not end with an empty line.");
+    const std::string_view line = bytes.substr(0, end);
+    bytes.remove_prefix(end + line_end.size());
+    if (line.empty() && !first) break;
+    auto problem = first ? read_request_line(line, settings, head) : read_header_line(line, settings, head);
+    if (problem) return *std::move(problem);
+    first = false;
+  }
+  if (auto problem = read_framing(head, body_limit)) return *std::move(problem);
+  return head;
+}
+
+std::optional<Problem> check_unfinished_head(std::string_view bytes, const Settings& settings) {
+  const auto end = bytes.find(line_end);
+  const bool in_first_line = end == std::string_view::npos;
+  const std::string_view first_line = bytes.substr(0, end);
+  if (first_line.size() > settings.line_bytes) {
+    return Problem{.code = "uri-too-long",
+                   .detail = "The request line is longer than " + std::to_string(settings.line_bytes) + " bytes."};
+  }
+  // Other protocols (a TLS hello, say) show themselves in the first line; waiting for its end could take for ever.
+  const std::string_view text = in_first_line && bytes.ends_with('\r') ? bytes.substr(0, bytes.size() - 1) : first_line;
+  if (std::ranges::any_of(text, is_control)) return bad_request("This is not HTTP.");
+  const auto last = bytes.rfind(line_end);
+  const bool long_line = !in_first_line && bytes.size() - last - line_end.size() > settings.line_bytes;
+  if (bytes.size() >= settings.head_bytes || long_line) {
+    return Problem{.code = "headers-too-large",
+                   .detail = "The headers are larger than " + std::to_string(settings.head_bytes) +
+                             " bytes, or one of them than " + std::to_string(settings.line_bytes) + "."};
+  }
+  return std::nullopt;
+}
+
+std::string RequestHead::text() const {
+  std::string text = method + " " + target + " " + version + "\r\n";
+  for (const auto& [name, value] : headers) {
+    text += name + ": ";
+    for (const char c : value) c == '%' ? text += "%25" : text += c;
+    text += "\r\n";
+  }
+  return text + "\r\n";
+}
+
+}  // namespace dini::server

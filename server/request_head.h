@@ -1,0 +1,39 @@
+#pragma once
+
+// The strict reader of a request's head. cpp-httplib only ever sees a head that this reader has taken apart and put
+// together again, so its lenient parser (duplicate lengths, chunked bodies, percent-decoded header values, ranges) is
+// out of reach.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "graph/problem.h"
+#include "server/settings.h"
+
+namespace dini::server {
+
+/// A well-formed head whose body, if any, has a known length within the limit.
+struct RequestHead {
+  std::string method;
+  std::string target;
+  std::string version;                                       ///< "HTTP/1.1" or "HTTP/1.0"
+  std::vector<std::pair<std::string, std::string>> headers;  ///< in the order sent, without those of framing and ranges
+  std::size_t content_length = 0;
+  bool expects_continue = false;
+  bool close = false;  ///< the client wants the connection closed after the answer
+
+  /// The head for cpp-httplib. Percent signs in values are escaped because it decodes them.
+  std::string text() const;
+};
+
+/// Reads a whole head including its empty line. Problems carry the code of the HTTP status to answer with.
+Result<RequestHead> parse_head(std::string_view bytes, const Settings& settings, std::size_t body_limit);
+
+/// Looks at the first bytes of a head that is not complete yet and says early when it cannot become a good one.
+std::optional<Problem> check_unfinished_head(std::string_view bytes, const Settings& settings);
+
+}  // namespace dini::server

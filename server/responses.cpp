@@ -1,0 +1,149 @@
+#include "server/responses.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "server/text.h"
+#include "service/engine.h"
+
+namespace dini::server {
+namespace {
+
+struct CodeStatus {
+  std::string_view code;
+  int status;
+};
+
+constexpr std::array code_statuses = {
+    CodeStatus{"not-json", 400},
+    CodeStatus{"bad-request", 400},
+    CodeStatus{"unauthorized", 401},
+    CodeStatus{"foreign-origin", 403},
+    CodeStatus{"not-found", 404},
+    CodeStatus{"method-not-allowed", 405},
+    CodeStatus{"not-acceptable", 406},
+    CodeStatus{"request-timeout", 408},
+    CodeStatus{"superseded", 409},
+    CodeStatus{"length-required", 411},
+    CodeStatus{"body-too-large", 413},
+    CodeStatus{"uri-too-long", 414},
+    CodeStatus{"unsupported-media-type", 415},
+    CodeStatus{"expectation-failed", 417},
+    CodeStatus{"misdirected-request", 421},
+    CodeStatus{"headers-too-large", 431},
+    CodeStatus{"client-gone", 499},  // nobody reads it, but the log does
+    CodeStatus{"internal", 500},
+    CodeStatus{"busy", 503},
+    CodeStatus{"out-of-memory", 503},
+    CodeStatus{"shutting-down", 503},
+    CodeStatus{"deadline", 504},
+    CodeStatus{"http-version", 505},
+};
+
+struct StatusTitle {
+  int status;
+  std::string_view reason;
+  std::string_view title;
+};
+
+constexpr std::array status_titles = {
+    StatusTitle{400, "Bad Request", "The request could not be read"},
+    StatusTitle{401, "Unauthorized", "A token is needed"},
+    StatusTitle{403, "Forbidden", "This page may not send requests here"},
+    StatusTitle{404, "Not Found", "There is nothing here"},
+    StatusTitle{405, "Method Not Allowed", "This address does not take that method"},
+    StatusTitle{406, "Not Acceptable", "None of the accepted media types is available"},
+    StatusTitle{408, "Request Timeout", "The request took too long to arrive"},
+    StatusTitle{409, "Conflict", "A newer request replaced this one"},
+    StatusTitle{411, "Length Required", "The length of the body is needed"},
+    StatusTitle{413, "Payload Too Large", "The body is too large"},
+    StatusTitle{414, "URI Too Long", "The address is too long"},
+    StatusTitle{415, "Unsupported Media Type", "The body has the wrong media type"},
+    StatusTitle{417, "Expectation Failed", "The expectation cannot be met"},
+    StatusTitle{421, "Misdirected Request", "This host is not served here"},
+    StatusTitle{422, "Unprocessable Entity", "The graph or its values are wrong"},
+    StatusTitle{431, "Request Header Fields Too Large", "The headers are too large"},
+    StatusTitle{499, "Client Closed Request", "The client left"},
+    StatusTitle{500, "Internal Server Error", "The server made a mistake"},
+    StatusTitle{503, "Service Unavailable", "The server is busy"},
+    StatusTitle{504, "Gateway Timeout", "The deadline passed"},
+    StatusTitle{505, "HTTP Version Not Supported", "This version of HTTP is not spoken here"},
+};
+
+const StatusTitle& title_of(int status) {
+  const auto found = std::ranges::find(status_titles, status, &StatusTitle::status);
+  return found != status_titles.end() ? *found : *std::ranges::find(status_titles, 500, &StatusTitle::status);
+}
+
+/// Draco's decoder is WebAssembly in a worker made from a blob; without these two permissions the page hangs silently.
+constexpr std::string_view content_security_policy =
+    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src blob:; style-src 'self'; "
+    "img-src 'self' data: blob:; connect-src 'self'; object-src 'none'; base-uri 'none'; frame-ancestors 'none'";
+
+constexpr std::size_t detail_bytes = 200;
+
+std::string server_timing(const Exchange& exchange) {
+  std::array<char, 64> number;
+  std::string text;
+  for (const auto& [name, milliseconds] : exchange.timings) {
+    std::snprintf(number.data(), number.size(), ";dur=%.3f, ", milliseconds);
+    text += name + number.data();
+  }
+  std::snprintf(number.data(), number.size(), "total;dur=%.3f", exchange.milliseconds());
+  return text + number.data();
+}
+
+}  // namespace
+
+int status_of(std::string_view code) {
+  const auto found = std::ranges::find(code_statuses, code, &CodeStatus::code);
+  return found != code_statuses.end() ? found->status : 422;
+}
+
+std::string_view reason_of(int status) { return title_of(status).reason; }
+
+Reply problem_reply(const Problems& problems, const Exchange& exchange) {
+  const Problem& first = problems.front();
+  const int status = status_of(first.code);
+  Reply reply = json_reply({{"type", "/problems/" + first.code},
+                            {"title", title_of(status).title},
+                            {"status", status},
+                            {"detail", cut(first.detail, detail_bytes)},
+                            {"instance", exchange.id},
+                            {"errors", to_json(problems)}},
+                           status);
+  reply.type = "application/problem+json";
+  reply.headers.emplace_back("Cache-Control", "no-store");
+  if (status == 503) reply.headers.emplace_back("Retry-After", "1");
+  if (status == 401) reply.headers.emplace_back("WWW-Authenticate", "Bearer");
+  return reply;
+}
+
+Reply problem_reply(Problem problem, const Exchange& exchange) {
+  return problem_reply(Problems{std::move(problem)}, exchange);
+}
+
+std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+Reply json_reply(const Json& json, int status) { return {status, "application/json", dump(json), {}}; }
+
+void add_common_headers(Reply& reply, const Exchange& exchange) {
+  reply.headers.emplace_back("X-Request-Id", exchange.id);
+  reply.headers.emplace_back("Server-Timing", server_timing(exchange));
+  reply.headers.emplace_back("Content-Security-Policy", content_security_policy);
+  reply.headers.emplace_back("X-Content-Type-Options", "nosniff");
+  reply.headers.emplace_back("Referrer-Policy", "no-referrer");
+  reply.headers.emplace_back("Cross-Origin-Opener-Policy", "same-origin");
+  reply.headers.emplace_back("Cross-Origin-Resource-Policy", "same-origin");
+}
+
+std::string closing_answer(const Reply& reply) {
+  std::string text = "HTTP/1.1 " + std::to_string(reply.status) + " " + std::string(reason_of(reply.status)) + "\r\n";
+  for (const auto& [name, value] : reply.headers) text += name + ": " + value + "\r\n";
+  text += "Content-Type: " + reply.type + "\r\nContent-Length: " + std::to_string(reply.body.size()) +
+          "\r\nConnection: close\r\n\r\n";
+  return text + reply.body;
+}
+
+}  // namespace dini::server

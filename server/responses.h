@@ -1,0 +1,34 @@
+#pragma once
+
+// How problems become answers. The only place that knows both the codes of problems and the statuses of HTTP.
+
+#include <string>
+#include <string_view>
+
+#include "graph/problem.h"
+#include "server/reply.h"
+
+namespace dini::server {
+
+/// The status for a problem code; 422 for every code that speaks about a graph or its values.
+int status_of(std::string_view code);
+
+/// The reason phrase of every status that `status_of` gives.
+std::string_view reason_of(int status);
+
+/// An RFC 9457 answer. The first problem decides status, type and detail; all of them are listed.
+Reply problem_reply(const Problems& problems, const Exchange& exchange);
+Reply problem_reply(Problem problem, const Exchange& exchange);
+
+/// A JSON answer. Bytes that are not UTF-8 are replaced, never thrown about.
+Reply json_reply(const Json& json, int status = 200);
+std::string dump(const Json& json);
+
+/// Adds what every answer carries: request id, timings, and the headers that keep a browser from doing anything
+/// unwanted.
+void add_common_headers(Reply& reply, const Exchange& exchange);
+
+/// The whole answer as bytes, closing the connection: for those given before cpp-httplib has a part in it.
+std::string closing_answer(const Reply& reply);
+
+}  // namespace dini::server

@@ -1,0 +1,107 @@
+#include "service/markdown.h"
+
+#include <string_view>
+
+namespace dini {
+namespace {
+
+std::string text_of(const Json& object, const char* name) {
+  const auto found = object.find(name);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+/// Inside a table cell a bar would end the cell and a line break the row.
+std::string cell(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '|') result += '\\';
+    result += c == '\n' ? ' ' : c;
+  }
+  return result;
+}
+
+std::string joined(const Json& object, const char* name, std::string_view separator) {
+  std::string result;
+  const auto found = object.find(name);
+  if (found == object.end() || !found->is_array()) return result;
+  for (const Json& item : *found) {
+    if (!result.empty()) result += separator;
+    result += item.is_string() ? item.get<std::string>() : item.dump();
+  }
+  return result;
+}
+
+std::string types_of(const Json& port) {
+  const std::string choices = joined(port, "choices", "`, `");
+  if (!choices.empty()) return "one of `" + choices + "`";
+  return joined(port, "types", ", ") + (port.value("several", false) ? ", several" : "");
+}
+
+std::string default_of(const Json& input) {
+  if (input.value("required", false)) return "required";
+  const auto found = input.find("default");
+  if (found == input.end() || found->is_null()) return "";
+  return "`" + found->dump() + "`";
+}
+
+/// The hard bounds, and the soft ones a slider has when they are narrower.
+std::string range_of(const Json& input) {
+  const auto bounds = [&](const char* low, const char* high) {
+    const bool has_low = input.contains(low);
+    const bool has_high = input.contains(high);
+    if (has_low && has_high) return input.at(low).dump() + " to " + input.at(high).dump();
+    if (has_low) return "from " + input.at(low).dump();
+    return has_high ? "up to " + input.at(high).dump() : std::string();
+  };
+  const std::string hard = bounds("minimum", "maximum");
+  const std::string soft = bounds("soft_minimum", "soft_maximum");
+  if (hard.empty() || soft.empty() || hard == soft) return hard.empty() ? soft : hard;
+  return hard + " (slider " + soft + ")";
+}
+
+void write_inputs(const Json& inputs, std::string& page) {
+  if (inputs.empty()) return;
+  page += "| input | type | default | range | unit | what it does |\n|---|---|---|---|---|---|\n";
+  for (const Json& input : inputs) {
+    page += "| `" + text_of(input, "name") + "` | " + cell(types_of(input)) + " | " + cell(default_of(input)) + " | " +
+            cell(range_of(input)) + " | " + cell(text_of(input, "unit")) + " | " + cell(text_of(input, "doc")) + " |\n";
+  }
+  page += "\n";
+}
+
+void write_outputs(const Json& outputs, std::string& page) {
+  if (outputs.empty()) return;
+  page += "| output | type | what it is |\n|---|---|---|\n";
+  for (const Json& output : outputs) {
+    const std::string same = text_of(output, "same_as");
+    const std::string types = same.empty() ? types_of(output) : "as `" + same + "`";
+    page += "| `" + text_of(output, "name") + "` | " + cell(types) + " | " + cell(text_of(output, "doc")) + " |\n";
+  }
+  page += "\n";
+}
+
+void write_node(const Json& node, std::string& page) {
+  page += "### " + text_of(node, "title") + " (`" + text_of(node, "id") + "`)\n\n" + text_of(node, "doc") + "\n\n";
+  const std::string source = text_of(node, "source");
+  if (!source.empty()) page += "Source: " + source + "\n\n";
+  write_inputs(node.value("inputs", Json::array()), page);
+  write_outputs(node.value("outputs", Json::array()), page);
+}
+
+}  // namespace
+
+std::string nodes_markdown(const Json& catalogue) {
+  std::string page =
+      "# Nodes\n\nThis page is written by `dini nodes --markdown` from the declarations of the nodes; do not edit "
+      "it.\n\n";
+  for (const Json& family : catalogue.value("families", Json::array())) {
+    page += "## " + text_of(family, "title") + "\n\n";
+    for (const Json& node : catalogue.value("nodes", Json::array())) {
+      if (text_of(node, "family") == text_of(family, "name")) write_node(node, page);
+    }
+  }
+  page.erase(page.find_last_not_of('\n') + 1);
+  return page + "\n";
+}
+
+}  // namespace dini

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "graph/problem.h"
+
+namespace dini {
+
+/// The catalogue of `GET /v1/nodes` as a page to read: a chapter per family, and per node its doc, source, and tables
+/// of inputs and outputs. `docs/nodes.md` is this text; a test holds the two equal.
+std::string nodes_markdown(const Json& catalogue);
+
+}  // namespace dini

@@ -1,0 +1,221 @@
+#include <future>
+
+#include "tests/server/fixture.h"
+
+namespace {
+
+using namespace dini::testing;
+using dini::Json;
+
+dini::toy::Counters& counters() { return dini::toy::counters(); }
+
+bool all_finished() { return counters().started == counters().finished; }
+
+}  // namespace
+
+TEST_CASE("The model comes as GLB by default, with its tag, times and name") {
+  const Running server;
+  const auto answer = post(server.port(), "/v1/evaluate", toy_body({{"bytes", 5}}));
+  REQUIRE(answer);
+  CHECK(answer->status == 200);
+  CHECK(answer->body == "ggggg");
+  CHECK(answer->header("content-type") == "model/gltf-binary");
+  CHECK(answer->header("cache-control") == "no-cache");
+  CHECK(answer->header("content-disposition") == "inline; filename=\"model.glb\"");
+  CHECK(answer->header("etag").starts_with("\"toy-"));
+  CHECK(answer->header("server-timing").find("evaluate;dur=1.500") != std::string::npos);
+  CHECK_FALSE(answer->header("x-request-id").empty());
+}
+
+TEST_CASE("Accept chooses the model, the report, or both in one answer") {
+  const Running server;
+  const std::string body = toy_body({{"bytes", 3}});
+  const auto report = post(server.port(), "/v1/evaluate", body, "Accept: application/json\r\n");
+  REQUIRE(report);
+  CHECK(report->json()["model"]["bytes"] == 3);
+  CHECK(report->json()["etag"] == report->header("etag"));
+
+  const auto both = post(server.port(), "/v1/evaluate", body, "Accept: text/plain, multipart/form-data;q=0.9\r\n");
+  REQUIRE(both);
+  const std::string type = both->header("content-type");
+  REQUIRE(type.starts_with("multipart/form-data; boundary="));
+  const std::string boundary = "--" + type.substr(30);
+  CHECK(both->body.starts_with(boundary + "\r\nContent-Disposition: form-data; name=\"report\"\r\n"));
+  CHECK(both->body.find("name=\"model\"; filename=\"model.glb\"\r\nContent-Type: model/gltf-binary\r\n\r\nggg\r\n") !=
+        std::string::npos);
+  CHECK(both->body.ends_with("\r\n" + boundary + "--\r\n"));
+  CHECK(post(server.port(), "/v1/evaluate", body, "Accept: multipart/form-data\r\n")->body == both->body);
+
+  CHECK(post(server.port(), "/v1/evaluate", body, "Accept: model/obj\r\n")->status == 406);
+  CHECK(post(server.port(), "/v1/evaluate", body, "Accept: */*\r\n")->body == "ggg");
+}
+
+TEST_CASE("A client that has the result gets 304 and nothing is evaluated") {
+  const Running server;
+  const std::string body = toy_body({{"bytes", 6}});
+  const std::string tag = post(server.port(), "/v1/evaluate", body)->header("etag");
+  const std::size_t before = counters().started;
+  for (const std::string known : {tag, "\"other\", " + tag, "W/" + tag, std::string("*")}) {
+    const auto answer = post(server.port(), "/v1/evaluate", body, "If-None-Match: " + known + "\r\n");
+    REQUIRE(answer);
+    CHECK(answer->status == 304);
+    CHECK(answer->body.empty());
+    CHECK(answer->header("etag") == tag);
+  }
+  CHECK(counters().started == before);
+  CHECK(post(server.port(), "/v1/evaluate", body, "If-None-Match: \"other\"\r\n")->status == 200);
+  CHECK(counters().started == before + 1);
+}
+
+TEST_CASE("Every error has the same form") {
+  const Running server;
+  const std::vector<std::pair<std::optional<Answer>, int>> answers = {
+      {get(server.port(), "/nowhere"), 404},
+      {get(server.port(), "/v1/evaluate"), 405},
+      {post(server.port(), "/healthz", "{}"), 405},
+      {post(server.port(), "/v1/evaluate", "{"), 400},
+      {post(server.port(), "/v1/evaluate", "[]"), 422},
+      {post(server.port(), "/v1/evaluate", toy_body({{"invalid", "out-of-range"}})), 422},
+      {post(server.port(), "/v1/evaluate", toy_body({{"problem", "degenerate"}})), 422},
+      {post(server.port(), "/v1/evaluate", toy_body({{"throws", true}})), 500},
+      {exchange(server.port(), "nonsense\r\n\r\n"), 400},
+      {exchange(server.port(), "POST / HTTP/1.1\r\nHost: localhost\r\n\r\n"), 411},
+  };
+  for (const auto& [answer, status] : answers) {
+    REQUIRE(answer);
+    CAPTURE(answer->body);
+    CHECK(answer->status == status);
+    CHECK(answer->header("content-type") == "application/problem+json");
+    CHECK(answer->header("x-content-type-options") == "nosniff");
+    CHECK(answer->header("content-security-policy").find("frame-ancestors 'none'") != std::string::npos);
+    const Json problem = answer->json();
+    CHECK(problem["status"] == status);
+    CHECK(problem["instance"] == answer->header("x-request-id"));
+    CHECK(problem["type"] == "/problems/" + problem["errors"][0]["code"].get<std::string>());
+    CHECK(problem["title"].is_string());
+    CHECK(problem["detail"].get<std::string>().size() <= 200);
+    CHECK(answer->body.find("secret") == std::string::npos);
+  }
+  CHECK(get(server.port(), "/v1/evaluate")->header("allow") == "POST");
+  CHECK(post(server.port(), "/healthz", "{}")->header("allow") == "GET, HEAD");
+}
+
+TEST_CASE("A body is read strictly and every mistake is listed") {
+  const Running server;
+  const auto answer =
+      post(server.port(), "/v1/evaluate",
+           R"({"grahp":{},"quality":"best","deadline_ms":0,"output":7,"parameters":[],"a/b~\u0001":1})");
+  REQUIRE(answer);
+  CHECK(answer->status == 422);
+  std::map<std::string, std::string> codes;
+  const Json problem = answer->json();
+  for (const Json& error : problem["errors"]) codes[error["pointer"]] = error["code"];
+  CHECK(codes == std::map<std::string, std::string>{{"/grahp", "unknown-member"},
+                                                    {"/a~1b~0\x01", "unknown-member"},
+                                                    {"/graph", "required-input-missing"},
+                                                    {"/parameters", "type-mismatch"},
+                                                    {"/output", "type-mismatch"},
+                                                    {"/quality", "not-in-choices"},
+                                                    {"/deadline_ms", "out-of-range"}});
+  CHECK(answer->body.find("the nearest is 'graph'") != std::string::npos);
+}
+
+TEST_CASE("A deadline ends an evaluation with 504") {
+  const Running server;
+  Json body = Json::parse(toy_body({{"milliseconds", 60'000}}));
+  body["deadline_ms"] = 50;
+  const auto answer = post(server.port(), "/v1/evaluate", body.dump());
+  REQUIRE(answer);
+  CHECK(answer->status == 504);
+  CHECK(answer->code() == "deadline");
+  CHECK(eventually(all_finished));
+}
+
+TEST_CASE("A newer request with the same key supersedes the older one") {
+  const Running server;
+  const std::size_t before = counters().started;
+  auto older = std::async(std::launch::async, [&] {
+    return post(server.port(), "/v1/evaluate", toy_body({{"milliseconds", 60'000}}), "Supersede-Key: drag\r\n");
+  });
+  REQUIRE(eventually([&] { return counters().started > before; }));
+  CHECK(post(server.port(), "/v1/evaluate", toy_body({{"bytes", 1}}), "Supersede-Key: drag\r\n")->status == 200);
+  const auto answer = older.get();
+  REQUIRE(answer);
+  CHECK(answer->status == 409);
+  CHECK(answer->code() == "superseded");
+}
+
+TEST_CASE("Evaluations beyond slots and queue are refused at once") {
+  const Running server;  // one slot, one place in the queue
+  const std::size_t before = counters().started;
+  Client running(server.port());
+  running.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 60'000}})));
+  REQUIRE(eventually([&] { return counters().started > before; }));
+  std::vector<std::unique_ptr<Client>> more;
+  std::optional<Answer> refused;
+  for (int i = 0; i < 2; ++i) {
+    more.push_back(std::make_unique<Client>(server.port()));
+    more.back()->send(post_text("/v1/inspect", R"({"graph":{"nodes":{}},"node":"out"})"));
+    if (i == 0) std::this_thread::sleep_for(std::chrono::milliseconds(200));  // the first is to be in the queue
+  }
+  refused = more.back()->receive();
+  REQUIRE(refused);
+  CHECK(refused->status == 503);
+  CHECK(refused->header("retry-after") == "1");
+  CHECK(get(server.port(), "/healthz")->status == 200);
+  running.close();  // frees the slot for the one that waits
+  const auto waited = more.front()->receive();
+  REQUIRE(waited);
+  CHECK(waited->status == 200);
+}
+
+TEST_CASE("A client that leaves stops its evaluation") {
+  const Running server;
+  const std::size_t canceled = counters().canceled;
+  const std::size_t started = counters().started;
+  Client client(server.port());
+  client.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 60'000}})));
+  REQUIRE(eventually([&] { return counters().started > started; }));
+  client.close();
+  CHECK(eventually([&] { return counters().canceled > canceled; }));
+  CHECK(eventually(all_finished));
+}
+
+TEST_CASE("Stopping the server lets a running request finish and closes idle connections") {
+  Running server;
+  Client idle(server.port());
+  idle.send("GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  REQUIRE(idle.receive());
+  const std::size_t before = counters().started;
+  Client busy(server.port());
+  busy.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 300}, {"bytes", 2}})));
+  REQUIRE(eventually([&] { return counters().started > before; }));
+  server.stop();
+  const auto answer = busy.receive();
+  REQUIRE(answer);
+  CHECK(answer->status == 200);
+  CHECK(answer->header("connection") == "close");
+  CHECK(idle.closed());
+}
+
+TEST_CASE("What still runs at the drain deadline is stopped and told so") {
+  auto settings = quick_settings();
+  settings.drain_deadline = std::chrono::milliseconds(100);
+  Running server(settings);
+  const std::size_t before = counters().started;
+  Client busy(server.port());
+  busy.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 60'000}})));
+  REQUIRE(eventually([&] { return counters().started > before; }));
+  server.stop();
+  const auto answer = busy.receive();
+  REQUIRE(answer);
+  CHECK(answer->status == 503);
+  CHECK(answer->code() == "shutting-down");
+}
+
+TEST_CASE("Large models arrive whole") {
+  const Running server;
+  const auto answer = post(server.port(), "/v1/evaluate", toy_body({{"bytes", 20'000'000}}));
+  REQUIRE(answer);
+  CHECK(answer->body == std::string(20'000'000, 'g'));
+}

@@ -1,0 +1,102 @@
+#include <array>
+#include <catch2/catch.hpp>
+
+#include "server/gate.h"
+#include "server/negotiation.h"
+#include "server/page.h"
+#include "server/supersede.h"
+#include "server/text.h"
+
+namespace {
+
+using namespace dini;
+using namespace dini::server;
+
+constexpr std::array<std::string_view, 3> offers = {"model/gltf-binary", "application/json", "multipart/form-data"};
+
+std::string_view chosen(std::string_view accept) { return choose_type(accept, offers).value_or("none"); }
+
+}  // namespace
+
+TEST_CASE("Accept headers choose the best offer") {
+  CHECK(chosen("") == "model/gltf-binary");
+  CHECK(chosen("*/*") == "model/gltf-binary");
+  CHECK(chosen("application/json") == "application/json");
+  CHECK(chosen("application/*, model/*;q=0.5") == "application/json");
+  CHECK(chosen("application/json;q=0.5, multipart/form-data") == "multipart/form-data");
+  CHECK(chosen("*/*;q=0.1, model/gltf-binary;q=0") == "application/json");
+  CHECK(chosen("Application/JSON; charset=utf-8; q=1") == "application/json");
+  CHECK(chosen("text/html") == "none");
+  CHECK(chosen("*/*;q=nonsense") == "none");
+  CHECK(chosen(",;,") == "none");
+}
+
+TEST_CASE("Tags are compared as a whole") {
+  CHECK(names_tag("\"a\"", "\"a\""));
+  CHECK(names_tag("\"b\" , W/\"a\"", "\"a\""));
+  CHECK(names_tag("*", "\"a\""));
+  CHECK_FALSE(names_tag("", "\"a\""));
+  CHECK_FALSE(names_tag("a", "\"a\""));
+  CHECK_FALSE(names_tag("\"aa\"", "\"a\""));
+}
+
+TEST_CASE("A gate gives its slots, then its queue, then refuses") {
+  Gate gate(1, 0);
+  const Cancel cancel;
+  {
+    const auto pass = gate.enter(cancel);
+    REQUIRE(pass);
+    CHECK(gate.enter(cancel).problems().front().code == "busy");
+  }
+  CHECK(gate.enter(cancel));
+}
+
+TEST_CASE("Waiting at a gate ends when the request is stopped") {
+  Gate gate(1, 4);
+  const Cancel running;
+  const auto pass = gate.enter(running);
+  const Cancel late(Cancel::Clock::now());
+  CHECK(gate.enter(late).problems().front().code == "deadline");
+  const Cancel gone;
+  gone.stop(StopReason::client_gone);
+  CHECK(gate.enter(gone).problems().front().code == "client-gone");
+}
+
+TEST_CASE("Only the same key supersedes, and only while the older one runs") {
+  Supersede registry;
+  const Cancel first;
+  const Cancel other;
+  const Cancel second;
+  const Cancel anonymous;
+  {
+    const Supersede::Entry a(registry, "k", first);
+    const Supersede::Entry b(registry, "other", other);
+    const Supersede::Entry c(registry, "", anonymous);
+    {
+      const Supersede::Entry d(registry, "k", second);
+      CHECK(first.reason() == StopReason::superseded);
+    }
+    const Supersede::Entry e(registry, "", second);
+  }
+  CHECK(second.reason() == StopReason::none);
+  CHECK(other.reason() == StopReason::none);
+  CHECK(anonymous.reason() == StopReason::none);
+  const Cancel third;
+  const Supersede::Entry f(registry, "k", third);
+  CHECK(second.reason() == StopReason::none);
+}
+
+TEST_CASE("Hashed names are told from plain ones") {
+  CHECK(carries_hash("/assets/main-5ZQ2W7KD.js"));
+  CHECK(carries_hash("/main-5ZQ2W7KD.js.map"));
+  CHECK_FALSE(carries_hash("/index.html"));
+  CHECK_FALSE(carries_hash("/my-component.js"));
+  CHECK_FALSE(carries_hash("/-.js"));
+}
+
+TEST_CASE("Text from outside is made harmless") {
+  CHECK(escape_controls("a\x1b[2J\n\xc3\xa9") == "a\\x1b[2J\\x0a\\xc3\\xa9");
+  CHECK(escape_controls(std::string(300, 'a')).size() == 203);
+  CHECK(cut("a\xc3\xa9", 2) == "a");
+  CHECK(cut("a\xc3\xa9", 3) == "a\xc3\xa9");
+}

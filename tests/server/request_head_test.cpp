@@ -1,0 +1,114 @@
+#include "server/request_head.h"
+
+#include <catch2/catch.hpp>
+#include <random>
+
+namespace {
+
+using dini::server::parse_head;
+using dini::server::Settings;
+
+constexpr std::size_t body_limit = 1000;
+
+std::string code_of(const std::string& head) {
+  const auto parsed = parse_head(head, Settings(), body_limit);
+  return parsed ? "" : parsed.problems().front().code;
+}
+
+std::string post(const std::string& headers) { return "POST / HTTP/1.1\r\nHost: a\r\n" + headers + "\r\n"; }
+std::string get(const std::string& headers) { return "GET / HTTP/1.1\r\nHost: a\r\n" + headers + "\r\n"; }
+
+}  // namespace
+
+TEST_CASE("A good head is taken apart") {
+  const auto head =
+      parse_head(post("Content-Length: 12\r\nX-One:  two\t\r\nConnection: close\r\n"), Settings(), body_limit);
+  REQUIRE(head);
+  CHECK(head->method == "POST");
+  CHECK(head->target == "/");
+  CHECK(head->content_length == 12);
+  CHECK(head->close);
+  CHECK(head->text() == "POST / HTTP/1.1\r\nHost: a\r\nX-One: two\r\n\r\n");
+}
+
+TEST_CASE("Percent signs in header values reach the handlers as they were sent") {
+  const auto head = parse_head(get("X: 100%25 %41\r\n"), Settings(), body_limit);
+  REQUIRE(head);
+  CHECK(head->text().find("X: 100%2525 %2541\r\n") != std::string::npos);
+}
+
+TEST_CASE("Heads that cannot be trusted are refused, each for its reason") {
+  const std::vector<std::pair<std::string, std::string>> table = {
+      {"GET /\r\n\r\n", "bad-request"},
+      {"GET / HTTP/2.0\r\nHost: a\r\n\r\n", "http-version"},
+      {"GET / HTTP/1.1x\r\nHost: a\r\n\r\n", "http-version"},
+      {"BREW / HTTP/1.1\r\nHost: a\r\n\r\n", "method-not-allowed"},
+      {"G(T / HTTP/1.1\r\nHost: a\r\n\r\n", "bad-request"},
+      {"GET http://b/ HTTP/1.1\r\nHost: a\r\n\r\n", "bad-request"},
+      {"GET /%00 HTTP/1.1\r\nHost: a\r\n\r\n", "bad-request"},
+      {"GET /?q=%0d%0A HTTP/1.1\r\nHost: a\r\n\r\n", "bad-request"},
+      {"GET /a b HTTP/1.1\r\nHost: a\r\n\r\n", "bad-request"},
+      {"GET / HTTP/1.1\r\n\r\n", "bad-request"},
+      {get("Host: b\r\n"), "bad-request"},
+      {get("Folded: a\r\n b\r\n"), "bad-request"},
+      {get("Space : a\r\n"), "bad-request"},
+      {get("NoColon\r\n"), "bad-request"},
+      {get("Bare: a\nb: c\r\n"), "bad-request"},
+      {get("X: a%0d%0aSet-Cookie: b\r\n"), "bad-request"},
+      {get("X: %00\r\n"), "bad-request"},
+      {get("Content-Length: 3\r\n"), "bad-request"},
+      {get("Content-Length: 0\r\n"), ""},
+      {get("Transfer-Encoding: chunked\r\n"), "length-required"},
+      {get("Range: bytes=0-1\r\n"), ""},
+      {get("Expect: wonders\r\n"), "expectation-failed"},
+      {post(""), "length-required"},
+      {post("Transfer-Encoding: chunked\r\n"), "length-required"},
+      {post("Content-Length: 3\r\nTransfer-Encoding: identity\r\n"), "length-required"},
+      {post("Content-Length: 3\r\nContent-Length: 3\r\n"), "bad-request"},
+      {post("Content-Length: 3, 3\r\n"), "bad-request"},
+      {post("Content-Length: -1\r\n"), "bad-request"},
+      {post("Content-Length: +1\r\n"), "bad-request"},
+      {post("Content-Length: abc\r\n"), "bad-request"},
+      {post("Content-Length: 0x10\r\n"), "bad-request"},
+      {post("Content-Length:\r\n"), "bad-request"},
+      {post("Content-Length: 99999999999999999999999\r\n"), "bad-request"},
+      {post("Content-Length: 1001\r\n"), "body-too-large"},
+      {post("Content-Length: 1000\r\n"), ""},
+      {post("Content-Length: 3\r\nContent-Encoding: gzip\r\n"), "unsupported-media-type"},
+      {post("Content-Length: 3\r\nContent-Encoding: br\r\n"), "unsupported-media-type"},
+  };
+  for (const auto& [head, code] : table) {
+    CAPTURE(head);
+    CHECK(code_of(head) == code);
+  }
+}
+
+TEST_CASE("Lines and headers have limits") {
+  CHECK(code_of("GET /" + std::string(9000, 'a') + " HTTP/1.1\r\nHost: a\r\n\r\n") == "uri-too-long");
+  CHECK(code_of(get("X: " + std::string(9000, 'a') + "\r\n")) == "headers-too-large");
+  std::string many;
+  for (int i = 0; i < 100; ++i) many += "X: y\r\n";
+  CHECK(code_of(get(many)) == "headers-too-large");
+}
+
+TEST_CASE("Heads that cannot become good are refused before they end") {
+  const Settings settings;
+  CHECK_FALSE(dini::server::check_unfinished_head("GET /health", settings));
+  CHECK_FALSE(dini::server::check_unfinished_head("GET / HTTP/1.1\r", settings));
+  CHECK(dini::server::check_unfinished_head(std::string("\x16\x03\x01\x02\x00", 5), settings)->code == "bad-request");
+  CHECK(dini::server::check_unfinished_head("GET /" + std::string(9000, 'a'), settings)->code == "uri-too-long");
+  const std::string long_header = "GET / HTTP/1.1\r\nX: " + std::string(9000, 'a');
+  CHECK(dini::server::check_unfinished_head(long_header, settings)->code == "headers-too-large");
+}
+
+TEST_CASE("No bytes upset the reader of heads") {
+  std::mt19937 random(7);
+  const std::string good = post("Content-Length: 3\r\nAccept: */*;q=0.5\r\nX: a%20b\r\n");
+  for (int i = 0; i < 20'000; ++i) {
+    std::string head = good;
+    for (int change = 0; change < 3; ++change) head[random() % head.size()] = static_cast<char>(random() % 256);
+    const auto parsed = parse_head(head, Settings(), body_limit);
+    if (parsed) CHECK(parsed->content_length <= body_limit);
+    static_cast<void>(dini::server::check_unfinished_head(head, Settings()));
+  }
+}
