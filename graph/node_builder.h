@@ -110,8 +110,7 @@ NodeBuilder node(std::string id, Functions... functions) {
 }
 
 /// The rule of a node with one made axis: size from the integer input `count`, name from the text input `axis` or the
-/// node's id, closed as the boolean input `closed` says, or fixed.
+/// node's id, closed as the boolean input `closed` says.
 AxisRule one_axis(std::string count, std::string axis, std::string closed);
-AxisRule one_axis(std::string count, std::string axis, bool closed);
 
 }  // namespace dini

@@ -96,11 +96,4 @@ AxisRule one_axis(std::string count, std::string axis, std::string closed) {
   };
 }
 
-AxisRule one_axis(std::string count, std::string axis, bool closed) {
-  return [=](const Literals& literals, const std::string& node_id) {
-    const auto size = static_cast<std::size_t>(integer_at(literals, count));
-    return std::vector<Axes>{{{axis_name(literals, axis, node_id), size, closed}}};
-  };
-}
-
 }  // namespace dini

