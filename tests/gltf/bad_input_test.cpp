@@ -160,10 +160,10 @@ TEST_CASE("the smallest and the strangest meshes are written") {
   CHECK(same_positions(rounded_triangles(mesh, grid_of(scene, 14)), stored_triangles(mesh_of(decoded))));
 }
 
-TEST_CASE("an encoder that fails or throws becomes an error with the name of the part") {
+TEST_CASE("an encoder that fails becomes an error with the name of the part") {
   class Broken final : public MeshEncoder {
    public:
-    EncodeResult<EncodedTile> encode(const Tile&, const SceneGrids&, const EncodeOptions&) const override {
+    EncodeResult<EncodedTile> encode(const Tile&, const TileGrids&, const EncodeOptions&) const override {
       return EncodeError{Code::encoder_failed, "broken", ""};
     }
   };
