@@ -17,7 +17,7 @@ namespace dini {
 namespace {
 
 constexpr std::size_t side = 708;
-constexpr double waves = 3;
+constexpr double waves = 2.6;
 
 Mesh million_triangles(std::size_t tile_side) {
   Mesh mesh = shapes::wavy_field(side, side, waves);
