@@ -17,9 +17,10 @@ namespace dini {
 namespace {
 
 constexpr std::size_t side = 708;
+constexpr double waves = 2.6;
 
 Mesh million_triangles(std::size_t tile_side) {
-  Mesh mesh = shapes::wavy_field(side, side);
+  Mesh mesh = shapes::wavy_field(side, side, waves);
   mesh.uvs.clear();
   if (tile_side > 0) shapes::cut_into_square_tiles(mesh, side - 1, side - 1, tile_side);
   return mesh;

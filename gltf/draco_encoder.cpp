@@ -42,7 +42,7 @@ std::vector<std::array<float, width>> grid_corners(const QuantizationGrid& grid)
 }
 
 // Vertices are shared by index already, so no deduplication is needed: every attribute maps vertex i to value i.
-EncodeResult<EncodedTile> encode_unguarded(const Tile& tile, const SceneGrids& grids, const EncodeOptions& options) {
+EncodeResult<EncodedTile> encode_unguarded(const Tile& tile, const TileGrids& grids, const EncodeOptions& options) {
   draco::Mesh mesh;
   mesh.set_num_points(static_cast<std::uint32_t>(tile.positions.size()));
   mesh.SetNumFaces(tile.triangles.size());
@@ -86,7 +86,7 @@ EncodeResult<EncodedTile> encode_unguarded(const Tile& tile, const SceneGrids& g
 
 }  // namespace
 
-EncodeResult<EncodedTile> DracoEncoder::encode(const Tile& tile, const SceneGrids& grids,
+EncodeResult<EncodedTile> DracoEncoder::encode(const Tile& tile, const TileGrids& grids,
                                                const EncodeOptions& options) const {
   if (tile.triangles.empty()) return EncodeError{EncodeError::Code::empty, "The mesh has no triangles.", ""};
   try {

@@ -9,7 +9,7 @@ namespace dini {
 /// an error with code `empty`.
 class DracoEncoder final : public MeshEncoder {
  public:
-  EncodeResult<EncodedTile> encode(const Tile& tile, const SceneGrids& grids,
+  EncodeResult<EncodedTile> encode(const Tile& tile, const TileGrids& grids,
                                    const EncodeOptions& options) const override;
 };
 

@@ -109,19 +109,19 @@ class SceneEncoding {
 
   void make_grids() {
     FloatBox positions;
-    FloatBox uvs;
+    std::vector<FloatBox> uvs(scene_.parts.size());
     for (const TileJob& job : jobs_) {
       positions.include(job.tile.position_box);
-      uvs.include(job.tile.uv_box);
+      uvs[job.part].include(job.tile.uv_box);
     }
-    grids_.positions = QuantizationGrid(positions, options_.position_bits);
-    grids_.uvs = QuantizationGrid(uvs, uv_bits);
-    if (!positions.empty()) result_.position_error = grids_.positions.position_error();
+    position_grid_ = QuantizationGrid(positions, options_.position_bits);
+    for (const FloatBox& box : uvs) uv_grids_.emplace_back(box, uv_bits);
+    if (!positions.empty()) result_.position_error = position_grid_.position_error();
   }
 
   void encode(TileJob& job) const {
     if (job.tile.triangles.empty()) return;
-    auto encoded = encoder_.encode(job.tile, grids_, options_);
+    auto encoded = encoder_.encode(job.tile, {position_grid_, uv_grids_[job.part]}, options_);
     if (auto* error = std::get_if<EncodeError>(&encoded)) {
       job.error = std::move(*error);
       return;
@@ -157,7 +157,7 @@ class SceneEncoding {
                                                                 [](const auto& color) { return color[3] < 1; });
       }
       drawn = true;
-      model_.add_tile(job.encoded, grids_.positions.decoded(job.tile.position_box), mesh.color, translucent_);
+      model_.add_tile(job.encoded, position_grid_.decoded(job.tile.position_box), mesh.color, translucent_);
       result_.vertices += job.encoded.vertices;
       result_.triangles += job.encoded.triangles;
       if (job.encoded.normal_id >= 0) result_.normal_error = octahedral_error(options_.normal_bits);
@@ -203,7 +203,8 @@ class SceneEncoding {
   std::vector<TileJob> jobs_;
   std::size_t next_job_ = 0;
   bool translucent_ = false;
-  SceneGrids grids_;
+  QuantizationGrid position_grid_;
+  std::vector<QuantizationGrid> uv_grids_;
   EncodedScene result_;
 };
 

@@ -26,10 +26,10 @@ struct Tile {
   FloatBox uv_box;  ///< third axis 0
 };
 
-/// The grids of a whole scene.
-struct SceneGrids {
+/// The grids of a tile: that of the scene for positions, that of its part for texture coordinates (third axis unused).
+struct TileGrids {
   QuantizationGrid positions;
-  QuantizationGrid uvs;  ///< third axis unused
+  QuantizationGrid uvs;
 };
 
 /// A compressed tile. The counts are those of the decoded tile: compressing may split vertices.
@@ -48,7 +48,7 @@ struct EncodedTile {
 class MeshEncoder {
  public:
   virtual ~MeshEncoder() = default;
-  virtual EncodeResult<EncodedTile> encode(const Tile& tile, const SceneGrids& grids,
+  virtual EncodeResult<EncodedTile> encode(const Tile& tile, const TileGrids& grids,
                                            const EncodeOptions& options) const = 0;
 
  protected:

@@ -106,7 +106,7 @@ std::vector<std::size_t> plan_tiles(const Mesh& mesh) {
   std::size_t run_begin = 0;
   for (const std::size_t run_end : given) {
     const std::size_t run = run_end - run_begin;
-    const std::size_t pieces = run <= largest_tile_triangles ? 1 : (run + tile_triangles / 2) / tile_triangles;
+    const std::size_t pieces = run <= largest_tile_triangles ? 1 : (run + tile_triangles - 1) / tile_triangles;
     for (std::size_t piece = 0; piece < pieces; ++piece) {
       const std::size_t begin = run_begin + run * piece / pieces;
       const std::size_t end = run_begin + run * (piece + 1) / pieces;

@@ -11,12 +11,12 @@
 
 namespace dini {
 
-/// Triangles of one tile: about 128 x 128 quads. Smaller tiles repeat more vertices along their borders (36 tiles of
-/// this size add 2-3 % of bytes to a mesh of a million triangles), larger ones leave threads idle.
-inline constexpr std::size_t tile_triangles = 32768;
+/// Long runs of triangles are cut into tiles of at most this size. Smaller tiles repeat more vertices along their borders
+/// and start more entropy tables, larger ones leave threads idle, here and in the browser.
+inline constexpr std::size_t tile_triangles = 49152;
 
-/// No tile has more triangles than this.
-inline constexpr std::size_t largest_tile_triangles = tile_triangles + tile_triangles / 2;
+/// No tile has more triangles than this: two squares of 128 x 128 quads are joined, three are not.
+inline constexpr std::size_t largest_tile_triangles = 65536;
 
 /// The ends of the runs of triangles that become tiles. Given runs (`mesh.tile_ends`, or the whole mesh) that are too
 /// long are cut into equal runs; small neighbors are joined while they stay small enough. Depends on the mesh only.

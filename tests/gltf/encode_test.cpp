@@ -43,7 +43,7 @@ TEST_CASE("every speed keeps triangles, winding, normals and counts") {
   const int speed = GENERATE(range(0, 11));
   const bool manifold = GENERATE(true, false);
   CAPTURE(speed, manifold);
-  const Scene scene = shapes::scene_of(manifold ? shapes::torus(40, 30) : shapes::random_soup(3, 300, 1500, 2.0, 0.0));
+  const Scene scene = shapes::scene_of(manifold ? shapes::torus(40, 30) : shapes::random_soup(3, 200, 1500, 2.0, 0.0));
   EncodeOptions options;
   options.speed = speed;
   const EncodedScene encoded = encode(scene, options);

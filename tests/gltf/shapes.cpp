@@ -27,17 +27,20 @@ void add_quads(Mesh& mesh, std::size_t rows, std::size_t columns, bool wrapped) 
 
 }  // namespace
 
-Mesh wavy_field(std::size_t rows, std::size_t columns) {
+Mesh wavy_field(std::size_t rows, std::size_t columns, double waves) {
   Mesh mesh;
   mesh.positions = Column<Point>(rows * columns);
   mesh.normals = Column<Vector>(rows * columns);
+  const double along = 7 * waves;
+  const double across = 5 * waves;
+  constexpr double height = 0.15;
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t column = 0; column < columns; ++column) {
       const double x = 2 * static_cast<double>(column) / static_cast<double>(columns - 1);
       const double y = 2 * static_cast<double>(row) / static_cast<double>(rows - 1);
-      const double z = 0.15 * std::sin(7 * x) * std::cos(5 * y);
-      const Vector normal = {-0.15 * 7 * std::cos(7 * x) * std::cos(5 * y),
-                             0.15 * 5 * std::sin(7 * x) * std::sin(5 * y), 1};
+      const double z = height * std::sin(along * x) * std::cos(across * y);
+      const Vector normal = {-height * along * std::cos(along * x) * std::cos(across * y),
+                             height * across * std::sin(along * x) * std::sin(across * y), 1};
       mesh.positions.set(row * columns + column, {x, y, z});
       mesh.normals.set(row * columns + column, normalized(normal));
       mesh.uvs.push_back({x / 2, y / 2});

@@ -1,5 +1,6 @@
 #include "gltf/tiles.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
 #include <set>
@@ -31,7 +32,7 @@ TEST_CASE("small meshes stay in one piece and large ones are cut evenly") {
 
 TEST_CASE("small neighboring runs are joined and long ones cut") {
   CHECK(plan_tiles(mesh_with_runs(40, {10, 20, 30, 40})) == std::vector<std::size_t>{40});
-  CHECK(plan_tiles(mesh_with_runs(80000, {32768, 65536, 80000})) == std::vector<std::size_t>{32768, 80000});
+  CHECK(plan_tiles(mesh_with_runs(80000, {32768, 65536, 80000})) == std::vector<std::size_t>{65536, 80000});
   const auto ends = plan_tiles(mesh_with_runs(200100, {100, 200100}));
   CHECK(ends.back() == 200100);
   std::size_t begin = 0;
@@ -80,7 +81,7 @@ TEST_CASE("tiles together hold every triangle, and no crack opens between them")
       if (b < a) --edges[{b, a}];
     }
   }
-  for (const auto& [edge, balance] : edges) REQUIRE(balance == 0);
+  CHECK(std::all_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second == 0; }));
 }
 
 TEST_CASE("parts share one grid, so equal vertices of two parts stay equal") {
