@@ -96,12 +96,13 @@ HWY_INLINE Coefficients<V> exact_coefficients(D d, const Squares<V>& squares) {
   }
   result.c0 = C_plus * C_minus;
   result.s2 = half * N_plus * N_minus;
-  // D = 0 leaves only the null generators, and the isoclinic ones below
+  // D = 0 leaves the null generators, which are simple (what Q they show is round-off), and the isoclinic ones below
   const auto split = hn::Gt(discriminant, zero);
   const V inverse = one / hn::IfThenElse(split, discriminant, one);
   const V N_mixed = N_plus * C_minus, C_mixed = C_plus * N_minus;
+  result.s2 = hn::IfThenElseZero(split, result.s2);
   result.h = hn::IfThenElse(split, (l_plus * N_mixed - l_minus * C_mixed) * inverse, one);
-  result.g = hn::IfThenElse(split, half * (C_mixed - N_mixed) * inverse, hn::Set(d, 1.0 / 6));
+  result.g = hn::IfThenElseZero(split, half * (C_mixed - N_mixed) * inverse);
 
   const auto isoclinic = hn::And(hn::Gt(q, zero), hn::Lt(discriminant, hn::Set(d, -0.25) * S));
   if (HWY_UNLIKELY(!hn::AllFalse(d, isoclinic))) {
