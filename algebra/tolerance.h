@@ -47,6 +47,11 @@ inline constexpr double largest_hyperbolic_argument = 300;
 /// Coefficients above this are scaled down before their fourth powers are taken; such generators have saturated.
 inline constexpr double saturated_generator = 1e60;
 
+/// Guards against dividing by products that underflow, far below anything that could matter beside 1: arguments of sine
+/// and cosine, and their squares.
+inline constexpr double vanishing_argument = 1e-100;
+inline constexpr double vanishing_square = 1e-200;
+
 /// Points farther out than this, in meters, count as the point at infinity: cubes of coordinates must stay finite.
 inline constexpr double infinite_distance = 1e100;
 
