@@ -20,7 +20,8 @@ Generator flat_point(const Point& position);
 Generator direction_generator(const Vector& direction);
 
 /// The unit dual line of `axis` (e_e = unit direction u): exp(-angle/2 B) turns by `angle` about it, right hand.
-/// For a circle, the unit generator of the turn along it. A degenerate circle gives the zero generator.
+/// For a circle, the unit generator of the turn around it, which keeps the circle point by point. A degenerate circle
+/// gives the zero generator.
 Generator rotation_generator(const Circle& axis);
 
 /// Scalar and bivector part of the geometric product of two weighted points w no + x + x^2/2 ni. Paper, eq. (19).

@@ -22,11 +22,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 inline constexpr double rounding_magic = 0x1.8p52;
 
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V constant(D d, double value) {
-  return hn::Set(d, value);
-}
-
-template <class D, class V = hn::Vec<D>>
 HWY_INLINE V polynomial(D, V, V sum) {
   return sum;
 }
@@ -101,10 +96,16 @@ HWY_INLINE V exponential_minus_one(D d, V x) {
   return scale * reduced.remainder + (scale - hn::Set(d, 1.0));
 }
 
+/// t with tanh |x| = t / (t + 2).
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V hyperbolic_quotient(D d, V x) {
+  const V magnitude = hn::Min(hn::Abs(x), hn::Set(d, 22.0));
+  return exponential_minus_one(d, magnitude + magnitude);
+}
+
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V tanh_of(D d, V x) {
-  const V magnitude = hn::Min(hn::Abs(x), hn::Set(d, 22.0));
-  const V t = exponential_minus_one(d, magnitude + magnitude);
+  const V t = hyperbolic_quotient(d, x);
   return hn::CopySign(t / (t + hn::Set(d, 2.0)), x);
 }
 

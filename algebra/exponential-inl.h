@@ -55,22 +55,29 @@ HWY_INLINE V over_argument(D d, V value, V x) {
   return hn::IfThenElse(hn::Gt(x, hn::Zero(d)), value / x, hn::Set(d, 1.0));
 }
 
-/// C and N of l for the factor that may be hyperbolic, divided by cosh where it is.
+/// C and N of l for the factor that may be hyperbolic, divided by cosh where it is. One division serves both kinds of
+/// lanes.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE void cosine_pair(D d, V l, V& C, V& N, V& hyperbolic) {
-  const V one = hn::Set(d, 1.0);
-  const auto real = hn::Gt(l, hn::Zero(d));
-  const auto imaginary = hn::Lt(l, hn::Zero(d));
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0), two = hn::Set(d, 2.0);
+  const auto real = hn::Gt(l, zero);
+  const auto imaginary = hn::Lt(l, zero);
   const V root = hn::Sqrt(hn::Abs(l));
+  V numerator = one, denominator = one;
   C = one;
-  N = one;
   hyperbolic = hn::IfThenElseZero(real, root);
-  if (!hn::AllFalse(d, real)) N = hn::IfThenElse(real, tanh_of(d, root) / root, N);
+  if (!hn::AllFalse(d, real)) {
+    const V t = hyperbolic_quotient(d, root);  // tanh = t / (t + 2)
+    numerator = hn::IfThenElse(real, t, numerator);
+    denominator = hn::IfThenElse(real, (t + two) * root, denominator);
+  }
   if (!hn::AllFalse(d, imaginary)) {
     const auto turn = sincos_of(d, root);
     C = hn::IfThenElse(imaginary, turn.cosine, C);
-    N = hn::IfThenElse(imaginary, turn.sine / root, N);
+    numerator = hn::IfThenElse(imaginary, turn.sine, numerator);
+    denominator = hn::IfThenElse(imaginary, root, denominator);
   }
+  N = numerator / denominator;
 }
 
 template <class D, class V = hn::Vec<D>>
@@ -88,20 +95,21 @@ HWY_INLINE Coefficients<V> exact_coefficients(D d, const Squares<V>& squares) {
   V C_plus, N_plus;
   cosine_pair(d, l_plus, C_plus, N_plus, result.hyperbolic);
   const V m = hn::Sqrt(zero - l_minus);
-  V C_minus = one, N_minus = one;
-  if (!hn::AllTrue(d, hn::Eq(m, zero))) {
-    const auto turn = sincos_of(d, m);
-    C_minus = turn.cosine;
-    N_minus = over_argument(d, turn.sine, m);
-  }
+  const auto turn = sincos_of(d, m);
+  const V C_minus = turn.cosine;
+  // 1/m and 1/D from one division; where their product would underflow both limits are reached
+  const auto turning = hn::Gt(m, hn::Set(d, tolerance::vanishing_argument));
+  const auto split = hn::Gt(discriminant, hn::Set(d, tolerance::vanishing_square));
+  const V m_or_one = hn::IfThenElse(turning, m, one), D_or_one = hn::IfThenElse(split, discriminant, one);
+  const V inverse = one / (m_or_one * D_or_one);
+  const V N_minus = hn::IfThenElse(turning, turn.sine * (inverse * D_or_one), one);
+  const V inverse_D = inverse * m_or_one;
   result.c0 = C_plus * C_minus;
-  result.s2 = half * N_plus * N_minus;
-  // D = 0 leaves only the null generators, and the isoclinic ones below
-  const auto split = hn::Gt(discriminant, zero);
-  const V inverse = one / hn::IfThenElse(split, discriminant, one);
-  const V N_mixed = N_plus * C_minus, C_mixed = C_plus * N_minus;
-  result.h = hn::IfThenElse(split, (l_plus * N_mixed - l_minus * C_mixed) * inverse, one);
-  result.g = hn::IfThenElse(split, half * (C_mixed - N_mixed) * inverse, hn::Set(d, 1.0 / 6));
+  // D = 0 leaves the null generators, which are simple (what Q they show is round-off), and the isoclinic ones below
+  result.s2 = hn::IfThenElseZero(split, half * N_plus * N_minus);
+  const V N_mixed = N_plus * C_minus;
+  result.h = hn::IfThenElse(split, (l_plus * N_mixed + (m * turn.sine) * C_plus) * inverse_D, one);
+  result.g = hn::IfThenElseZero(split, half * (C_plus * N_minus - N_mixed) * inverse_D);
 
   const auto isoclinic = hn::And(hn::Gt(q, zero), hn::Lt(discriminant, hn::Set(d, -0.25) * S));
   if (HWY_UNLIKELY(!hn::AllFalse(d, isoclinic))) {

@@ -19,7 +19,8 @@ struct CircleCoordinates {
 };
 
 /// The coordinates of a circle; nothing for elements that are no circle (zero, or imaginary: negative squared radius).
-/// It is a line when the weight |no_e| is below the round-off of the element (see algebra/tolerance.h).
+/// It is a line when its radius is so large that the line describes it better in double precision (see
+/// algebra/tolerance.h).
 std::optional<CircleCoordinates> coordinates(const Circle& circle);
 
 /// A sphere or a plane in coordinates.

@@ -60,11 +60,16 @@ void transform_points_bilinear(const BilinearCorners& corners, ConstNumbers u, C
 /// How generators act together in a warp.
 enum class WarpMethod { sum_generators, sum_displacements };
 
-/// One generator of a warp with the position its distance is measured from, prepared by `warp_source`.
+/// One generator of a warp with the position its distance is measured from. Null pairs at their position are the fast
+/// case; any other generator works too.
 struct WarpSource {
   Generator generator;
   Point position;
 };
+
+/// A generator with its own position: of a pair its middle (a null pair's place), of a flat point that point, of a dual
+/// line its point nearest the origin, otherwise the origin.
+WarpSource warp_source(const Generator& generator);
 
 /// The paper's eqs. (13), (16): weight 1 / (d^power + softening) per generator, rotor exp(strength * weighted sum),
 /// center. At a generator (d = 0 with softening 0) the limit is used: the point stays where it is.
@@ -77,6 +82,9 @@ struct WarpSettings {
 };
 void warp_points(std::span<const WarpSource> sources, const WarpSettings& settings, ConstPoints in, Points out,
                  std::size_t count);
+
+/// Where exp(generator) sends the point at infinity.
+Point image_of_infinity(const Generator& generator, Rule rule);
 
 /// Names of the instruction sets this program can run here, best first, and a way to force one (tests, benchmarks).
 std::span<const char* const> instruction_sets();

@@ -13,19 +13,25 @@ inline constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() /
 /// counts as zero: a null pair far from the origin stays exactly null.
 inline constexpr double square_noise = 32 * unit_roundoff;
 
-/// A circle is a line when its weight |no_e| is below this share of its other coefficients |e_e| + |no_ni|: those come
-/// from products with operators of a few terms each, some 16 roundings. For elements near the origin it means radii
-/// beyond 10^14 meters.
-inline constexpr double line_weight = 64 * unit_roundoff;
+/// A circle is a line when its weight |no_e| is below this share of its size sqrt(-B.B) (their ratio is the radius, in
+/// meters): beyond radius R = 6.7e10 m, points center + R (cos, sin) are off by R * unit_roundoff = 7 micrometers or
+/// more, and the line is off by no more than that over the nearest kilometer, L^2 / (2 R). A boost that should give a
+/// line leaves such weights: the circle of radius r at distance c from the origin is stored to c^2 * unit_roundoff, and
+/// comes out with radius r^3 / (c^2 * unit_roundoff).
+inline constexpr double line_weight = 1.5e-11;
 
-/// The same for spheres and planes: |no| against |e|.
-inline constexpr double plane_weight = 64 * unit_roundoff;
+/// The same for spheres and planes: |no| against the size sqrt(s.s).
+inline constexpr double plane_weight = line_weight;
 
 /// A squared radius may come out negative by this share of the terms it is the difference of; it then counts as zero.
 inline constexpr double square_radius_noise = 64 * unit_roundoff;
 
 /// Three points are collinear when the sine of their angle is below the round-off of the cross product of differences.
 inline constexpr double collinear = 16 * unit_roundoff;
+
+/// A generator is the null pair at a position when its coefficients agree with those of the pair to a few roundings
+/// each, also when the position itself was recovered from them.
+inline constexpr double null_pair = 32 * unit_roundoff;
 
 /// V ~V may differ from a scalar, and a motor from its pattern of zeros, by this share of V's coefficients: a few dozen
 /// products.
@@ -40,6 +46,11 @@ inline constexpr double largest_hyperbolic_argument = 300;
 
 /// Coefficients above this are scaled down before their fourth powers are taken; such generators have saturated.
 inline constexpr double saturated_generator = 1e60;
+
+/// Guards against dividing by products that underflow, far below anything that could matter beside 1: arguments of sine
+/// and cosine, and their squares.
+inline constexpr double vanishing_argument = 1e-100;
+inline constexpr double vanishing_square = 1e-200;
 
 /// Points farther out than this, in meters, count as the point at infinity: cubes of coordinates must stay finite.
 inline constexpr double infinite_distance = 1e100;

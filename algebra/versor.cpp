@@ -25,9 +25,16 @@ Matrix reversed(const Matrix& m) { return {conjugate(m.d), conjugate(m.b), conju
 /// The scalar part of V ~V.
 double norm(const Matrix& m) { return (m.a * conjugate(m.d) + m.b * conjugate(m.c)).s; }
 
+/// The matrix of the versor in coordinates whose origin is p.
+Matrix seen_from(const Matrix& m, const Point& p) {
+  const Quaternion shift{0, {-p.x, -p.y, -p.z}}, back{0, lanes::triple(p)};
+  const Quaternion a = m.a + m.b * shift;
+  const Quaternion c = m.c + m.d * shift;
+  return {a, m.b, c + back * a, m.d + back * m.b};
+}
+
 /// V X ~V / <V ~V>, or V X ~V where that scalar is zero.
-Versor sandwich(const Versor& versor, const Versor& element) {
-  const Matrix m = lanes::matrix(versor);
+Versor sandwich(const Matrix& m, const Versor& element) {
   const double scale = norm(m);
   Versor result = lanes::versor(product(product(m, lanes::matrix(element)), reversed(m)));
   if (scale == 0 || !std::isfinite(scale)) return result;
@@ -36,12 +43,14 @@ Versor sandwich(const Versor& versor, const Versor& element) {
   return result;
 }
 
-/// The matrix of the versor in coordinates whose origin is p.
-Matrix seen_from(const Matrix& m, const Point& p) {
-  const Quaternion shift{0, {-p.x, -p.y, -p.z}}, back{0, lanes::triple(p)};
-  const Quaternion a = m.a + m.b * shift;
-  const Quaternion c = m.c + m.d * shift;
-  return {a, m.b, c + back * a, m.d + back * m.b};
+/// A good origin for a bivector: the middle of a pair or circle that lies off the origin, else the origin itself.
+/// Products lose digits with the cube of the distance over the size.
+Vector middle(const Generator& g) {
+  const double weight = squared_length(g.no_e);
+  const double size = 2 * std::abs(dot(g.no_e, g.e_ni) - 0.5 * g.no_ni * g.no_ni + 0.5 * squared_length(g.e_e));
+  if (!(weight > 0) || size >= squared_length(g.e_e) + g.no_ni * g.no_ni) return {};
+  const Vector result = (g.no_ni * g.no_e + cross(g.no_e, g.e_e)) / weight;
+  return is_finite(result) ? result : Vector{};
 }
 
 /// vec(a ~c) / |a|^2: the image of the origin by the first column, of infinity by the second with (b, d).
@@ -81,12 +90,18 @@ std::optional<Point> apply(const Versor& versor, const Point& point) {
 }
 
 Generator apply(const Versor& versor, const Generator& generator) {
-  return sandwich(versor, {0, generator, {}}).bivector;
+  const Vector origin = middle(generator);
+  const Matrix m = lanes::matrix(versor);
+  if (origin == Vector{}) return sandwich(m, {0, generator, {}}).bivector;
+  const Versor moved = sandwich(seen_from(m, to_point(origin)), {0, seen_from(generator, origin), {}});
+  return seen_from(moved.bivector, -origin);
 }
 
-Circle apply(const Versor& versor, const Circle& circle) { return {sandwich(versor, {0, circle.dual, {}}).bivector}; }
+Circle apply(const Versor& versor, const Circle& circle) { return {apply(versor, circle.dual)}; }
 
-Sphere apply(const Versor& versor, const Sphere& sphere) { return sandwich(versor, {0, {}, sphere}).quad; }
+Sphere apply(const Versor& versor, const Sphere& sphere) {
+  return sandwich(lanes::matrix(versor), {0, {}, sphere}).quad;
+}
 
 Vector apply_at(const Versor& versor, const Point& point, const Vector& direction) {
   if (!is_finite(point)) return {};

@@ -8,6 +8,11 @@
 
 namespace dini {
 
+// The grade-4 part of a versor is stored as the vector v = `quad` with (grade-4 part) = v I, I = e1 e2 e3 (no^ni). I
+// commutes with everything and I I = -1, so `quad` moves like a vector. On blades, v = alpha no + y + beta ni stands
+// for
+//   -alpha e123^no + beta e123^ni + (y.x e23 + y.y e31 + y.z e12)^no^ni.
+
 /// The exponential of any generator. `exact` goes through the split into commuting parts and is right for null, simple,
 /// isoclinic and nearly degenerate generators (Dorst and Valkenburg 2011). `paper` is eq. (14): cosh/cos/1 plus
 /// sinh/sin/1 times B with the square taken as its scalar part; its result is rescaled so that it never overflows
@@ -21,9 +26,11 @@ Versor reverse(const Versor& versor);
 /// Versor plus scalar and bivector only: the paper's K = s + B (eqs. 5, 20).
 Versor versor_from(double scalar, const Generator& bivector);
 
-/// V x ~V for every kind of element. For points the result is the center of the resulting dual sphere, so that the
-/// unnormalized and the paper's operators work too; a zero weight is the point at infinity. A point at infinity is
-/// carried like any other. A zero versor gives nothing, as does a point whose image has neither weight nor direction.
+/// V x ~V for every kind of element. Generators, circles and spheres are divided by the scalar part of V ~V (when it is
+/// not zero), so that unnormalized versors keep their strength, scale and orientation. For points the result is the
+/// center of the resulting dual sphere, so that the unnormalized and the paper's operators work too; a zero weight is
+/// the point at infinity. A point at infinity is carried like any other. A zero versor gives nothing, as does a point
+/// whose image has neither weight nor direction.
 std::optional<Point> apply(const Versor& versor, const Point& point);
 Generator apply(const Versor& versor, const Generator& generator);
 Circle apply(const Versor& versor, const Circle& circle);

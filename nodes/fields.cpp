@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "geometry/normals.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
@@ -10,17 +8,9 @@ namespace dini {
 
 namespace {
 
-/// Where a generator sits, for measuring distances to it: the center of a point pair, the point of a flat point, the point of
-/// a line nearest the origin. A pure direction sits nowhere.
-std::optional<Point> position_of(const Generator& generator) {
-  const double tangent = squared_length(generator.no_e);
-  if (tangent > 0) {
-    return to_point((generator.no_ni * generator.no_e + cross(generator.no_e, generator.e_e)) / tangent);
-  }
-  if (generator.no_ni != 0) return to_point(generator.e_ni / generator.no_ni);
-  const double turn = squared_length(generator.e_e);
-  if (turn > 0) return to_point(cross(generator.e_e, generator.e_ni) / turn);
-  return std::nullopt;
+/// True for a generator that sits nowhere: a pure direction moves everything alike.
+bool is_direction(const Generator& generator) {
+  return generator.no_e == Vector{} && generator.e_e == Vector{} && generator.no_ni == 0;
 }
 
 /// The generators of a warp that act; a zero generator does nothing wherever it sits.
@@ -29,12 +19,12 @@ Attempt<std::vector<kernels::WarpSource>> sources_of(const Block<Generator, 1>& 
   for (std::size_t i = 0; i < generators.size(); ++i) {
     const Generator generator = generators(i);
     if (generator == Generator{}) continue;
-    const std::optional<Point> position = position_of(generator);
-    if (!position || !is_finite(*position)) {
+    const kernels::WarpSource source = kernels::warp_source(generator);
+    if (is_direction(generator) || !is_finite(source.position)) {
       return Failure{"degenerate", "generator " + std::to_string(i) + " sits nowhere, so no distance to it can be measured",
                      "generators"};
     }
-    sources.push_back({generator, *position});
+    sources.push_back(source);
   }
   return sources;
 }

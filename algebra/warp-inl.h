@@ -1,0 +1,106 @@
+// The sums of a warp over its generators, seen from the points; compiled once per instruction set.
+//
+// With y = c - p for a generator T(c, t), seen from p: A = t, W = y x t, e = y.t, M = e y - |y|^2/2 t.
+// Relative to the point these keep their digits however near it is; in global coordinates they would lose (|c|/|y|)^2.
+
+#if defined(DINI_ALGEBRA_WARP_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef DINI_ALGEBRA_WARP_INL_H_
+#undef DINI_ALGEBRA_WARP_INL_H_
+#else
+#define DINI_ALGEBRA_WARP_INL_H_
+#endif
+
+#include <span>
+
+#include "algebra/kernels-inl.h"
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace dini::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// How the weight strength / (d^power + softening) is computed.
+enum class Falloff { inverse_square, softened_square, general };
+
+template <Falloff falloff>
+HWY_INLINE Lanes weight_at(Lanes squared_distance, Lanes strength, Lanes softening, Lanes half_power) {
+  if constexpr (falloff == Falloff::inverse_square) return strength / squared_distance;
+  if constexpr (falloff == Falloff::softened_square) return strength / (squared_distance + softening);
+  return strength / (power_of(Tag(), squared_distance, half_power) + softening);
+}
+
+/// The settings of a warp in every lane.
+struct WarpLanes {
+  Lanes strength, softening, half_power;
+};
+
+/// The weighted sum of null pairs seen from p.
+template <Falloff falloff>
+HWY_INLINE Bivector<Lanes> sum_of_pairs(std::span<const kernels::WarpSource> sources, const WarpLanes& settings,
+                                        const Triple<Lanes>& half_tangents, const Triple<Lanes>& p) {
+  const Tag d;
+  const Lanes zero = hn::Zero(d), half = hn::Set(d, 0.5);
+  Bivector<Lanes> sum{{zero, zero, zero}, {zero, zero, zero}, zero, {zero, zero, zero}};
+  for (const kernels::WarpSource& source : sources) {
+    const Triple<Lanes> y = broadcast(to_vector(source.position)) - p;
+    const Triple<Lanes> t = broadcast(source.generator.no_e);
+    const Lanes yy = dot(y, y);
+    const Lanes w = weight_at<falloff>(yy, settings.strength, settings.softening, settings.half_power);
+    const Triple<Lanes> tangent = w * t;
+    const Lanes e = dot(y, tangent);
+    sum.A = sum.A + tangent;
+    sum.W = sum.W + cross(y, tangent);
+    sum.e = sum.e + e;
+    if constexpr (falloff == Falloff::inverse_square) {
+      sum.M = sum.M + e * y;  // w |y|^2 is the strength: the other term is the same for all points
+    } else {
+      sum.M = sum.M + (e * y - (half * yy) * tangent);
+    }
+  }
+  if constexpr (falloff == Falloff::inverse_square) sum.M = sum.M - half_tangents;
+  return sum;
+}
+
+/// What a generator has beyond the null pair at its position: a bivector without no^e part, seen from that position.
+struct Remainder {
+  Vector W;
+  double e;
+  Vector M;
+};
+inline Remainder remainder_of(const kernels::WarpSource& source) {
+  const Bivector<double> centered = seen_from(bivector(source.generator), triple(source.position), 0.5);
+  return {vector(centered.W), centered.e, vector(centered.M)};
+}
+
+/// Any generator seen from p, not weighted; y = c - p.
+HWY_INLINE Bivector<Lanes> seen_from_point(const kernels::WarpSource& source, const Triple<Lanes>& y, Lanes yy) {
+  const Tag d;
+  const Remainder rest = remainder_of(source);
+  const Triple<Lanes> t = broadcast(source.generator.no_e), W = broadcast(rest.W);
+  const Lanes e_rest = hn::Set(d, rest.e);
+  const Lanes e = dot(y, t);
+  return {t, cross(y, t) + W, e + e_rest,
+          (e * y - (hn::Set(d, 0.5) * yy) * t) + ((broadcast(rest.M) + e_rest * y) - cross(W, y))};
+}
+
+/// The weighted sum of any generators seen from p.
+template <Falloff falloff>
+HWY_INLINE Bivector<Lanes> sum_of_generators(std::span<const kernels::WarpSource> sources, const WarpLanes& settings,
+                                             const Triple<Lanes>& p) {
+  const Lanes zero = hn::Zero(Tag());
+  Bivector<Lanes> sum{{zero, zero, zero}, {zero, zero, zero}, zero, {zero, zero, zero}};
+  for (const kernels::WarpSource& source : sources) {
+    const Triple<Lanes> y = broadcast(to_vector(source.position)) - p;
+    const Lanes yy = dot(y, y);
+    const Lanes w = weight_at<falloff>(yy, settings.strength, settings.softening, settings.half_power);
+    const Bivector<Lanes> b = seen_from_point(source, y, yy);
+    sum = {sum.A + w * b.A, sum.W + w * b.W, sum.e + w * b.e, sum.M + w * b.M};
+  }
+  return sum;
+}
+
+}  // namespace dini::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
