@@ -111,7 +111,12 @@ Guard::Guard(const Settings& settings, std::size_t body_limit, Application appli
     if (!reply.type.empty()) response.set_content(std::move(reply.body), reply.type);
     return HandlerResponse::Handled;
   });
-  set_post_routing_handler([](const httplib::Request&, httplib::Response& response) {
+  set_post_routing_handler([this](const httplib::Request&, httplib::Response& response) {
+    if (stopping()) {
+      response.headers.erase("Keep-Alive");
+      response.headers.erase("Connection");
+      response.set_header("Connection", "close");
+    }
     response.headers.erase("Accept-Ranges");                               // offered for HEAD, never honored
     if (response.status == 304) response.headers.erase("Content-Length");  // it would be that of the full answer
   });
@@ -235,7 +240,7 @@ bool Guard::answer_one(const Socket& socket, std::string& buffer) {
   const bool written = answer(socket, *head, std::move(buffer), exchange, last);
   buffer.clear();
   if (leftover && written) socket.linger();
-  return written && !last;
+  return written && !last && !stopping();
 }
 
 Result<RequestHead> Guard::read_head(const Socket& socket, std::string& buffer) const {
@@ -245,7 +250,7 @@ Result<RequestHead> Guard::read_head(const Socket& socket, std::string& buffer) 
     const std::size_t room = std::min(bytes.size(), settings_.head_bytes - buffer.size());
     const std::size_t count = socket.read(bytes.data(), room, deadline);
     if (count == 0) {
-      if (buffer.empty() || Clock::now() < deadline) return Problem{.code = "closed"};
+      if (buffer.empty() || Clock::now() < deadline) return Problem{.code = "closed", .detail = "The client left."};
       return Problem{.code = "request-timeout", .detail = "The headers did not arrive in time."};
     }
     buffer.append(bytes.data(), count);

@@ -146,8 +146,7 @@ TEST_CASE("A connection carries many requests one after the other") {
 TEST_CASE("Compressed request bodies are not unpacked") {
   const Running server;
   for (const std::string encoding : {"gzip", "br", "deflate"}) {
-    const auto answer =
-        exchange(server.port(), post_text("/v1/evaluate", "{}", "Content-Encoding: " + encoding + "\r\n"));
+    const auto answer = ask(server.port(), post_text("/v1/evaluate", "{}", "Content-Encoding: " + encoding + "\r\n"));
     REQUIRE(answer);
     CHECK(answer->status == 415);
   }
@@ -173,8 +172,8 @@ TEST_CASE("Hidden line ends are refused and cannot forge a line of the log") {
   CHECK(get(server.port(), "/a%00b")->status == 400);
   CHECK(get(server.port(), "/?a=%0a")->status == 400);
   CHECK(get(server.port(), "/", "X: a%0d%0ab: c\r\n")->status == 400);
-  CHECK(exchange(server.port(), "GET /\x1b[31mred HTTP/1.1\r\n" + host + "\r\n")->status == 400);
-  CHECK(exchange(server.port(), "GET /\nforged HTTP/1.1\r\n" + host + "\r\n")->status == 400);
+  CHECK(ask(server.port(), "GET /\x1b[31mred HTTP/1.1\r\n" + host + "\r\n")->status == 400);
+  CHECK(ask(server.port(), "GET /\nforged HTTP/1.1\r\n" + host + "\r\n")->status == 400);
   server.stop();
   CHECK(server.log().find('\x1b') == std::string::npos);
   CHECK(server.log().find("\nforged") == std::string::npos);
@@ -201,8 +200,8 @@ TEST_CASE("Only JSON is taken as a body") {
   const Running server;
   for (const std::string type :
        {"multipart/form-data; boundary=x", "application/x-www-form-urlencoded", "text/plain"}) {
-    const auto answer = exchange(server.port(), "POST /v1/evaluate HTTP/1.1\r\n" + host + "Content-Type: " + type +
-                                                    "\r\nContent-Length: 2\r\n\r\n{}");
+    const auto answer = ask(server.port(), "POST /v1/evaluate HTTP/1.1\r\n" + host + "Content-Type: " + type +
+                                               "\r\nContent-Length: 2\r\n\r\n{}");
     REQUIRE(answer);
     CHECK(answer->status == 415);
   }

@@ -6,7 +6,7 @@ using namespace dini::testing;
 using dini::Json;
 
 std::optional<Answer> get_as(int port, const std::string& path, const std::string& host) {
-  return exchange(port, "GET " + path + " HTTP/1.1\r\nHost: " + host + "\r\n\r\n");
+  return ask(port, "GET " + path + " HTTP/1.1\r\nHost: " + host + "\r\n\r\n");
 }
 
 }  // namespace
