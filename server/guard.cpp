@@ -21,7 +21,8 @@ constexpr std::size_t read_bytes = 16 * 1024;
 constexpr std::size_t write_bytes_per_second = 64 * 1024;
 constexpr std::chrono::milliseconds crowd_check{500};
 
-/// What cpp-httplib gets to read and write: a head from memory, and the socket with its deadline for the answer.
+/// What cpp-httplib gets to read and write: a request line from memory, and the socket with its deadline for the
+/// answer.
 class AnswerStream final : public httplib::Stream {
  public:
   AnswerStream(const Socket& socket, std::string head, std::chrono::milliseconds write_deadline)
@@ -272,15 +273,15 @@ bool Guard::read_body(const Socket& socket, std::string& buffer, std::size_t siz
 }
 
 bool Guard::answer(const Socket& socket, const RequestHead& head, std::string body, Exchange& exchange, bool last) {
-  AnswerStream stream(socket, head.text(), settings_.write_deadline);
+  AnswerStream stream(socket, head.request_line(), settings_.write_deadline);
   Access access{.method = head.method, .path = head.target};
   const auto set_up = [&](httplib::Request& request) {
     request.body = std::move(body);
-    request.ranges.clear();
-    // Without this header the library compresses nothing. It would use brotli at its slowest: seconds for a megabyte.
+    request.headers = {head.headers.begin(), head.headers.end()};
     const std::string encodings = to_lower(request.get_header_value("Accept-Encoding"));
     exchange.accepts_gzip =
         encodings.find("gzip") != std::string::npos && encodings.find("gzip;q=0") == std::string::npos;
+    // Without this header the library compresses nothing. It would use brotli at its slowest: seconds for a megabyte.
     request.headers.erase("Accept-Encoding");
   };
   current_exchange = &exchange;

@@ -31,7 +31,7 @@ TEST_CASE("Wrong use is exit 2 and says how") {
            {"eval", "-", "--deadline-ms", "0"},
            {"eval", "-", "--threads", "0"},
            {"eval", "-", "--set", "reach"},
-           {"eval", "-", "--report", "-"},
+           {"eval", "-", "-o", "-", "--report", "-"},
            {"eval", "-", "--instruction-set", "ABACUS"},
            {"nodes", "--json", "--markdown"},
            {"serve", "--port", "70000"},
@@ -49,9 +49,12 @@ TEST_CASE("Wrong use is exit 2 and says how") {
 }
 
 TEST_CASE("A model goes to standard output or to a file, the report beside it") {
-  const auto outcome = run_dini({"eval", "-", "--threads", "1", "--instruction-set", "NARROW"}, graph({{"bytes", 3}}));
+  const auto outcome =
+      run_dini({"eval", "-", "-o", "-", "--threads", "1", "--instruction-set", "NARROW"}, graph({{"bytes", 3}}));
   CHECK(outcome.code == 0);
   CHECK(outcome.out == "ggg");
+
+  CHECK(run_dini({"eval", "-"}, graph({{"bytes", 3}})).out == "out: 3 bytes\n");
 
   const auto file = std::filesystem::temp_directory_path() / "dini-eval-test.glb";
   const auto reported =

@@ -102,9 +102,8 @@ TEST_CASE("Every error has the same form") {
 
 TEST_CASE("A body is read strictly and every mistake is listed") {
   const Running server;
-  const auto answer =
-      post(server.port(), "/v1/evaluate",
-           R"({"grahp":{},"quality":"best","deadline_ms":0,"output":7,"parameters":[],"a/b~":1})");
+  const auto answer = post(server.port(), "/v1/evaluate",
+                           R"({"grahp":{},"quality":"best","deadline_ms":0,"output":7,"parameters":[],"a/b~":1})");
   REQUIRE(answer);
   CHECK(answer->status == 422);
   std::map<std::string, std::string> codes;

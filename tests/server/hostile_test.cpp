@@ -189,10 +189,15 @@ TEST_CASE("Claimed addresses are not believed") {
 
 TEST_CASE("Long paths are answered on every kind of address") {
   const Running server;
+  const std::string frame = "GET  HTTP/1.1\r\n";
   for (const std::string start : {"/", "/v1/examples/", "/v1/nodes/", "/healthz/"}) {
-    const auto answer = get(server.port(), start + std::string(8000, 'a'));
-    REQUIRE(answer);
-    CHECK(answer->status == 404);
+    const std::size_t longest = 8192 - frame.size() - start.size();
+    for (const auto& [length, status] : {std::pair(longest, 404), std::pair(longest + 1, 414)}) {
+      const auto answer = get(server.port(), start + std::string(length, 'a'));
+      REQUIRE(answer);
+      CHECK(answer->status == status);
+      CHECK(answer->header("content-type") == "application/problem+json");
+    }
   }
 }
 
