@@ -36,7 +36,8 @@ Circle circle_from(const Point& center, const Vector& normal, double radius);
 /// The line through `point` along `direction` (any length; zero gives the zero element).
 Circle line_from(const Point& point, const Vector& direction);
 
-/// The circle through a, b, c in this order; the line from a to c when they are collinear; the zero element when two agree.
+/// The circle through a, b, c in this order; the line from a to c when they are collinear; the zero element when two
+/// agree.
 Circle circle_through(const Point& a, const Point& b, const Point& c);
 
 /// The dual sphere no + c + (c^2 - r^2)/2 ni.

@@ -30,8 +30,8 @@ inline bool is_finite(const Point& p) { return std::isfinite(p.x) && std::isfini
 
 /// Any bivector of R(4,1): 10 coefficients.
 /// `no_e` on no^e1, no^e2, no^e3; `e_e` on e2^e3, e3^e1, e1^e2; `no_ni` on no^ni; `e_ni` on e1^ni, e2^ni, e3^ni.
-/// Null, real and imaginary point pairs, flat points p^ni (scaling), directions v^ni (translation), dual lines (rotation)
-/// and all their weighted sums are generators.
+/// Null, real and imaginary point pairs, flat points p^ni (scaling), directions v^ni (translation), dual lines
+/// (rotation) and all their weighted sums are generators.
 struct Generator {
   Vector no_e;
   Vector e_e;
@@ -44,9 +44,7 @@ struct Generator {
 constexpr Generator operator+(const Generator& a, const Generator& b) {
   return {a.no_e + b.no_e, a.e_e + b.e_e, a.no_ni + b.no_ni, a.e_ni + b.e_ni};
 }
-constexpr Generator operator*(double s, const Generator& a) {
-  return {s * a.no_e, s * a.e_e, s * a.no_ni, s * a.e_ni};
-}
+constexpr Generator operator*(double s, const Generator& a) { return {s * a.no_e, s * a.e_e, s * a.no_ni, s * a.e_ni}; }
 
 /// An oriented circle, or an oriented line (a circle through infinity), stored as its dual bivector
 /// (dual sphere) ^ (dual plane). For center c, normal n, radius r that is T(c, n) + r^2/2 n^ni with the null pair

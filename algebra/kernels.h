@@ -1,10 +1,11 @@
 #pragma once
 
 // Batch kernels over columns of points, double precision, dispatched at run time to the widest instruction set of the
-// processor (Highway). No fused multiply-add and no platform mathematics inside: every instruction set gives the same bits.
+// processor (Highway). No fused multiply-add and no platform mathematics inside: every instruction set gives the same
+// bits.
 //
-// All arrays are component arrays of the same `count`; outputs may equal inputs. A point whose image is at infinity gets
-// +infinity in all three coordinates. No kernel produces NaN from finite input.
+// All arrays are component arrays of the same `count`; outputs may equal inputs. A point whose image is at infinity
+// gets +infinity in all three coordinates. No kernel produces NaN from finite input.
 
 #include <cstddef>
 #include <span>
@@ -37,7 +38,8 @@ struct ConstGenerators {
   bool constant;
 };
 
-/// exp(amounts[i] T(position, tangent)) on every point: p -> c + (y + a y^2) / (1 + 2 a.y + a^2 y^2), a = amount * tangent.
+/// exp(amounts[i] T(position, tangent)) on every point: p -> c + (y + a y^2) / (1 + 2 a.y + a^2 y^2), a = amount *
+/// tangent.
 void boost_points(const Point& position, const Vector& tangent, ConstNumbers amounts, ConstPoints in, Points out,
                   std::size_t count);
 
@@ -64,8 +66,8 @@ struct WarpSource {
   Point position;
 };
 
-/// The paper's eqs. (13), (16): weight 1 / (d^power + softening) per generator, rotor exp(strength * weighted sum), center.
-/// At a generator (d = 0 with softening 0) the limit is used: the point stays where it is.
+/// The paper's eqs. (13), (16): weight 1 / (d^power + softening) per generator, rotor exp(strength * weighted sum),
+/// center. At a generator (d = 0 with softening 0) the limit is used: the point stays where it is.
 struct WarpSettings {
   double strength = 1;
   double power = 2;

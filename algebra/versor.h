@@ -46,9 +46,9 @@ Versor scaling_versor(const Point& center, double factor);
 /// Nothing when the versor is no motor.
 std::optional<Generator> motor_logarithm(const Versor& motor);
 
-/// The shortest motor from one oriented line to another (paper, eq. 11): turns by the angle between the directions about the
-/// common perpendicular and slides along it. Parallel lines: pure translation. Opposite lines: a half turn about the axis
-/// perpendicular to both, chosen by a fixed rule. Nothing when an argument is no line.
+/// The shortest motor from one oriented line to another (paper, eq. 11): turns by the angle between the directions
+/// about the common perpendicular and slides along it. Parallel lines: pure translation. Opposite lines: a half turn
+/// about the axis perpendicular to both, chosen by a fixed rule. Nothing when an argument is no line.
 std::optional<Versor> motor_between(const Circle& from, const Circle& to);
 
 /// A square root of a motor: half the turn, half the slide. Nothing when the versor is no motor.

@@ -1,5 +1,7 @@
 #include "geometry/grid_normals.h"
 
+#include "geometry/corner.h"
+
 namespace dini {
 
 namespace {
@@ -143,11 +145,11 @@ Vector GridNormals::derivative(std::size_t sample, bool along_rows) const {
 
 std::optional<Vector> GridNormals::at(std::size_t sample) const {
   if (samples_.merged(sample)) return {};
-  const Vector along_row = normalized(derivative(sample, true));
-  const Vector along_column = normalized(derivative(sample, false));
+  const Vector along_row = quick_unit(derivative(sample, true));
+  const Vector along_column = quick_unit(derivative(sample, false));
   const Vector normal = cross(along_row, along_column);
   if (squared_length(normal) <= parallel * parallel) return {};
-  return normalized(normal);
+  return quick_unit(normal);
 }
 
 }  // namespace dini

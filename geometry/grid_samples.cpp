@@ -27,6 +27,7 @@ void GridSamples::read(const PointGrid& grid, const Cancel& cancel) {
   const std::size_t count = rows_.size() * columns_.size();
   positions_.resize(count);
   places_.resize(count, Place::infinite);
+  const double limit = clip_radius_ > 0 ? clip_radius_ * clip_radius_ : -1;
   double largest = 0;
   for (std::size_t row = 0; row < rows_.size() && !cancel.stopped(); ++row) {
     for (std::size_t column = 0; column < columns_.size(); ++column) {
@@ -36,7 +37,7 @@ void GridSamples::read(const PointGrid& grid, const Cancel& cancel) {
       const Vector position = to_vector(grid.points[from]);
       positions_[sample] = position;
       if (is_finite(position)) {
-        places_[sample] = length(position) <= clip_radius_ ? Place::inside : Place::outside;
+        places_[sample] = squared_length(position) <= limit ? Place::inside : Place::outside;
       }
       if (places_[sample] == Place::inside) {
         largest = std::max(largest, largest_component(position));

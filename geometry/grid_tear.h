@@ -7,17 +7,13 @@
 // corners span: so that quad is turned inside out against the quads before and after it, and it is longer than both
 // together.
 
-#include <array>
-#include <cstdint>
-#include <vector>
-
 #include "algebra/vector.h"
 
 namespace dini {
 
 /// The two facts about a quad that the test needs.
 struct QuadShape {
-  Vector area;         ///< area vector, in square meters
+  Vector area;         ///< along the area vector; only its direction counts
   Vector step;         ///< mean of the two sides along the tested axis
   bool known = false;  ///< false beyond borders and next to samples that are not finite
 };

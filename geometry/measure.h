@@ -9,8 +9,7 @@ namespace dini {
 /// texture seams and sharp edges do not open a closed mesh; vertices of no triangle do not count.
 struct Measures {
   double area = 0;
-  double volume =
-      0;  ///< signed by the divergence theorem; positive for outward faces, an enclosed volume only when `closed`
+  double volume = 0;  ///< signed, by the divergence theorem: positive for outward faces; enclosed only when `closed`
   std::size_t vertices = 0;   ///< distinct positions that triangles use
   std::size_t triangles = 0;  ///< those with three distinct corners
   std::size_t edges = 0;

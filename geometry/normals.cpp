@@ -24,7 +24,7 @@ Column<Vector> smooth_normals(const Mesh& mesh, const Cancel& cancel) {
   for (std::size_t i = 0; i < normals.size(); ++i) {
     const Vector sum = sums[labels[i]];
     // Triangles that cancel leave only round-off, whose direction means nothing.
-    normals.set(i, squared_length(sum) > 1e-20 ? normalized(sum) : Vector{0, 0, 1});
+    normals.set(i, squared_length(sum) > 1e-20 ? quick_unit(sum) : Vector{0, 0, 1});
   }
   return normals;
 }

@@ -79,6 +79,11 @@ struct BatchOutputs<BatchOut<T>, Rest...> {
   using Tuple = decltype(std::tuple_cat(std::tuple<T>{}, typename BatchOutputs<Rest...>::Tuple{}));
 };
 
+template <class T>
+constexpr bool is_attempt = false;
+template <class T>
+constexpr bool is_attempt<Attempt<T>> = true;
+
 template <class A>
 constexpr bool takes_port =
     ArgumentTraits<A>::kind != ArgumentKind::context && ArgumentTraits<A>::kind != ArgumentKind::out;
@@ -213,7 +218,7 @@ class LiftedFunction {
   template <class V, class Columns>
   static void store(V&& result, std::size_t index, Columns& columns, FirstFailure& first) {
     using Plain = std::remove_cvref_t<V>;
-    if constexpr (requires { std::get<Failure>(result); }) {
+    if constexpr (is_attempt<Plain>) {
       if (auto* failure = std::get_if<Failure>(&result)) {
         first.report(index, std::move(*failure));
       } else {

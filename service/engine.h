@@ -9,6 +9,7 @@
 
 #include "geometry/cancel.h"
 #include "graph/context.h"
+#include "graph/json_reader.h"
 #include "graph/limits.h"
 #include "graph/problem.h"
 
@@ -71,9 +72,6 @@ class Engine {
   std::unique_ptr<State> state_;
 };
 
-/// The strict reader for every document from outside: refuses duplicate keys, NUL, NaN, anything after the end, depth and
-/// size beyond the limits. The problem has code `not-json`.
-Result<Json> parse_json(std::string_view text, const Limits& limits);
 
 /// A problem list as JSON: [{"code", "detail", "node", "port", "pointer", "fix"}], absent members left out.
 Json to_json(const Problems& problems);

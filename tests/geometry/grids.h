@@ -36,8 +36,11 @@ struct Grid {
   }
 
   PointGrid view() const {
-    return {
-        .points = points, .rows = rows, .columns = columns, .closed_rows = closed_rows, .closed_columns = closed_columns};
+    return {.points = points,
+            .rows = rows,
+            .columns = columns,
+            .closed_rows = closed_rows,
+            .closed_columns = closed_columns};
   }
 };
 

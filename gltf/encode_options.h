@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "gltf/encode_error.h"
+
+namespace dini {
+
+/// How a scene is written. The bytes depend on the scene and on these options only.
+struct EncodeOptions {
+  int position_bits = 14;  ///< 8..20 bits over the largest extent of all meshes
+  int normal_bits = 10;    ///< 6..16 bits per octahedral coordinate
+  int speed = 7;           ///< Draco effort: 0 smallest .. 9 fast; 10 stores the triangles nearly uncompressed
+  bool normals = true;
+  bool uvs = true;
+  bool colors = true;
+  std::string generator = "Dini";  ///< `asset.generator`, with the engine's version if the caller wants it
+};
+
+/// The first option out of its range, if any.
+std::optional<EncodeError> check_options(const EncodeOptions& options);
+
+}  // namespace dini

@@ -1,0 +1,79 @@
+#include "gltf/glb_container.h"
+
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace dini {
+namespace {
+
+constexpr std::uint32_t glb_magic = 0x46546C67;     // "glTF"
+constexpr std::uint32_t json_chunk = 0x4E4F534A;    // "JSON"
+constexpr std::uint32_t binary_chunk = 0x004E4942;  // "BIN"
+constexpr std::size_t header_size = 12;
+constexpr std::size_t chunk_header_size = 8;
+
+std::uint32_t read_word(std::string_view text, std::size_t at) {
+  std::uint32_t word = 0;
+  for (std::size_t i = 4; i-- > 0;) word = word << 8 | static_cast<unsigned char>(text[at + i]);
+  return word;
+}
+
+void append_word(std::string& text, std::size_t value) {
+  for (std::size_t i = 0; i < 4; ++i) text.push_back(static_cast<char>(value >> 8 * i & 0xFF));
+}
+
+// Takes the chunk at the front of `rest`; nothing if it is cut short or of another type.
+std::optional<std::string_view> take_chunk(std::string_view& rest, std::uint32_t type) {
+  if (rest.size() < chunk_header_size || read_word(rest, 4) != type) return std::nullopt;
+  const std::size_t size = read_word(rest, 0);
+  if (rest.size() - chunk_header_size < size) return std::nullopt;
+  const std::string_view chunk = rest.substr(chunk_header_size, size);
+  rest.remove_prefix(chunk_header_size + size);
+  return chunk;
+}
+
+}  // namespace
+
+std::optional<GlbChunks> split_glb(std::string_view glb) {
+  if (glb.size() < header_size || read_word(glb, 0) != glb_magic || read_word(glb, 4) != 2 ||
+      read_word(glb, 8) != glb.size()) {
+    return std::nullopt;
+  }
+  std::string_view rest = glb.substr(header_size);
+  const auto json = take_chunk(rest, json_chunk);
+  if (!json) return std::nullopt;
+  if (rest.empty()) return GlbChunks{*json, {}};
+  const auto binary = take_chunk(rest, binary_chunk);
+  if (!binary) return std::nullopt;
+  return GlbChunks{*json, *binary};
+}
+
+std::string stamp_extras(std::string_view glb, const nlohmann::json& extras) {
+  const auto chunks = split_glb(glb);
+  if (!chunks) return {};
+  auto document = nlohmann::json::parse(chunks->json, nullptr, false);
+  if (!document.is_object() || !document["asset"].is_object()) return {};
+  document["asset"]["extras"] = extras;
+  std::string json = document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const std::string_view binary = chunks->binary;
+  const std::size_t size =
+      header_size + chunk_header_size + json.size() + (binary.empty() ? 0 : chunk_header_size + binary.size());
+  if (size > std::numeric_limits<std::uint32_t>::max()) return {};
+  std::string result;
+  result.reserve(size);
+  append_word(result, glb_magic);
+  append_word(result, 2);
+  append_word(result, size);
+  append_word(result, json.size());
+  append_word(result, json_chunk);
+  result += json;
+  if (binary.empty()) return result;
+  append_word(result, binary.size());
+  append_word(result, binary_chunk);
+  result += binary;
+  return result;
+}
+
+}  // namespace dini

@@ -1,0 +1,26 @@
+#pragma once
+
+// The GLB container: a header, a JSON chunk, and a binary chunk.
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace dini {
+
+/// The two chunks of a GLB, viewing into it. `binary` is empty when there is no binary chunk.
+struct GlbChunks {
+  std::string_view json;    ///< with its trailing spaces
+  std::string_view binary;  ///< with its trailing zeros
+};
+
+/// Nothing if `glb` is not a complete GLB of version 2.
+std::optional<GlbChunks> split_glb(std::string_view glb);
+
+/// The same file with `extras` as `asset.extras`. Only the JSON chunk is rewritten, keys in alphabetical order, so the
+/// same arguments give the same bytes; the binary chunk is copied once. Empty if `glb` is not one of this layer's
+/// files.
+std::string stamp_extras(std::string_view glb, const nlohmann::json& extras);
+
+}  // namespace dini

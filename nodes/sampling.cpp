@@ -1,0 +1,82 @@
+#include <algorithm>
+
+#include "algebra/extract.h"
+#include "geometry/sampling.h"
+#include "graph/node_builder.h"
+#include "nodes/all.h"
+
+namespace dini {
+
+namespace {
+
+Attempt<Made<Point>> circle_samples(const Circle& shape, std::int64_t count, bool closed, double length, const std::string&) {
+  const std::optional<CircleCoordinates> found = coordinates(shape);
+  if (!found) return Failure{"degenerate", "there is no circle to sample", "shape"};
+  const auto size = static_cast<std::size_t>(count);
+  // Turns of a line run from -1/2 to 1/2, those of a circle from 0 to 1.
+  const double start = found->line ? -0.5 : 0.0;
+  const Column<double> turns = spaced(start, start + 1, size, closed);
+  Made<Point> samples{Column<Point>(size)};
+  for (std::size_t i = 0; i < size; ++i) samples.values.set(i, point_at(*found, turns[i], length));
+  return samples;
+}
+
+std::tuple<Made<Point>, Made<double>, Made<double>> grid_points(const Point& center, const Vector& u_vector, const Vector& v_vector,
+                                                                std::int64_t count_u, std::int64_t count_v, const std::string&,
+                                                                const std::string&) {
+  const auto size_u = static_cast<std::size_t>(count_u);
+  const auto size_v = static_cast<std::size_t>(count_v);
+  Column<double> u = spaced(0, 1, size_u, false);
+  Column<double> v = spaced(0, 1, size_v, false);
+  Column<Point> points(size_u * size_v);
+  for (std::size_t i = 0; i < size_u; ++i) {
+    for (std::size_t j = 0; j < size_v; ++j) {
+      points.set(i * size_v + j, to_point(to_vector(center) + (2 * u[i] - 1) * u_vector + (2 * v[j] - 1) * v_vector));
+    }
+  }
+  return {Made<Point>{std::move(points)}, Made<double>{std::move(u)}, Made<double>{std::move(v)}};
+}
+
+std::vector<Axes> grid_axes(const Literals& literals, const std::string&) {
+  const Axis u{text_at(literals, "axis_u"), static_cast<std::size_t>(integer_at(literals, "count_u")), false};
+  const Axis v{text_at(literals, "axis_v"), static_cast<std::size_t>(integer_at(literals, "count_v")), false};
+  return {{u, v}, {u}, {v}};
+}
+
+}  // namespace
+
+void add_sampling(Registry& registry) {
+  registry.add(node("sample", circle_samples)
+                   .title("Sample")
+                   .family("sampling")
+                   .doc("Points along a circle, or along a piece of a line, on a new axis.")
+                   .details("A circle starts at a fixed direction that depends on its normal. A line is sampled about its point "
+                            "nearest the origin.")
+                   .input("shape", "A circle or a line.")
+                   .input("count", "How many points.", defaults(64).hard(1, 10'000'000).soft(3, 256))
+                   .input("closed", "Whether the last point joins the first; a closed circle does not repeat its start.",
+                          defaults(true))
+                   .input("length", "Length of the piece of a line.", defaults(10).hard(0, 1e9).soft(0, 20).unit("m"))
+                   .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
+                   .axes(one_axis("count", "axis", "closed"))
+                   .output("points", "The points, over the new axis."));
+
+  registry.add(node("grid", grid_points)
+                   .title("Grid")
+                   .family("sampling")
+                   .doc("Points of a flat parallelogram over two new axes, with their positions u and v from 0 to 1.")
+                   .details("It spans center - u_vector - v_vector to center + u_vector + v_vector. A count of 1 stands at the start.")
+                   .input("center", "The middle.", defaults({0, 0, 0}).unit("m"))
+                   .input("u_vector", "Half the extent along u.", defaults({1, 0, 0}).unit("m"))
+                   .input("v_vector", "Half the extent along v.", defaults({0, 1, 0}).unit("m"))
+                   .input("count_u", "How many points along u.", defaults(32).hard(1, 65536).soft(2, 256))
+                   .input("count_v", "How many points along v.", defaults(32).hard(1, 65536).soft(2, 256))
+                   .input("axis_u", "Name of the u axis.", defaults("u").names_axis())
+                   .input("axis_v", "Name of the v axis.", defaults("v").names_axis())
+                   .axes(grid_axes)
+                   .output("points", "The points, over u and v.")
+                   .output("u", "0 to 1 over the u axis.")
+                   .output("v", "0 to 1 over the v axis."));
+}
+
+}  // namespace dini

@@ -1,0 +1,136 @@
+#include "nodes/shapes.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dini {
+
+namespace {
+
+/// Farther than this from the origin a vertex counts as at infinity: single precision still holds it with room to spare.
+constexpr double farthest = 1e9;
+
+bool within_reach(const Point& p) {
+  return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest && std::abs(p.z) <= farthest;
+}
+
+/// `items` of the vertices that are kept; per-vertex attributes may be absent.
+template <class T>
+std::vector<T> keep_used(const std::vector<T>& items, const std::vector<std::uint32_t>& used) {
+  if (items.empty()) return {};
+  std::vector<T> kept;
+  for (const std::uint32_t vertex : used) kept.push_back(items[vertex]);
+  return kept;
+}
+
+template <class T>
+Column<T> keep_used(const Column<T>& items, const std::vector<std::uint32_t>& used) {
+  if (items.empty()) return {};
+  Column<T> kept(used.size());
+  for (std::size_t i = 0; i < used.size(); ++i) kept.set(i, items[used[i]]);
+  return kept;
+}
+
+/// `mesh` without the triangles that touch a vertex out of reach, and without vertices that nothing uses then.
+Mesh without_far_triangles(const Mesh& mesh) {
+  constexpr std::uint32_t unused = ~std::uint32_t{0};
+  std::vector<std::uint32_t> place(mesh.positions.size(), unused);
+  std::vector<std::uint32_t> used;
+  Mesh kept;
+  kept.color = mesh.color;
+  std::size_t tile = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& triangle = mesh.triangles[t];
+    if (std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t v) { return within_reach(mesh.positions[v]); })) {
+      std::array<std::uint32_t, 3> moved;
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        std::uint32_t& to = place[triangle[corner]];
+        if (to == unused) {
+          to = static_cast<std::uint32_t>(used.size());
+          used.push_back(triangle[corner]);
+        }
+        moved[corner] = to;
+      }
+      kept.triangles.push_back(moved);
+    }
+    while (tile < mesh.tile_ends.size() && mesh.tile_ends[tile] == t + 1) {
+      kept.tile_ends.push_back(kept.triangles.size());
+      ++tile;
+    }
+  }
+  kept.positions = keep_used(mesh.positions, used);
+  kept.normals = keep_used(mesh.normals, used);
+  kept.uvs = keep_used(mesh.uvs, used);
+  kept.colors = keep_used(mesh.colors, used);
+  return kept;
+}
+
+}  // namespace
+
+void for_chunks(const Context& context, std::size_t size, const std::function<void(std::size_t, std::size_t)>& work) {
+  constexpr std::size_t chunk = 4096;
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size, chunk), [&](const auto& range) {
+    for (std::size_t begin = range.begin(); begin < range.end(); begin += chunk) {
+      if (context.cancel().stopped()) return;
+      work(begin, std::min(begin + chunk, range.end()));
+    }
+  });
+}
+
+kernels::ConstPoints spread(const Batch<Point>& points, std::size_t size, std::vector<double>& storage) {
+  if (!points.constant) return {points.components[0], points.components[1], points.components[2]};
+  storage.resize(3 * size);
+  for (std::size_t k = 0; k < 3; ++k) std::fill_n(storage.data() + k * size, size, *points.components[k]);
+  return {storage.data(), storage.data() + size, storage.data() + 2 * size};
+}
+
+kernels::ConstNumbers numbers(const Batch<double>& batch) { return {batch.components[0], batch.constant}; }
+
+kernels::Points components(const BatchOut<Point>& out) { return {out.components[0], out.components[1], out.components[2]}; }
+
+kernels::ConstPoints components(const Column<Point>& column, std::size_t begin) {
+  return {column.component(0) + begin, column.component(1) + begin, column.component(2) + begin};
+}
+
+kernels::Points components(Column<Point>& column, std::size_t begin) {
+  return {column.component(0) + begin, column.component(1) + begin, column.component(2) + begin};
+}
+
+std::optional<Failure> apply_to_points(const Versor& versor, const Batch<Point>& shape, const BatchOut<Point>& out) {
+  std::vector<double> storage;
+  kernels::transform_points(versor, spread(shape, out.size, storage), components(out), out.size);
+  return std::nullopt;
+}
+
+SharedMesh apply_to_mesh(const Context& context, const Versor& versor, const SharedMesh& mesh) {
+  Column<Point> positions(mesh->positions.size());
+  Column<Vector> normals(mesh->normals.size());
+  for_chunks(context, positions.size(), [&](std::size_t begin, std::size_t end) {
+    kernels::transform_points(versor, components(mesh->positions, begin), components(positions, begin), end - begin);
+    for (std::size_t i = begin; i < end && !normals.empty(); ++i) {
+      const Vector normal = normalized(apply_at(versor, mesh->positions[i], mesh->normals[i]));
+      normals.set(i, is_finite(normal) && normal != Vector{} ? normal : mesh->normals[i]);
+    }
+  });
+  return with_positions(context, *mesh, std::move(positions), std::move(normals));
+}
+
+SharedMesh with_positions(const Context& context, const Mesh& mesh, Column<Point> positions, Column<Vector> normals) {
+  auto moved = std::make_shared<Mesh>(mesh);
+  moved->positions = std::move(positions);
+  moved->normals = std::move(normals);
+  for (std::size_t i = 0; i < moved->positions.size(); ++i) {
+    if (within_reach(moved->positions[i])) continue;
+    auto kept = std::make_shared<Mesh>(without_far_triangles(*moved));
+    context.warn({"at-infinity",
+                  std::to_string(moved->triangles.size() - kept->triangles.size()) +
+                      " triangles reach infinity and are left out"});
+    return kept;
+  }
+  return moved;
+}
+
+}  // namespace dini

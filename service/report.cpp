@@ -1,0 +1,94 @@
+#include "service/report.h"
+
+#include "graph/value_json.h"
+#include "service/engine.h"
+#include "service/version.h"
+
+namespace dini {
+
+namespace {
+
+Json wire_json(const WireShape& shape) { return {{"type", name(shape.type)}, {"axes", to_json(shape.axes)}}; }
+
+Json node_json(const PlannedNode& node, const NodeRun* run) {
+  Json outputs = Json::object();
+  for (std::size_t output = 0; output < node.outputs.size(); ++output) {
+    outputs[node.type->outputs[output].name] = wire_json(node.outputs[output]);
+  }
+  // A node that did not have to run stands behind a cached one.
+  return {{"type", node.type->id},
+          {"milliseconds", run != nullptr ? run->milliseconds : 0.0},
+          {"cached", run == nullptr || run->cached},
+          {"outputs", std::move(outputs)}};
+}
+
+void add_warnings(Json& warnings, const PlannedNode& node, const NodeResult& result) {
+  for (const Warning& warning : result.warnings) {
+    Json entry = {{"code", warning.code}, {"node", node.id}, {"detail", warning.detail}};
+    if (!warning.port.empty()) entry["port"] = warning.port;
+    warnings.push_back(std::move(entry));
+  }
+}
+
+}  // namespace
+
+Json file_extras(const Plan& plan, std::size_t output) {
+  const PlannedNode& node = plan.nodes[output];
+  Json parameters = Json::object();
+  for (const std::string& parameter : node.parameters) parameters[parameter] = plan.parameters.at(parameter);
+  return {{"engine", engine_version}, {"graph", to_hex(node.fingerprint)}, {"parameters", std::move(parameters)}};
+}
+
+Json evaluation_report(const Prepared& prepared, const Evaluation& evaluation, const Asset& asset, const std::string& glb,
+                       double milliseconds) {
+  const Plan& plan = prepared.plan;
+  Json nodes = Json::object();
+  Json warnings = Json::array();
+  Json checks = Json::array();
+  for (std::size_t index = 0; index < plan.nodes.size(); ++index) {
+    const PlannedNode& node = plan.nodes[index];
+    const auto found = evaluation.runs.find(index);
+    const NodeRun* run = found == evaluation.runs.end() ? nullptr : &found->second;
+    nodes[node.id] = node_json(node, run);
+    if (run == nullptr) continue;
+    add_warnings(warnings, node, *run->result);
+    if (node.type->always_evaluated) {
+      const Value value = evaluation.value(plan, index, 0);
+      checks.push_back({{"node", node.id}, {"passed", true}, {"values", to_json(value)["values"]}});
+    }
+  }
+  const double encoding = evaluation.runs.contains(prepared.output) ? evaluation.runs.at(prepared.output).milliseconds : 0;
+  return {{"engine", engine_version},
+          {"fingerprint", to_hex(plan.nodes[prepared.output].fingerprint)},
+          {"etag", prepared.entity_tag},
+          {"quality", plan.quality == Quality::draft ? "draft" : "final"},
+          {"output", plan.nodes[prepared.output].id},
+          {"milliseconds", {{"prepare", prepared.milliseconds}, {"evaluate", milliseconds}, {"encode", encoding}}},
+          {"nodes", std::move(nodes)},
+          {"model",
+           {{"bytes", glb.size()},
+            {"vertices", asset.vertices},
+            {"triangles", asset.triangles},
+            {"position_error", asset.position_error},
+            {"sha256", to_hex(sha256(glb))}}},
+          {"checks", std::move(checks)},
+          {"warnings", std::move(warnings)}};
+}
+
+Json validation_report(const CheckReport& report, const Problems& problems) {
+  Json wires = Json::object();
+  for (const PlannedNode& node : report.plan.nodes) {
+    for (std::size_t output = 0; output < node.outputs.size(); ++output) {
+      wires[node.id + "." + node.type->outputs[output].name] = wire_json(node.outputs[output]);
+    }
+  }
+  const Cost& cost = report.plan.cost;
+  return {{"valid", problems.empty()},
+          {"errors", to_json(problems)},
+          {"blocked", report.blocked},
+          {"wires", std::move(wires)},
+          {"cost",
+           {{"samples", cost.samples}, {"vertices", cost.vertices}, {"triangles", cost.triangles}, {"bytes", cost.bytes}}}};
+}
+
+}  // namespace dini

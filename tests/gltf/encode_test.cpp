@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/gltf/compare.h"
+#include "tests/gltf/shapes.h"
+
+namespace dini {
+namespace {
+
+using namespace compare;
+
+// The largest distance per axis between the vertices of `mesh` and their rounding.
+double largest_error(const Mesh& mesh, const QuantizationGrid& grid) {
+  double largest = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      const double original = mesh.positions.component(axis)[i];
+      const double decoded = static_cast<double>(grid.decoded(axis, static_cast<float>(original)));
+      largest = std::max(largest, std::abs(decoded - original));
+    }
+  }
+  return largest;
+}
+
+TEST_CASE("random meshes come back on the grid and within the announced bound") {
+  const double extent = GENERATE(1e-6, 1.0, 3000.0, 1e14);
+  const double offset = GENERATE(0.0, 0.3, 1e3);
+  const int bits = GENERATE(8, 14, 20);
+  CAPTURE(extent, offset, bits);
+  const Scene scene = shapes::scene_of(shapes::random_soup(7, 60, 200, extent, offset * extent));
+  EncodeOptions options;
+  options.position_bits = bits;
+  const EncodedScene encoded = encode(scene, options);
+  const QuantizationGrid grid = grid_of(scene, bits);
+  CHECK(encoded.position_error == grid.position_error());
+  CHECK(largest_error(mesh_of(scene), grid) <= encoded.position_error);
+  const Scene decoded = decode(encoded.glb);
+  CHECK(same_positions(rounded_triangles(mesh_of(scene), grid), stored_triangles(mesh_of(decoded))));
+}
+
+TEST_CASE("every speed keeps triangles, winding, normals and counts") {
+  const int speed = GENERATE(range(0, 11));
+  const bool manifold = GENERATE(true, false);
+  CAPTURE(speed, manifold);
+  const Scene scene = shapes::scene_of(manifold ? shapes::torus(40, 30) : shapes::random_soup(3, 300, 1500, 2.0, 0.0));
+  EncodeOptions options;
+  options.speed = speed;
+  const EncodedScene encoded = encode(scene, options);
+  const Scene decoded = decode(encoded.glb);
+  const auto expected = rounded_triangles(mesh_of(scene), grid_of(scene, options.position_bits));
+  const auto actual = stored_triangles(mesh_of(decoded));
+  CHECK(same_positions(expected, actual));
+  CHECK(encoded.triangles == actual.size());
+  CHECK(encoded.vertices == mesh_of(decoded).positions.size());
+  CHECK(largest_normal_angle(expected, actual) <= encoded.normal_error);
+}
+
+TEST_CASE("normals stay within the announced angle") {
+  const int bits = GENERATE(6, 8, 10, 12, 16);
+  CAPTURE(bits);
+  const Scene scene = shapes::scene_of(shapes::random_soup(11, 20000, 30000, 2.0, 0.0));
+  EncodeOptions options;
+  options.normal_bits = bits;
+  options.position_bits = 20;
+  const EncodedScene encoded = encode(scene, options);
+  const auto expected = rounded_triangles(mesh_of(scene), grid_of(scene, 20));
+  const double angle = largest_normal_angle(expected, stored_triangles(mesh_of(decode(encoded.glb))));
+  CHECK(angle <= encoded.normal_error);
+  CHECK(angle > encoded.normal_error / 2);
+}
+
+TEST_CASE("accessor bounds are those of the decoded positions, bit for bit") {
+  const double offset = GENERATE(0.0, -0.37, 12.5);
+  const int bits = GENERATE(8, 11, 14, 17, 20);
+  CAPTURE(offset, bits);
+  Scene scene;
+  for (unsigned part = 0; part < 4; ++part) {
+    auto mesh = shapes::random_soup(part, 50, 200, 1.7 + part, offset * (part + 1));
+    scene.parts.push_back({"part", std::make_shared<const Mesh>(std::move(mesh)), {}});
+  }
+  EncodeOptions options;
+  options.position_bits = bits;
+  const EncodedScene encoded = encode(scene, options);
+  const Scene decoded = decode(encoded.glb);
+  const auto document = nlohmann::json::parse(split_glb(encoded.glb)->json);
+  for (std::size_t part = 0; part < scene.parts.size(); ++part) {
+    const auto& primitive = document["meshes"][part]["primitives"][0];
+    const auto& accessor = document["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
+    const Mesh& mesh = mesh_of(decoded, part);
+    CHECK(accessor["count"] == mesh.positions.size());
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double* values = mesh.positions.component(axis);
+      const auto [minimum, maximum] = std::minmax_element(values, values + mesh.positions.size());
+      CHECK(accessor["min"][axis].get<double>() == *minimum);
+      CHECK(accessor["max"][axis].get<double>() == *maximum);
+    }
+  }
+}
+
+TEST_CASE("texture coordinates and colors come back") {
+  Mesh mesh = shapes::wavy_field(20, 30);
+  for (const auto& [u, v] : mesh.uvs) mesh.colors.push_back({static_cast<float>(u), static_cast<float>(v), 1, 1});
+  const int speed = GENERATE(1, 3, 5, 7, 9, 10);
+  CAPTURE(speed);
+  EncodeOptions options;
+  options.speed = speed;
+  const Scene decoded = decode(encode(shapes::scene_of(mesh), options).glb);
+  const Mesh& back = mesh_of(decoded);
+  REQUIRE(back.uvs.size() == back.positions.size());
+  REQUIRE(back.colors.size() == back.positions.size());
+  for (std::size_t i = 0; i < back.positions.size(); ++i) {
+    const Point p = back.positions[i];
+    CHECK(back.uvs[i][0] == Approx(p.x / 2).margin(3e-4));
+    CHECK(back.uvs[i][1] == Approx(p.y / 2).margin(3e-4));
+    CHECK(static_cast<double>(back.colors[i][0]) == Approx(p.x / 2).margin(3e-3));
+  }
+}
+
+TEST_CASE("attributes that were not asked for are not written") {
+  EncodeOptions options;
+  options.normals = options.uvs = options.colors = false;
+  const EncodedScene encoded = encode(shapes::scene_of(shapes::random_soup(1, 30, 60, 1, 0)), options);
+  const Scene decoded = decode(encoded.glb);
+  CHECK(mesh_of(decoded).normals.empty());
+  CHECK(mesh_of(decoded).uvs.empty());
+  CHECK(mesh_of(decoded).colors.empty());
+  CHECK(encoded.normal_error == 0);
+}
+
+TEST_CASE("parts keep their names, colors and order") {
+  Scene scene;
+  for (const char* name : {"hull", "deck"}) {
+    Mesh mesh = shapes::torus(12, 8);
+    mesh.color = {0.25, 0.5, 1, name[0] == 'h' ? 1.0 : 0.5};
+    scene.parts.push_back({name, std::make_shared<const Mesh>(std::move(mesh)), {}});
+  }
+  scene.parts.push_back({"rings", std::vector<Polyline>{shapes::circle(8, 1, 0)}, {1, 0, 0, 1}});
+  const Scene decoded = decode(encode(scene).glb);
+  REQUIRE(decoded.parts.size() == 3);
+  CHECK(decoded.parts[0].name == "hull");
+  CHECK(mesh_of(decoded, 0).color == Color{0.25, 0.5, 1, 1});
+  CHECK(decoded.parts[1].name == "deck");
+  CHECK(mesh_of(decoded, 1).color == Color{0.25, 0.5, 1, 0.5});
+  CHECK(decoded.parts[2].name == "rings");
+  CHECK(decoded.parts[2].color == Color{1, 0, 0, 1});
+}
+
+TEST_CASE("one root node turns Z up into Y up") {
+  const auto document = nlohmann::json::parse(split_glb(encode(shapes::scene_of(shapes::torus(8, 6))).glb)->json);
+  CHECK(document["scenes"][0]["nodes"] == nlohmann::json::array({0}));
+  const auto rotation = document["nodes"][0]["rotation"].get<std::array<double, 4>>();
+  CHECK(rotation[0] == Approx(-std::sqrt(0.5)));
+  CHECK(rotation[3] == Approx(std::sqrt(0.5)));
+  CHECK(document["extensionsRequired"] == nlohmann::json::array({"KHR_draco_mesh_compression"}));
+}
+
+}  // namespace
+}  // namespace dini

@@ -1,0 +1,104 @@
+#include <catch2/catch.hpp>
+
+#include "graph/document.h"
+#include "graph/json_reader.h"
+#include "tests/support/graphs.h"
+
+using namespace dini;
+
+namespace {
+
+const Limits limits;
+
+std::multiset<std::string> pointers(const Json& json) {
+  const Result<Document> read = read_document(json, limits);
+  std::multiset<std::string> all;
+  if (read) return all;
+  for (const Problem& problem : read.problems()) all.insert(problem.code + " " + problem.pointer);
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("writing what was read gives the same document") {
+  const Json json = Json::parse(R"({
+    "format": 1,
+    "meta": {"title": "Everything", "anything": [1, {"goes": null}]},
+    "parameters": {
+      "n": {"type": "number", "default": 1.5, "min": 0, "max": 4, "step": 0.01, "unit": "m", "label": "N", "description": "A number."},
+      "i": {"type": "integer", "default": 3},
+      "b": {"type": "boolean", "default": true},
+      "c": {"type": "choice", "default": "exact", "choices": ["exact", "paper"]},
+      "v": {"type": "vector", "default": [0, 0, 1]},
+      "k": {"type": "color", "default": [0.1, 0.2, 0.3, 1]}
+    },
+    "nodes": {
+      "a": {"type": "number", "inputs": {"value": {"parameter": "n"}}},
+      "b": {"type": "list", "inputs": {"items": [{"from": "a"}, {"from": "a.value"}, 3], "axis": "k"}, "bypass": true},
+      "c": {"type": "vector"}
+    },
+    "ui": {"nodes": {"a": {"x": 1, "y": 2}}}
+  })");
+  const Result<Document> read = read_document(json, limits);
+  REQUIRE(read.has_value());
+  CHECK(write_document(*read) == json);
+  const Result<Document> again = read_document(write_document(*read), limits);
+  REQUIRE(again.has_value());
+  CHECK(*again == *read);
+}
+
+TEST_CASE("unknown members anywhere are errors with the nearest known name") {
+  CHECK(pointers(Json::parse(R"({"format": 1, "nods": {}, "nodes": {}})")) == std::multiset<std::string>{"unknown-member /graph/nods"});
+  CHECK(pointers(Json::parse(R"({"format": 1, "nodes": {"a": {"type": "number", "input": {}}}})")) ==
+        std::multiset<std::string>{"unknown-member /graph/nodes/a/input"});
+  CHECK(pointers(Json::parse(R"({"format": 1, "nodes": {}, "parameters": {"p": {"type": "number", "default": 1, "maximum": 2}}})")) ==
+        std::multiset<std::string>{"unknown-member /graph/parameters/p/maximum"});
+  CHECK(pointers(Json::parse(R"({"format": 1, "nodes": {"a": {"type": "number", "inputs": {"value": {"form": "b"}}}}})")) ==
+        std::multiset<std::string>{"type-mismatch /graph/nodes/a/inputs/value"});
+  CHECK(pointers(Json::parse(R"({"format": 1, "nodes": {"a": {"type": "number", "inputs": {"value": {"from": "b", "x": 1}}}}})")) ==
+        std::multiset<std::string>{"type-mismatch /graph/nodes/a/inputs/value"});
+}
+
+TEST_CASE("ids, formats and parameter defaults are checked") {
+  CHECK(pointers(Json::parse(R"({"format": 2, "nodes": {"1a": {"type": "number"}, "a.b": {"type": "number"}, "": {"type": "x"}}})")) ==
+        std::multiset<std::string>{"invalid-id /graph/nodes/", "invalid-id /graph/nodes/1a", "invalid-id /graph/nodes/a.b",
+                                   "unsupported-format /graph/format"});
+  CHECK(pointers(Json::parse(R"({"nodes": []})")) ==
+        std::multiset<std::string>{"required-member-missing /graph", "type-mismatch /graph/nodes"});
+  CHECK(pointers(Json::parse(R"({"format": 1, "nodes": {}, "parameters": {
+    "a": {"type": "number", "default": 5, "max": 4},
+    "b": {"type": "choice", "default": "x", "choices": ["y"]},
+    "c": {"type": "mesh", "default": 1},
+    "d": {"type": "number"}}})")) ==
+        std::multiset<std::string>{"out-of-range /graph/parameters/a/default", "not-in-choices /graph/parameters/b/default",
+                                   "required-member-missing /graph/parameters/d", "type-mismatch /graph/parameters/c/type"});
+  CHECK(pointers(Json(3)) == std::multiset<std::string>{"type-mismatch /graph"});
+}
+
+TEST_CASE("a graph with too many nodes is refused as a whole") {
+  Json json = {{"format", 1}, {"nodes", Json::object()}};
+  for (std::size_t i = 0; i <= limits.nodes; ++i) json["nodes"]["n" + std::to_string(i)] = {{"type", "number"}};
+  CHECK(pointers(json) == std::multiset<std::string>{"limit-exceeded /graph/nodes"});
+}
+
+TEST_CASE("the reader refuses what is not strict JSON") {
+  const auto code = [](std::string_view text) {
+    const Result<Json> read = parse_json(text, limits);
+    return read ? std::string("read") : read.problems().front().code;
+  };
+  CHECK(code(R"({"a": [1, -2.5e3, "x", true, null]})") == "read");
+  for (const std::string_view text :
+       {R"({"a": 1, "a": 2})", R"({"a": )", R"([1] [2])", "[1]\0[2]", R"([NaN])", R"([Infinity])", R"([1e400])", R"([01])", R"([1.])",
+        R"([1,])", "// x\n1", "\xEF\xBB\xBF[1]", "[\"\xFF\"]", "", "{\"a\\u0001b\": 1}", "['a']"}) {
+    CAPTURE(text);
+    CHECK(code(text) == "not-json");
+  }
+  CHECK(code(std::string_view("[1]\0[2]", 7)) == "not-json");
+  CHECK(code(std::string(32, '[') + std::string(32, ']')) == "read");
+  CHECK(code(std::string(33, '[') + std::string(33, ']')) == "not-json");
+  CHECK(code(std::string(1'000'000, '[')) == "not-json");
+  CHECK(code("[\"" + std::string(limits.string_bytes + 1, 'a') + "\"]") == "limit-exceeded");
+  std::string many = "[0";
+  for (std::size_t i = 0; i < limits.json_values; ++i) many += ",0";
+  CHECK(code(many + "]") == "limit-exceeded");
+}

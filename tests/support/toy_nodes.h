@@ -1,0 +1,95 @@
+#pragma once
+
+#include <atomic>
+
+#include "graph/node_builder.h"
+#include "graph/registry.h"
+
+namespace dini::toy {
+
+/// How often `count_runs` has run since the program started.
+inline std::atomic<int> runs = 0;
+
+inline double constant(double value) { return value; }
+
+inline double sum(double a, double b) { return a + b; }
+
+inline double count_runs(double value) {
+  ++runs;
+  return value + 1;
+}
+
+inline Attempt<double> root(double value) {
+  if (value < 0) return Failure{"degenerate", "no root of a negative number", "value"};
+  return std::sqrt(value);
+}
+
+inline double reciprocal(double value) { return 1 / value; }
+
+inline Made<double> ramp(std::int64_t count, bool, const std::string&) {
+  Column<double> values(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < values.size(); ++i) values.set(i, static_cast<double>(i));
+  return {std::move(values)};
+}
+
+inline double total(const Block<double, 1>& values, const Block<double, 1>& weights, const std::string&) {
+  double result = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) result += values(i) * weights(i);
+  return result;
+}
+
+template <class T>
+T same(const T& item, const std::string&) {
+  return item;
+}
+
+inline Point shifted(const Point& point, const Vector& by) { return to_point(to_vector(point) + by); }
+
+inline void doubled(Batch<double> value, double offset, BatchOut<double> result) {
+  for (std::size_t i = 0; i < result.size; ++i) result.set(i, 2 * value[i] + offset);
+}
+
+/// Waits until it is cancelled.
+inline double endless(const Context& context, double value) {
+  while (!context.cancel().stopped()) {
+  }
+  return value;
+}
+
+/// A registry of nodes that test the engine and nothing else.
+inline Registry registry() {
+  Registry nodes;
+  const auto value_node = [](NodeBuilder builder) -> NodeType {
+    return std::move(builder).title("Toy").family("toys").doc("A toy.").input("value", "A number.", defaults(1).hard(-100, 1e6)).output("value", "A number.");
+  };
+  nodes.add(value_node(node("constant", constant)));
+  nodes.add(value_node(node("count_runs", count_runs)));
+  nodes.add(value_node(node("root", root)));
+  nodes.add(value_node(node("reciprocal", reciprocal)));
+  nodes.add(value_node(node("endless", endless)));
+  nodes.add(node("sum", sum).title("Sum").family("toys").doc("Adds.").input("a", "First.").input("b", "Second.", defaults(10)).output("value", "The sum."));
+  nodes.add(node("ramp", ramp)
+                .title("Ramp").family("toys").doc("0, 1, 2, ...")
+                .input("count", "How many.", defaults(3).hard(1, 1'000'000'000))
+                .input("closed", "Whether it closes.", defaults(false))
+                .input("axis", "Name.", defaults("").names_axis())
+                .axes(one_axis("count", "axis", "closed"))
+                .output("values", "The numbers."));
+  nodes.add(node("total", total)
+                .title("Total").family("toys").doc("Sums along an axis.")
+                .input("values", "Numbers.", required().several())
+                .input("weights", "Weights.", defaults(1).several())
+                .input("over", "The axis.", defaults("").names_axis())
+                .over({"over"})
+                .output("value", "The sum."));
+  nodes.add(node("list", same<double>, same<Point>)
+                .title("List").family("toys").doc("Items.")
+                .input("items", "Items.", required().several())
+                .input("axis", "Name.", defaults("").names_axis())
+                .output("items", "Items."));
+  nodes.add(node("shifted", shifted).title("Shifted").family("toys").doc("Moves.").input("point", "P.").input("by", "V.", defaults({0, 0, 1})).output("point", "P."));
+  nodes.add(node("doubled", doubled).title("Doubled").family("toys").doc("Twice.").input("value", "N.").input("offset", "N.", defaults(0)).output("value", "N."));
+  return nodes;
+}
+
+}  // namespace dini::toy
