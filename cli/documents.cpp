@@ -8,6 +8,8 @@
 #include <iterator>
 #include <unistd.h>
 
+#include "server/files.h"
+
 namespace dini::cli {
 namespace {
 
@@ -15,24 +17,12 @@ Problem io_problem(const std::string& path, int error) {
   return {.code = "io", .detail = (path == "-" ? "standard stream" : path) + ": " + std::strerror(error)};
 }
 
-std::string read_all(std::istream& stream) {
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 }  // namespace
 
 Result<std::string> read_input(const std::string& path) {
-  if (path == "-") {
-    std::string text = read_all(std::cin);
-    if (std::cin.bad()) return io_problem(path, EIO);
-    return text;
-  }
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file.is_open()) return io_problem(path, errno);
-  std::string text = read_all(file);
-  // Opening a folder works; reading from it is what fails.
-  if (file.bad() || errno == EISDIR) return io_problem(path, errno != 0 ? errno : EIO);
+  if (path != "-") return server::read_file(path);
+  std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+  if (std::cin.bad()) return io_problem(path, EIO);
   return text;
 }
 

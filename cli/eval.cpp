@@ -13,7 +13,7 @@ namespace {
 struct Options {
   std::string graph;
   std::vector<std::string> settings;
-  std::string model = "-";
+  std::string model;
   std::string report;
   std::string output;
   std::string quality = "final";
@@ -37,6 +37,16 @@ bool checks_hold(const Json& report) {
     print_problems({problem});
   }
   return hold;
+}
+
+/// `out: 1234 bytes, 10 vertices, 12 triangles`
+std::string summary(const Json& report) {
+  const Json model = report.value("model", Json::object());
+  std::string text = report.value("output", "") + ":";
+  for (const auto* measure : {"bytes", "vertices", "triangles"}) {
+    if (model.contains(measure)) text += (text.back() == ':' ? " " : ", ") + model.at(measure).dump() + " " + measure;
+  }
+  return printable(text);
 }
 
 int run(Options& options) {
@@ -71,6 +81,7 @@ int run(Options& options) {
     const std::string text = evaluated->report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     if (const Problems wrong = write_output(options.report, text); !wrong.empty()) return fail(wrong, exit_io);
   }
+  if (options.model.empty() && options.report != "-") std::cout << summary(evaluated->report) << "\n";
   // A check that fails is an answer about this model, so the model is written all the same.
   if (!options.model.empty()) {
     if (const Problems wrong = write_output(options.model, *evaluated->glb); !wrong.empty())
@@ -87,7 +98,8 @@ void add_eval(CLI::App& program, Command& chosen) {
   command->add_option("graph", options->graph, "The graph document, or - for standard input")->required();
   command->add_option("--set", options->settings, "A parameter as name=value; may be repeated")
       ->allow_extra_args(false);
-  command->add_option("-o,--out", options->model, "Where the model goes, or - for standard output (default)");
+  command->add_option("-o,--out", options->model,
+                      "Where the model goes, or - for standard output; without it the model is only described");
   command->add_option("--report", options->report, "Where the JSON report goes, or - for standard output");
   command->add_option("--output", options->output, "The export node (default: the only one)");
   command->add_option("--quality", options->quality, "draft or final (default)")

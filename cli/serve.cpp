@@ -107,7 +107,10 @@ void add_serve(CLI::App& program, Command& chosen) {
   command->add_option("--port", settings.port, "The port, 0 for a free one (default 8080)")
       ->check(CLI::Range(0, 65535));
   command->add_option("--port-file", options->port_file, "A file to write the port to once listening");
-  command->add_option("--allow-host", settings.allowed_hosts, "A further name that the Host header may carry");
+  command
+      ->add_option("--allow-host", settings.allowed_hosts,
+                   "A further name that the Host header may carry; may be repeated")
+      ->allow_extra_args(false);
   command->add_option("--token", settings.token, "Needed by every request to /v1; allows addresses other than loopback")
       ->envname("DINI_TOKEN");
   command->add_option("--web", options->web, "The folder of the built page");

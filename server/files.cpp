@@ -8,10 +8,15 @@
 namespace dini::server {
 
 Result<std::string> read_file(const std::filesystem::path& path) {
+  std::error_code error;
+  errno = 0;
   std::ifstream file(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file.is_open() || file.bad())
+  // Opening a folder works; reading from it throws.
+  if (std::filesystem::is_directory(path, error)) errno = EISDIR;
+  if (errno != 0 || !file.is_open())
     return Problem{.code = "io", .detail = path.string() + ": " + std::strerror(errno)};
+  std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (file.bad()) return Problem{.code = "io", .detail = path.string() + ": cannot be read"};
   return bytes;
 }
 

@@ -21,7 +21,8 @@ constexpr std::size_t read_bytes = 16 * 1024;
 constexpr std::size_t write_bytes_per_second = 64 * 1024;
 constexpr std::chrono::milliseconds crowd_check{500};
 
-/// What cpp-httplib gets to read and write: a head from memory, and the socket with its deadline for the answer.
+/// What cpp-httplib gets to read and write: a request line from memory, and the socket with its deadline for the
+/// answer.
 class AnswerStream final : public httplib::Stream {
  public:
   AnswerStream(const Socket& socket, std::string head, std::chrono::milliseconds write_deadline)
@@ -111,7 +112,12 @@ Guard::Guard(const Settings& settings, std::size_t body_limit, Application appli
     if (!reply.type.empty()) response.set_content(std::move(reply.body), reply.type);
     return HandlerResponse::Handled;
   });
-  set_post_routing_handler([](const httplib::Request&, httplib::Response& response) {
+  set_post_routing_handler([this](const httplib::Request&, httplib::Response& response) {
+    if (stopping()) {
+      response.headers.erase("Keep-Alive");
+      response.headers.erase("Connection");
+      response.set_header("Connection", "close");
+    }
     response.headers.erase("Accept-Ranges");                               // offered for HEAD, never honored
     if (response.status == 304) response.headers.erase("Content-Length");  // it would be that of the full answer
   });
@@ -235,7 +241,7 @@ bool Guard::answer_one(const Socket& socket, std::string& buffer) {
   const bool written = answer(socket, *head, std::move(buffer), exchange, last);
   buffer.clear();
   if (leftover && written) socket.linger();
-  return written && !last;
+  return written && !last && !stopping();
 }
 
 Result<RequestHead> Guard::read_head(const Socket& socket, std::string& buffer) const {
@@ -245,7 +251,7 @@ Result<RequestHead> Guard::read_head(const Socket& socket, std::string& buffer) 
     const std::size_t room = std::min(bytes.size(), settings_.head_bytes - buffer.size());
     const std::size_t count = socket.read(bytes.data(), room, deadline);
     if (count == 0) {
-      if (buffer.empty() || Clock::now() < deadline) return Problem{.code = "closed"};
+      if (buffer.empty() || Clock::now() < deadline) return Problem{.code = "closed", .detail = "The client left."};
       return Problem{.code = "request-timeout", .detail = "The headers did not arrive in time."};
     }
     buffer.append(bytes.data(), count);
@@ -267,15 +273,15 @@ bool Guard::read_body(const Socket& socket, std::string& buffer, std::size_t siz
 }
 
 bool Guard::answer(const Socket& socket, const RequestHead& head, std::string body, Exchange& exchange, bool last) {
-  AnswerStream stream(socket, head.text(), settings_.write_deadline);
+  AnswerStream stream(socket, head.request_line(), settings_.write_deadline);
   Access access{.method = head.method, .path = head.target};
   const auto set_up = [&](httplib::Request& request) {
     request.body = std::move(body);
-    request.ranges.clear();
-    // Without this header the library compresses nothing. It would use brotli at its slowest: seconds for a megabyte.
+    request.headers = {head.headers.begin(), head.headers.end()};
     const std::string encodings = to_lower(request.get_header_value("Accept-Encoding"));
     exchange.accepts_gzip =
         encodings.find("gzip") != std::string::npos && encodings.find("gzip;q=0") == std::string::npos;
+    // Without this header the library compresses nothing. It would use brotli at its slowest: seconds for a megabyte.
     request.headers.erase("Accept-Encoding");
   };
   current_exchange = &exchange;

@@ -1,27 +1,13 @@
 #include "server/request_body.h"
 
 #include <algorithm>
-#include <vector>
+#include <limits>
 
+#include "graph/nearest.h"
 #include "server/text.h"
 
 namespace dini::server {
 namespace {
-
-/// Insertions, deletions and replacements from one to the other.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], i + 1);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
 
 /// A JSON pointer to a member (RFC 6901).
 std::string pointer_to(std::string_view name) {
@@ -48,11 +34,10 @@ RequestBody::RequestBody(Json body, std::initializer_list<std::string_view> know
   for (const auto& [name, value] : body_.items()) {
     if (std::ranges::find(known, name) != known.end()) continue;
     const std::string shown = cut(name, 64);
-    const auto nearest =
-        std::ranges::min(known, {}, [&](std::string_view other) { return edit_distance(shown, other); });
-    problems_.push_back({.code = "unknown-member",
-                         .detail = "There is no member '" + shown + "'; the nearest is '" + std::string(nearest) + "'.",
-                         .pointer = pointer_to(shown)});
+    problems_.push_back(
+        {.code = "unknown-member",
+         .detail = "There is no member '" + shown + "'" + did_you_mean(shown, {known.begin(), known.end()}),
+         .pointer = pointer_to(shown)});
   }
 }
 

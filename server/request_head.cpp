@@ -31,19 +31,37 @@ bool may_have_body(std::string_view method) {
   return method == "POST" || method == "PUT" || method == "PATCH" || method == "DELETE";
 }
 
+/// What a percent sign at the start stands for; nothing when no two hexadecimal digits follow.
+std::optional<char> percent_decoded(std::string_view text) {
+  unsigned value = 0;
+  if (text.size() < 3) return std::nullopt;
+  const auto [end, error] = std::from_chars(text.data() + 1, text.data() + 3, value, 16);
+  if (error != std::errc() || end != text.data() + 3) return std::nullopt;
+  return static_cast<char>(value);
+}
+
 /// Controls hidden behind percent signs: whoever decodes the value later must not meet a line end or a NUL.
 bool hides_control(std::string_view text) {
-  for (std::size_t i = 0; i + 2 < text.size(); ++i) {
-    if (text[i] != '%') continue;
-    unsigned value = 0;
-    const auto [end, error] = std::from_chars(text.data() + i + 1, text.data() + i + 3, value, 16);
-    if (error == std::errc() && end == text.data() + i + 3 && (value < 0x20 || value == 0x7f)) return true;
+  for (auto sign = text.find('%'); sign != std::string_view::npos; sign = text.find('%', sign + 1)) {
+    const auto decoded = percent_decoded(text.substr(sign));
+    if (decoded && is_control(*decoded)) return true;
   }
   return false;
 }
 
+bool is_target(std::string_view target) {
+  const auto is_forbidden = [](char c) {
+    return is_control(c) || c == ' ' || c == '#' || static_cast<unsigned char>(c) > 0x7e;
+  };
+  if (std::ranges::any_of(target, is_forbidden) || hides_control(target)) return false;
+  for (auto sign = target.find('%'); sign != std::string_view::npos; sign = target.find('%', sign + 1)) {
+    if (!percent_decoded(target.substr(sign))) return false;
+  }
+  return true;
+}
+
 std::optional<Problem> read_request_line(std::string_view line, const Settings& settings, RequestHead& head) {
-  if (line.size() > settings.line_bytes) {
+  if (line.size() + line_end.size() > settings.line_bytes) {
     return Problem{.code = "uri-too-long",
                    .detail = "The request line is longer than " + std::to_string(settings.line_bytes) + " bytes."};
   }
@@ -64,10 +82,7 @@ std::optional<Problem> read_request_line(std::string_view line, const Settings& 
   }
   if (!is_method(head.method)) return Problem{.code = "method-not-allowed", .detail = "This method is not known here."};
   if (head.target != "*" && !head.target.starts_with('/')) return bad_request("The target must be a path.");
-  const auto forbidden = [](char c) {
-    return is_control(c) || c == ' ' || c == '#' || static_cast<unsigned char>(c) > 0x7e;
-  };
-  if (std::ranges::any_of(head.target, forbidden) || hides_control(head.target)) {
+  if (!is_target(head.target)) {
     return bad_request("The target holds a control character, a space, '#' or a byte that should be percent-encoded.");
   }
   return std::nullopt;
@@ -190,14 +205,15 @@ std::optional<Problem> check_unfinished_head(std::string_view bytes, const Setti
   return std::nullopt;
 }
 
-std::string RequestHead::text() const {
-  std::string text = method + " " + target + " " + version + "\r\n";
-  for (const auto& [name, value] : headers) {
-    text += name + ": ";
-    for (const char c : value) c == '%' ? text += "%25" : text += c;
-    text += "\r\n";
+std::string RequestHead::request_line() const {
+  std::string line = method + " ";
+  bool in_query = false;
+  for (const char c : target) {
+    // cpp-httplib refuses a second question mark, which is an ordinary character of a query.
+    c == '?' && in_query ? line += "%3F" : line += c;
+    in_query = in_query || c == '?';
   }
-  return text + "\r\n";
+  return line + " " + version + "\r\n\r\n";
 }
 
 }  // namespace dini::server

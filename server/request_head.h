@@ -26,8 +26,8 @@ struct RequestHead {
   bool expects_continue = false;
   bool close = false;  ///< the client wants the connection closed after the answer
 
-  /// The head for cpp-httplib. Percent signs in values are escaped because it decodes them.
-  std::string text() const;
+  /// The request line for cpp-httplib, without headers: those it would decode, count and obey.
+  std::string request_line() const;
 };
 
 /// Reads a whole head including its empty line. Problems carry the code of the HTTP status to answer with.

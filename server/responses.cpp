@@ -62,7 +62,7 @@ constexpr std::array status_titles = {
     StatusTitle{415, "Unsupported Media Type", "The body has the wrong media type"},
     StatusTitle{417, "Expectation Failed", "The expectation cannot be met"},
     StatusTitle{421, "Misdirected Request", "This host is not served here"},
-    StatusTitle{422, "Unprocessable Entity", "The graph or its values are wrong"},
+    StatusTitle{422, "Unprocessable Entity", "The graph cannot be evaluated"},
     StatusTitle{431, "Request Header Fields Too Large", "The headers are too large"},
     StatusTitle{499, "Client Closed Request", "The client left"},
     StatusTitle{500, "Internal Server Error", "The server made a mistake"},

@@ -63,7 +63,7 @@ std::span<const LayerRule> layer_rules() {
       {"graph", {"geometry/", "algebra/"}},
       {"nodes", {"graph/", "gltf/", "geometry/", "algebra/"}},
       {"service", {"nodes/", "graph/", "gltf/", "geometry/", "algebra/"}},
-      {"server", {"service/", "graph/problem.h", "graph/limits.h", "geometry/cancel.h"}},
+      {"server", {"service/", "graph/problem.h", "graph/limits.h", "graph/nearest.h", "geometry/cancel.h"}},
       {"cli", {"server/", "service/", "graph/", "geometry/cancel.h", "algebra/kernels.h"}},
   };
   return rules;

@@ -104,14 +104,14 @@ bool Client::closed() {
   return ::recv(descriptor_, &byte, 1, 0) <= 0;
 }
 
-std::optional<Answer> exchange(int port, std::string_view bytes) {
+std::optional<Answer> ask(int port, std::string_view bytes) {
   Client client(port);
   client.send(bytes);
   return client.receive();
 }
 
 std::optional<Answer> get(int port, const std::string& path, const std::string& headers) {
-  return exchange(port, "GET " + path + " HTTP/1.1\r\nHost: localhost\r\n" + headers + "\r\n");
+  return ask(port, "GET " + path + " HTTP/1.1\r\nHost: localhost\r\n" + headers + "\r\n");
 }
 
 std::string post_text(const std::string& path, const std::string& body, const std::string& headers) {
@@ -120,11 +120,12 @@ std::string post_text(const std::string& path, const std::string& body, const st
 }
 
 std::optional<Answer> post(int port, const std::string& path, const std::string& body, const std::string& headers) {
-  return exchange(port, post_text(path, body, headers));
+  return ask(port, post_text(path, body, headers));
 }
 
 std::string toy_body(const Json& inputs) {
-  const Json graph = {{"format", 1}, {"nodes", {{"out", {{"type", "toy"}, {"inputs", inputs}}}}}};
+  const Json graph = {{"format", 1},
+                      {"nodes", {{"out", {{"type", "toy"}, {"inputs", inputs.is_null() ? Json::object() : inputs}}}}}};
   return Json{{"graph", graph}}.dump();
 }
 

@@ -146,8 +146,7 @@ TEST_CASE("A connection carries many requests one after the other") {
 TEST_CASE("Compressed request bodies are not unpacked") {
   const Running server;
   for (const std::string encoding : {"gzip", "br", "deflate"}) {
-    const auto answer =
-        exchange(server.port(), post_text("/v1/evaluate", "{}", "Content-Encoding: " + encoding + "\r\n"));
+    const auto answer = ask(server.port(), post_text("/v1/evaluate", "{}", "Content-Encoding: " + encoding + "\r\n"));
     REQUIRE(answer);
     CHECK(answer->status == 415);
   }
@@ -173,8 +172,8 @@ TEST_CASE("Hidden line ends are refused and cannot forge a line of the log") {
   CHECK(get(server.port(), "/a%00b")->status == 400);
   CHECK(get(server.port(), "/?a=%0a")->status == 400);
   CHECK(get(server.port(), "/", "X: a%0d%0ab: c\r\n")->status == 400);
-  CHECK(exchange(server.port(), "GET /\x1b[31mred HTTP/1.1\r\n" + host + "\r\n")->status == 400);
-  CHECK(exchange(server.port(), "GET /\nforged HTTP/1.1\r\n" + host + "\r\n")->status == 400);
+  CHECK(ask(server.port(), "GET /\x1b[31mred HTTP/1.1\r\n" + host + "\r\n")->status == 400);
+  CHECK(ask(server.port(), "GET /\nforged HTTP/1.1\r\n" + host + "\r\n")->status == 400);
   server.stop();
   CHECK(server.log().find('\x1b') == std::string::npos);
   CHECK(server.log().find("\nforged") == std::string::npos);
@@ -190,10 +189,15 @@ TEST_CASE("Claimed addresses are not believed") {
 
 TEST_CASE("Long paths are answered on every kind of address") {
   const Running server;
+  const std::string frame = "GET  HTTP/1.1\r\n";
   for (const std::string start : {"/", "/v1/examples/", "/v1/nodes/", "/healthz/"}) {
-    const auto answer = get(server.port(), start + std::string(8000, 'a'));
-    REQUIRE(answer);
-    CHECK(answer->status == 404);
+    const std::size_t longest = 8192 - frame.size() - start.size();
+    for (const auto& [length, status] : {std::pair(longest, 404), std::pair(longest + 1, 414)}) {
+      const auto answer = get(server.port(), start + std::string(length, 'a'));
+      REQUIRE(answer);
+      CHECK(answer->status == status);
+      CHECK(answer->header("content-type") == "application/problem+json");
+    }
   }
 }
 
@@ -201,8 +205,8 @@ TEST_CASE("Only JSON is taken as a body") {
   const Running server;
   for (const std::string type :
        {"multipart/form-data; boundary=x", "application/x-www-form-urlencoded", "text/plain"}) {
-    const auto answer = exchange(server.port(), "POST /v1/evaluate HTTP/1.1\r\n" + host + "Content-Type: " + type +
-                                                    "\r\nContent-Length: 2\r\n\r\n{}");
+    const auto answer = ask(server.port(), "POST /v1/evaluate HTTP/1.1\r\n" + host + "Content-Type: " + type +
+                                               "\r\nContent-Length: 2\r\n\r\n{}");
     REQUIRE(answer);
     CHECK(answer->status == 415);
   }

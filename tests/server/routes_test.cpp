@@ -6,7 +6,7 @@ using namespace dini::testing;
 using dini::Json;
 
 std::optional<Answer> get_as(int port, const std::string& path, const std::string& host) {
-  return exchange(port, "GET " + path + " HTTP/1.1\r\nHost: " + host + "\r\n\r\n");
+  return ask(port, "GET " + path + " HTTP/1.1\r\nHost: " + host + "\r\n\r\n");
 }
 
 }  // namespace
@@ -14,6 +14,7 @@ std::optional<Answer> get_as(int port, const std::string& path, const std::strin
 TEST_CASE("The server says that it is well, what it is, and what its limits are") {
   const Running server;
   CHECK(get(server.port(), "/healthz")->json() == Json{{"status", "ok"}});
+  CHECK(get(server.port(), "/healthz?really?")->status == 200);
   const Json version = get(server.port(), "/version")->json();
   CHECK(version["engine"] == "0.0.0-toy");
   CHECK(version["limits"]["body_bytes"] == 1 << 20);

@@ -151,12 +151,6 @@ Result<Json> Engine::inspect(const InspectRequest& request, const Cancel& cancel
   return Json{{"type", "number"}, {"axes", Json::array()}, {"values", {1}}};
 }
 
-Result<Json> parse_json(std::string_view text, const Limits&) {
-  Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) return Problem{.code = "not-json", .detail = "This is not JSON."};
-  return json;
-}
-
 Json to_json(const Problems& problems) {
   Json list = Json::array();
   for (const Problem& problem : problems) {

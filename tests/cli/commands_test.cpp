@@ -1,0 +1,120 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "cli/exit_codes.h"
+#include "cli/terminal.h"
+#include "tests/cli/program.h"
+
+namespace {
+
+using dini::testing::run_dini;
+using Json = nlohmann::json;
+
+/// A toy graph with one parameter.
+std::string graph(const Json& inputs) {
+  return Json{{"format", 1},
+              {"parameters", {{"reach", {{"type", "number"}}}}},
+              {"nodes", {{"out", {{"inputs", inputs.is_null() ? Json::object() : inputs}}}}}}
+      .dump();
+}
+
+}  // namespace
+
+TEST_CASE("Wrong use is exit 2 and says how") {
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {},
+           {"dance"},
+           {"eval"},
+           {"eval", "-", "--quality", "best"},
+           {"eval", "-", "--deadline-ms", "0"},
+           {"eval", "-", "--threads", "0"},
+           {"eval", "-", "--set", "reach"},
+           {"eval", "-", "-o", "-", "--report", "-"},
+           {"eval", "-", "--instruction-set", "ABACUS"},
+           {"nodes", "--json", "--markdown"},
+           {"serve", "--port", "70000"},
+           {"serve", "--host", "0.0.0.0", "--port", "0"},
+       }) {
+    const auto outcome = run_dini(words, graph({}));
+    CAPTURE(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK_FALSE(outcome.err.empty());
+    CHECK(outcome.out.empty());
+  }
+  CHECK(run_dini({"eval", "-", "--instruction-set", "ABACUS"}, graph({})).err.find("WIDE NARROW") != std::string::npos);
+  CHECK(run_dini({"--help"}).code == 0);
+  CHECK(run_dini({"--version"}).code == 0);
+}
+
+TEST_CASE("A model goes to standard output or to a file, the report beside it") {
+  const auto outcome =
+      run_dini({"eval", "-", "-o", "-", "--threads", "1", "--instruction-set", "NARROW"}, graph({{"bytes", 3}}));
+  CHECK(outcome.code == 0);
+  CHECK(outcome.out == "ggg");
+
+  CHECK(run_dini({"eval", "-"}, graph({{"bytes", 3}})).out == "out: 3 bytes\n");
+
+  const auto file = std::filesystem::temp_directory_path() / "dini-eval-test.glb";
+  const auto reported =
+      run_dini({"eval", "-", "--set", "reach=2", "-o", file.string(), "--report", "-"}, graph({{"bytes", 4}}));
+  CHECK(reported.code == 0);
+  CHECK(Json::parse(reported.out)["model"]["bytes"] == 4);
+  CHECK(std::filesystem::file_size(file) == 4);
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("Each way to fail has its exit code") {
+  CHECK(run_dini({"eval", "-"}, "{").code == 3);
+  CHECK(run_dini({"eval", "-"}, graph({{"invalid", "out-of-range"}})).code == 3);
+  CHECK(run_dini({"eval", "-", "--set", "unknown=1"}, graph({})).code == 3);
+  CHECK(run_dini({"eval", "-"}, graph({{"invalid", "limit-exceeded"}})).code == 5);
+  CHECK(run_dini({"eval", "-"}, graph({{"problem", "degenerate"}})).code == 4);
+  CHECK(run_dini({"eval", "-"}, graph({{"problem", "check-failed"}})).code == 1);
+  CHECK(run_dini({"eval", "-", "--deadline-ms", "20"}, graph({{"milliseconds", 60'000}})).code == 5);
+  CHECK(run_dini({"eval", "/nowhere/graph.json"}).code == 6);
+  CHECK(run_dini({"eval", "/"}).code == 6);
+  CHECK(run_dini({"eval", "-", "-o", "/nowhere/out.glb"}, graph({})).code == 6);
+  CHECK(run_dini({"eval", "-"}, graph({{"throws", true}})).code == 70);
+}
+
+TEST_CASE("Problems are one line each, with code and place, harmless for the terminal") {
+  CHECK(run_dini({"eval", "-"}, graph({{"invalid", "out-of-range"}})).err ==
+        "error[out-of-range] out.amount: The toy was asked for 'out-of-range'.\n");
+  CHECK(run_dini({"eval", "-", "--set", "unknown=1"}, graph({})).err ==
+        "error[unknown-parameter] /parameters/unknown: There is no parameter 'unknown'.\n");
+  CHECK(dini::cli::printable("a\x1b]0;x\x07\xc2\x9b\xc3\xa9\x7f") == "a\\x1b]0;x\\x07\\x9b\xc3\xa9\\x7f");
+}
+
+TEST_CASE("Validation prints a verdict for people or for programs") {
+  const auto good = run_dini({"validate", "-"}, graph({}));
+  CHECK(good.code == 0);
+  CHECK(good.out == "valid (8 bytes)\n");
+  const auto wrong = run_dini({"validate", "-"}, graph({{"invalid", "type-mismatch"}}));
+  CHECK(wrong.code == 3);
+  CHECK(wrong.out == "error[type-mismatch] out.amount: The toy was asked for 'type-mismatch'.\n");
+  CHECK(Json::parse(run_dini({"validate", "-", "--json"}, graph({})).out)["valid"] == true);
+}
+
+TEST_CASE("Inspection prints the value on a wire") {
+  const auto outcome = run_dini({"inspect", "-", "out.asset", "--full"}, graph({}));
+  CHECK(outcome.code == 0);
+  CHECK(Json::parse(outcome.out)["type"] == "number");
+  CHECK(run_dini({"inspect", "-", "nobody"}, graph({})).code != 0);
+  CHECK(run_dini({"inspect", "-", "nobody"}, graph({{"invalid", "out-of-range"}})).code == 3);
+}
+
+TEST_CASE("The node types are listed in three ways") {
+  CHECK(run_dini({"nodes"}).out.find("toy ") == 0);
+  CHECK(Json::parse(run_dini({"nodes", "--json"}).out)["nodes"][0]["id"] == "toy");
+  const std::string page = run_dini({"nodes", "--markdown"}).out;
+  CHECK(page.find("## Toys\n\n### Toy (`toy`)\n\nWaits for a while.\n") != std::string::npos);
+  CHECK(page.find("| `milliseconds` | integer | `0` |") != std::string::npos);
+}
+
+TEST_CASE("Settings are JSON when they parse and text otherwise") {
+  CHECK(run_dini({"eval", "-", "--set", "reach=[1,2"}, graph({})).code == 0);
+  CHECK(run_dini({"eval", "-", "--set", "reach="}, graph({})).code == 0);
+  CHECK(run_dini({"eval", "-", "--set", "=1"}, graph({})).code == 2);
+}

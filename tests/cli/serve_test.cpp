@@ -1,0 +1,83 @@
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <signal.h>
+#include <thread>
+
+#include "tests/cli/program.h"
+#include "tests/server/client.h"
+
+namespace {
+
+using namespace dini::testing;
+
+/// `dini serve` on a free port.
+class Server {
+ public:
+  explicit Server(std::vector<std::string> options = {}) {
+    const auto file = std::filesystem::temp_directory_path() / ("dini-port-" + std::to_string(::getpid()));
+    std::filesystem::remove(file);
+    std::vector<std::string> words = {dini_path(), "serve", "--port", "0", "--port-file", file.string()};
+    words.insert(words.end(), options.begin(), options.end());
+    program_ = std::make_unique<Program>(words);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(15);
+    while (port_ == 0 && std::chrono::steady_clock::now() < deadline) {
+      std::ifstream(file) >> port_;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    std::filesystem::remove(file);
+    REQUIRE(port_ != 0);
+  }
+
+  int port() const { return port_; }
+  Program& program() { return *program_; }
+
+ private:
+  std::unique_ptr<Program> program_;
+  int port_ = 0;
+};
+
+}  // namespace
+
+TEST_CASE("The server says where it listens, and ends with 0 when told to") {
+  for (const int number : {SIGTERM, SIGINT}) {
+    Server server;
+    CHECK(get(server.port(), "/healthz")->status == 200);
+    Client idle(server.port());
+    server.program().signal(number);
+    const Outcome outcome = server.program().wait();
+    CHECK(outcome.code == 0);
+    CHECK(outcome.out.starts_with("Dini listens on http://127.0.0.1:" + std::to_string(server.port()) + "/\n"));
+    CHECK(outcome.err.find("GET /healthz 200") != std::string::npos);
+  }
+}
+
+TEST_CASE("A running request is finished before the server ends") {
+  Server server({"--log-level", "off"});
+  Client busy(server.port());
+  busy.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 500}, {"bytes", 2}})));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  server.program().signal(SIGTERM);
+  const auto answer = busy.receive();
+  REQUIRE(answer);
+  CHECK(answer->body == "gg");
+  const Outcome outcome = server.program().wait();
+  CHECK(outcome.code == 0);
+  CHECK(outcome.err.empty());
+}
+
+TEST_CASE("A token opens addresses other than loopback") {
+  Server server({"--host", "0.0.0.0", "--token", "swordfish"});
+  CHECK(get(server.port(), "/v1/nodes")->status == 401);
+  CHECK(get(server.port(), "/v1/nodes", "Authorization: Bearer swordfish\r\n")->status == 200);
+}
+
+TEST_CASE("A server that cannot start says why") {
+  Server server;
+  const Outcome taken = run_dini({"serve", "--port", std::to_string(server.port())});
+  CHECK(taken.code == 6);
+  CHECK(taken.err.starts_with("error[address]: Cannot listen on 127.0.0.1 port "));
+  CHECK(run_dini({"serve", "--port", "0", "--web", "/nowhere"}).code == 6);
+  CHECK(run_dini({"serve", "--port", "0", "--examples", "/nowhere"}).code != 0);
+}
