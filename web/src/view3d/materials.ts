@@ -1,0 +1,119 @@
+// Shading that looks like a lit studio and costs one texture read, so that it also runs without a GPU.
+
+import {
+  Color,
+  DataTexture,
+  DoubleSide,
+  LinearFilter,
+  MeshMatcapMaterial,
+  MeshNormalMaterial,
+  RGBAFormat,
+  SRGBColorSpace,
+  UnsignedByteType,
+  Vector3,
+  type Material,
+  type MeshStandardMaterial,
+} from "three";
+
+export type ShadingMode = "shaded" | "shaded-wire" | "wire" | "normals";
+
+const MATCAP_SIZE = 128;
+const DEFAULT_COLOR = new Color("#7f9df0");
+
+interface Light {
+  direction: Vector3;
+  strength: number;
+  wrap: number;
+}
+
+// Seen from the camera: x right, y up, z towards the eye.
+const KEY: Light = { direction: new Vector3(-0.45, 0.75, 0.65).normalize(), strength: 0.78, wrap: 0.25 };
+const FILL: Light = { direction: new Vector3(0.8, -0.1, 0.5).normalize(), strength: 0.2, wrap: 0.4 };
+const AMBIENT = 0.17;
+const SHININESS = 42;
+
+/** Light on a ball: RGB is the diffuse light, alpha the highlight, which the shader adds uncolored. */
+function studioMatcap(): DataTexture {
+  const data = new Uint8Array(4 * MATCAP_SIZE * MATCAP_SIZE);
+  const normal = new Vector3();
+  const half = KEY.direction.clone().add(new Vector3(0, 0, 1)).normalize();
+  for (let row = 0; row < MATCAP_SIZE; row++) {
+    for (let column = 0; column < MATCAP_SIZE; column++) {
+      const x = (2 * (column + 0.5)) / MATCAP_SIZE - 1;
+      const y = (2 * (row + 0.5)) / MATCAP_SIZE - 1;
+      const reach = Math.min(1, Math.hypot(x, y));
+      normal.set(x, y, Math.sqrt(1 - reach * reach)).normalize();
+      const edge = (1 - normal.z) ** 3;
+      const light = AMBIENT + lightOf(KEY, normal) + lightOf(FILL, normal) + 0.16 * edge * Math.max(0, normal.y + 0.4);
+      const at = 4 * (row * MATCAP_SIZE + column);
+      // Slightly warm in the light, slightly cool in the shade.
+      data[at] = byte(light * (0.97 + 0.04 * light));
+      data[at + 1] = byte(light * 0.985);
+      data[at + 2] = byte(light * (1.06 - 0.06 * light));
+      data[at + 3] = Math.round(255 * 0.5 * Math.max(0, normal.dot(half)) ** SHININESS);
+    }
+  }
+  const texture = new DataTexture(data, MATCAP_SIZE, MATCAP_SIZE, RGBAFormat, UnsignedByteType);
+  texture.colorSpace = SRGBColorSpace;
+  texture.magFilter = LinearFilter;
+  texture.minFilter = LinearFilter;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+function lightOf(light: Light, normal: Vector3): number {
+  return light.strength * Math.max(0, (normal.dot(light.direction) + light.wrap) / (1 + light.wrap));
+}
+
+/** Linear light to an sRGB byte. */
+function byte(linear: number): number {
+  const value = linear <= 0.0031308 ? 12.92 * linear : 1.055 * linear ** (1 / 2.4) - 0.055;
+  return Math.round(255 * Math.min(1, Math.max(0, value)));
+}
+
+/** Makes and shares the materials of one viewer. */
+export class Materials {
+  private readonly matcap = studioMatcap();
+  readonly normals = new MeshNormalMaterial({ side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+
+  /** The studio look of a model's own material: its color, opacity and vertex colors are kept. */
+  studio(source: Material, hasColors: boolean): MeshMatcapMaterial {
+    const own = (source as MeshStandardMaterial).color;
+    const plain = !own || (own.r === 1 && own.g === 1 && own.b === 1);
+    const color = hasColors ? (own ?? new Color(1, 1, 1)) : plain ? DEFAULT_COLOR : own;
+    const material = new MeshMatcapMaterial({
+      matcap: this.matcap,
+      color,
+      vertexColors: hasColors,
+      side: DoubleSide,
+      opacity: source.opacity,
+      transparent: source.transparent,
+      depthWrite: !source.transparent,
+      polygonOffset: true,
+      polygonOffsetFactor: 1,
+      polygonOffsetUnits: 1,
+    });
+    material.onBeforeCompile = (shader) => {
+      shader.fragmentShader = shader.fragmentShader
+        .replace(
+          "#include <color_fragment>",
+          // The inside of a surface is deeper and a little cooler, so that the two sides are told apart.
+          `#include <color_fragment>
+          if (!gl_FrontFacing) {
+            float grey = dot(diffuseColor.rgb, vec3(0.3, 0.5, 0.2));
+            diffuseColor.rgb = mix(diffuseColor.rgb, vec3(grey), 0.35) * vec3(0.42, 0.46, 0.62);
+          }`,
+        )
+        .replace(
+          "vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;",
+          "vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb * 1.25 + vec3(matcapColor.a);",
+        );
+    };
+    return material;
+  }
+
+  dispose(): void {
+    this.matcap.dispose();
+    this.normals.dispose();
+  }
+}
