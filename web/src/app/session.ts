@@ -159,18 +159,17 @@ export class Session {
     return { graph: document.json, parameters: values, output: fileOutput(document, catalogue) };
   }
 
+  /** Takes a viewer into use; one that replaces another is given what is shown. */
   viewerLoaded(viewer: PictureViewer): void {
     this.giveViewer(viewer);
+    this.viewer = Promise.resolve(viewer);
     this.shownViewer = viewer;
+    const { shown } = this.store.get();
+    if (shown) void viewer.decode(shown.model).then((picture) => viewer.show(picture, true));
   }
 
   viewerFailed(reason: string): void {
     this.refuseViewer(new Error(reason));
-  }
-
-  /** The viewer once it is there. */
-  get whenViewer(): Promise<PictureViewer> {
-    return this.viewer;
   }
 
   private open(document: GraphDocument, exampleId: string): void {

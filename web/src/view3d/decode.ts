@@ -38,7 +38,9 @@ export class Decoder {
     });
     try {
       const file = await Promise.race([this.loader.parseAsync(bytes.buffer, ""), late]);
-      return { ...count(file.scene), scene: file.scene, decodeMilliseconds: performance.now() - started, dispose: () => dispose(file.scene) };
+      const { scene } = file;
+      const decodeMilliseconds = performance.now() - started;
+      return { ...count(scene), scene, decodeMilliseconds, dispose: () => dispose(scene) };
     } finally {
       window.clearTimeout(timer);
     }
@@ -61,11 +63,12 @@ function count(scene: Object3D): { triangles: number; vertices: number } {
   return { triangles, vertices };
 }
 
-/** Frees GPU memory of everything below `root`. */
+/** Frees GPU memory of everything below `root`; materials of meshes are shared and stay (materials.ts). */
 export function dispose(root: Object3D): void {
   root.traverse((object) => {
     const drawn = object as Mesh;
     drawn.geometry?.dispose();
+    if (object instanceof Mesh) return;
     const materials = (Array.isArray(drawn.material) ? drawn.material : [drawn.material]) as (Material | undefined)[];
     for (const material of materials) material?.dispose();
   });

@@ -20,6 +20,9 @@ export type ShadingMode = "shaded" | "shaded-wire" | "wire" | "normals";
 const MATCAP_SIZE = 128;
 const DEFAULT_COLOR = new Color("#7f9df0");
 
+/** Pushes surfaces back a little, so that lines drawn on them are whole. */
+const BEHIND_LINES = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+
 interface Light {
   direction: Vector3;
   strength: number;
@@ -71,16 +74,38 @@ function byte(linear: number): number {
   return Math.round(255 * Math.min(1, Math.max(0, value)));
 }
 
-/** Makes and shares the materials of one viewer. */
+const MOST_KEPT = 64;
+
+/**
+ * Makes and shares the materials of one viewer. They outlive the models: a shader whose last material goes is compiled
+ * again for the next model, which takes longer than drawing it.
+ */
 export class Materials {
   private readonly matcap = studioMatcap();
-  readonly normals = new MeshNormalMaterial({ side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
+  private readonly kept = new Map<string, MeshMatcapMaterial>();
+  readonly normals = new MeshNormalMaterial({ side: DoubleSide, ...BEHIND_LINES });
 
   /** The studio look of a model's own material: its color, opacity and vertex colors are kept. */
   studio(source: Material, hasColors: boolean): MeshMatcapMaterial {
     const own = (source as MeshStandardMaterial).color;
     const plain = !own || (own.r === 1 && own.g === 1 && own.b === 1);
     const color = hasColors ? (own ?? new Color(1, 1, 1)) : plain ? DEFAULT_COLOR : own;
+    const key = `${color.getHex()} ${hasColors} ${source.opacity} ${source.transparent}`;
+    const found = this.kept.get(key);
+    if (found) return found;
+    if (this.kept.size >= MOST_KEPT) this.kept.clear();
+    const material = this.make(source, color, hasColors);
+    this.kept.set(key, material);
+    return material;
+  }
+
+  dispose(): void {
+    for (const material of this.kept.values()) material.dispose();
+    this.matcap.dispose();
+    this.normals.dispose();
+  }
+
+  private make(source: Material, color: Color, hasColors: boolean): MeshMatcapMaterial {
     const material = new MeshMatcapMaterial({
       matcap: this.matcap,
       color,
@@ -89,9 +114,7 @@ export class Materials {
       opacity: source.opacity,
       transparent: source.transparent,
       depthWrite: !source.transparent,
-      polygonOffset: true,
-      polygonOffsetFactor: 1,
-      polygonOffsetUnits: 1,
+      ...BEHIND_LINES,
     });
     material.onBeforeCompile = (shader) => {
       shader.fragmentShader = shader.fragmentShader
@@ -110,10 +133,5 @@ export class Materials {
         );
     };
     return material;
-  }
-
-  dispose(): void {
-    this.matcap.dispose();
-    this.normals.dispose();
   }
 }
