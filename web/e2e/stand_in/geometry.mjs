@@ -41,21 +41,25 @@ function sheet(rows, columns, at, color) {
 
 /** Vertex normals, equal where vertices coincide (closed surfaces). */
 export function normalsOf({ positions, indices }) {
-  const sums = new Map();
-  const key = (i) => [0, 1, 2].map((k) => Math.round(positions[3 * i + k] * 1e5)).join();
-  const corner = (i) => positions.slice(3 * i, 3 * i + 3);
+  const count = positions.length / 3;
+  const first = new Map();
+  const place = Array.from({ length: count }, (_, i) => {
+    const key = [0, 1, 2].reduce((sum, k) => sum * 4e5 + Math.round((positions[3 * i + k] + 20) * 1e4), 0);
+    if (!first.has(key)) first.set(key, i);
+    return 3 * first.get(key);
+  });
+  const sums = new Float64Array(3 * count);
   for (let t = 0; t < indices.length; t += 3) {
-    const [a, b, c] = [0, 1, 2].map((k) => corner(indices[t + k]));
-    const [p, q] = [add(b, scale(a, -1)), add(c, scale(a, -1))];
+    const [a, b, c] = [3 * indices[t], 3 * indices[t + 1], 3 * indices[t + 2]];
+    const p = [0, 1, 2].map((k) => positions[b + k] - positions[a + k]);
+    const q = [0, 1, 2].map((k) => positions[c + k] - positions[a + k]);
     const normal = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
-    for (let k = 0; k < 3; k++) sums.set(key(indices[t + k]), add(sums.get(key(indices[t + k])) ?? [0, 0, 0], normal));
+    for (let k = 0; k < 3; k++) for (let m = 0; m < 3; m++) sums[place[indices[t + k]] + m] += normal[m];
   }
-  const normals = [];
-  for (let i = 0; i < positions.length / 3; i++) {
-    const sum = sums.get(key(i)) ?? [0, 0, 1];
-    normals.push(...scale(sum, 1 / (Math.hypot(...sum) || 1)));
-  }
-  return normals;
+  return Array.from({ length: 3 * count }, (_, at) => {
+    const from = place[Math.floor(at / 3)];
+    return sums[from + (at % 3)] / (Math.hypot(sums[from], sums[from + 1], sums[from + 2]) || 1);
+  });
 }
 
 const SHAPES = {

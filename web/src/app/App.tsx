@@ -56,9 +56,13 @@ export function App({ session }: { session: Session }): ReactElement {
           />
         ) : (
           <>
-            {isOpen && <Examples />}
-            <SplitPane name="graph" label="Border between graph and model" direction="row" initial={0.46}>
-              {[<GraphPane key="graph" />, model]}
+            <SplitPane name="graph" label="Border between graph and model" direction="row" initial={0.54}>
+              {[
+                <SplitPane key="left" name="gallery" label="Border between graph and examples" direction="column" initial={0.56}>
+                  {[<GraphPane key="graph" />, isOpen && <Examples />]}
+                </SplitPane>,
+                model,
+              ]}
             </SplitPane>
           </>
         )}

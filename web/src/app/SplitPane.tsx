@@ -8,6 +8,7 @@ interface SplitPaneProps {
   direction: "row" | "column";
   /** Share of the first pane, 0 to 1. */
   initial: number;
+  /** The second may be false: then the first takes the whole place. */
   children: [ReactNode, ReactNode];
 }
 
@@ -31,12 +32,14 @@ export function SplitPane({ name, label, direction, initial, children }: SplitPa
     event.preventDefault();
     move(share + step);
   };
+  const isWhole = children[1] === false;
   return (
-    <div ref={element} className={`split split-${direction}`} style={{ "--share": share } as CSSProperties}>
+    <div ref={element} className={`split split-${direction}`} style={{ "--share": isWhole ? 1 : share } as CSSProperties}>
       <div className="split-first">{children[0]}</div>
       <div
         className="split-border"
         role="separator"
+        hidden={isWhole}
         tabIndex={0}
         aria-label={label}
         aria-orientation={direction === "row" ? "vertical" : "horizontal"}
@@ -48,7 +51,9 @@ export function SplitPane({ name, label, direction, initial, children }: SplitPa
         onDoubleClick={() => move(initial)}
         onKeyDown={onKeyDown}
       />
-      <div className="split-second">{children[1]}</div>
+      <div className="split-second" hidden={isWhole}>
+        {children[1]}
+      </div>
     </div>
   );
 }

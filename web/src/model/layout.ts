@@ -4,13 +4,13 @@ import type { Position } from "./document";
 import type { ViewGraph, ViewNode } from "./graph";
 
 /** Measures of a drawn node in pixels; the style sheet uses the same (graph.css). */
-export const NODE_WIDTH = 212;
+export const NODE_WIDTH = 192;
 export const HEADER_HEIGHT = 34;
 export const ROW_HEIGHT = 24;
 const NODE_PADDING = 12;
 
-const COLUMN_GAP = 72;
-const ROW_GAP = 28;
+const COLUMN_GAP = 54;
+const ROW_GAP = 22;
 const SWEEPS = 8;
 
 /** Height of a node with its inputs folded. */

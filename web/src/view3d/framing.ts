@@ -2,8 +2,8 @@
 
 import { Box3, Matrix4, Mesh, type BufferGeometry, type Object3D, type PerspectiveCamera, Vector3 } from "three";
 
-/** Share of the view's smaller half-angle that a framed model takes. */
-const FILL = 0.86;
+/** Share of the view that a framed model takes: what stands over the picture should not cover it. */
+const FILL = 0.8;
 const MOST_SAMPLES = 6000;
 
 export interface Framing {

@@ -30,10 +30,12 @@ interface Light {
 }
 
 // Seen from the camera: x right, y up, z towards the eye.
-const KEY: Light = { direction: new Vector3(-0.45, 0.75, 0.65).normalize(), strength: 0.78, wrap: 0.25 };
-const FILL: Light = { direction: new Vector3(0.8, -0.1, 0.5).normalize(), strength: 0.2, wrap: 0.4 };
-const AMBIENT = 0.17;
-const SHININESS = 42;
+const KEY: Light = { direction: new Vector3(-0.45, 0.75, 0.65).normalize(), strength: 0.74, wrap: 0.12 };
+const FILL: Light = { direction: new Vector3(0.8, -0.1, 0.5).normalize(), strength: 0.13, wrap: 0.3 };
+const AMBIENT = 0.1;
+const RIM = 0.3;
+const SHININESS = 110;
+const SHINE = 0.34;
 
 /** Light on a ball: RGB is the diffuse light, alpha the highlight, which the shader adds uncolored. */
 function studioMatcap(): DataTexture {
@@ -47,13 +49,13 @@ function studioMatcap(): DataTexture {
       const reach = Math.min(1, Math.hypot(x, y));
       normal.set(x, y, Math.sqrt(1 - reach * reach)).normalize();
       const edge = (1 - normal.z) ** 3;
-      const light = AMBIENT + lightOf(KEY, normal) + lightOf(FILL, normal) + 0.16 * edge * Math.max(0, normal.y + 0.4);
+      const light = AMBIENT + lightOf(KEY, normal) + lightOf(FILL, normal) + RIM * edge * Math.max(0, normal.y + 0.5);
       const at = 4 * (row * MATCAP_SIZE + column);
       // Slightly warm in the light, slightly cool in the shade.
       data[at] = byte(light * (0.97 + 0.04 * light));
       data[at + 1] = byte(light * 0.985);
       data[at + 2] = byte(light * (1.06 - 0.06 * light));
-      data[at + 3] = Math.round(255 * 0.5 * Math.max(0, normal.dot(half)) ** SHININESS);
+      data[at + 3] = Math.round(255 * SHINE * Math.max(0, normal.dot(half)) ** SHININESS);
     }
   }
   const texture = new DataTexture(data, MATCAP_SIZE, MATCAP_SIZE, RGBAFormat, UnsignedByteType);
@@ -129,7 +131,7 @@ export class Materials {
         )
         .replace(
           "vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;",
-          "vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb * 1.25 + vec3(matcapColor.a);",
+          "vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb * 1.2 + vec3(matcapColor.a);",
         );
     };
     return material;
