@@ -22,7 +22,7 @@ const circle = (center, tilt, radius, v) => {
 };
 
 /** A mesh over (u, v) in [0,1]², `rows` by `columns` quads. */
-function sheet(rows, columns, at, color) {
+function sheet(rows, columns, at, color, flipped = false) {
   const positions = [];
   const uvs = [];
   const indices = [];
@@ -33,7 +33,8 @@ function sheet(rows, columns, at, color) {
       if (i === rows || j === columns) continue;
       const corner = i * (columns + 1) + j;
       const across = corner + columns + 1;
-      indices.push(corner, across, corner + 1, corner + 1, across, across + 1);
+      const [p, q] = flipped ? [corner + 1, across] : [across, corner + 1];
+      indices.push(corner, p, q, across + 1, q, p);
     }
   }
   return { positions, uvs, indices, color };
@@ -64,16 +65,16 @@ export function normalsOf({ positions, indices }) {
 
 const SHAPES = {
   fig02_circle_family: (p, n) => [
-    sheet(n(96), n(96), (u, v) => boost(circle([0.9, 0, 0], (p.tilt * Math.PI) / 180, 0.5, v), [0, 0, 0], [0, 0.1, u * p.reach]), null),
+    sheet(n(96), n(96), (u, v) => boost(circle([0.9, 0, 0], (p.tilt * Math.PI) / 180, 0.5, v), [0, 0, 0], [0, 0.1, u * p.reach]), null, true),
   ],
   fig04_boosted_ring: (p, n) => [
-    sheet(n(p.bands), n(128), (u, v) => boost(circle([0, 0, 0], 0, 1, v), [0, 0, p.height], [0, 0, u * p.reach]), p.tint),
+    sheet(n(p.bands), n(128), (u, v) => boost(circle([0, 0, 0], 0, 1, v), [0, 0, p.height], [0, 0, u * p.reach]), p.tint, true),
   ],
   fig05_twisted_ring: (p, n) => [
     sheet(n(192), n(128), (u, v) => {
       const boosted = boost(circle(p.center, 0.35, 1, v), [0, 0, 1.5], [0, 0, u * p.reach]);
       return add(turnZ(boosted, (u * p.turn * Math.PI) / 180), [0, 0, u * p.slide]);
-    }, null),
+    }, null, true),
   ],
   fig06_hopf_fibres: (p, n) =>
     Array.from({ length: p.fibres }, (_, index) => {

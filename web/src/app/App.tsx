@@ -58,7 +58,7 @@ export function App({ session }: { session: Session }): ReactElement {
           <>
             <SplitPane name="graph" label="Border between graph and model" direction="row" initial={0.54}>
               {[
-                <SplitPane key="left" name="gallery" label="Border between graph and examples" direction="column" initial={0.56}>
+                <SplitPane key="left" name="gallery" label="Border between graph and examples" direction="column" initial={0.515}>
                   {[<GraphPane key="graph" />, isOpen && <Examples />]}
                 </SplitPane>,
                 model,

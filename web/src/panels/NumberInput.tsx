@@ -24,7 +24,13 @@ const PIXELS_PER_STEP = 4;
 export function NumberInput(props: NumberInputProps): ReactElement {
   const { id, label, value, decimals, unit = "", step, invalid, describedBy, onType, onMove, onUnreadable } = props;
   const [text, setText] = useState<string | null>(null);
+  const [textFor, setTextFor] = useState(value);
   const drag = useRef({ x: 0, value: 0, moved: false });
+  // A value that comes from elsewhere (the bar, a reset) replaces what is being typed.
+  if (textFor !== value) {
+    setTextFor(value);
+    setText(null);
+  }
 
   const commit = (): void => {
     if (text === null) return;

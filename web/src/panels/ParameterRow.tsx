@@ -25,11 +25,17 @@ export function ParameterRow({ parameter }: { parameter: Parameter }): ReactElem
   const value = useCurrent((state) => valueOf(parameter, state.values));
   const problem = useCurrent((state) => state.problem);
   const [unreadable, setUnreadable] = useState("");
+  const [resets, setResets] = useState(0);
   const error = unreadable || parameterErrors(problem, parameter.name)[0]?.detail || "";
   const isChanged = !sameValue(value, parameter.initial);
   const set = (next: ParameterValue, moving: boolean): void => {
     setUnreadable("");
     session.setParameter(parameter, next, moving);
+  };
+  const reset = (): void => {
+    // Also drops a text in the field that never became a value.
+    setResets(resets + 1);
+    set(parameter.initial, true);
   };
   const described = [parameter.description && `${id}-about`, error && `${id}-error`].filter(Boolean).join(" ");
   const field: FieldProps = {
@@ -43,17 +49,22 @@ export function ParameterRow({ parameter }: { parameter: Parameter }): ReactElem
   };
   return (
     <div className="parameter" data-invalid={error !== ""} data-parameter={parameter.name}>
-      <label className="parameter-label" htmlFor={id} title={`${parameter.name}: double-click for the default`} onDoubleClick={() => set(parameter.initial, true)}>
+      <label
+        className="parameter-label"
+        htmlFor={id}
+        title={`${parameter.name}: double-click for the default`}
+        onDoubleClick={reset}
+      >
         {parameter.label}
       </label>
-      <Field {...field} />
+      <Field key={resets} {...field} />
       <button
         type="button"
         className="reset"
         aria-label={`Reset ${parameter.label}`}
         title="Back to the default"
         disabled={!isChanged && !unreadable}
-        onClick={() => set(parameter.initial, true)}
+        onClick={reset}
       >
         <Icon name="reset" />
       </button>

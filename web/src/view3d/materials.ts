@@ -32,7 +32,7 @@ interface Light {
 // Seen from the camera: x right, y up, z towards the eye.
 const KEY: Light = { direction: new Vector3(-0.45, 0.75, 0.65).normalize(), strength: 0.74, wrap: 0.12 };
 const FILL: Light = { direction: new Vector3(0.8, -0.1, 0.5).normalize(), strength: 0.13, wrap: 0.3 };
-const AMBIENT = 0.1;
+const AMBIENT = 0.13;
 const RIM = 0.3;
 const SHININESS = 110;
 const SHINE = 0.34;
@@ -122,12 +122,10 @@ export class Materials {
       shader.fragmentShader = shader.fragmentShader
         .replace(
           "#include <color_fragment>",
-          // The inside of a surface is deeper and a little cooler, so that the two sides are told apart.
+          // The back of a surface is deeper in color and a little darker, so that the two sides are told apart. It is
+          // never dull: which side of an open surface is the front is chance.
           `#include <color_fragment>
-          if (!gl_FrontFacing) {
-            float grey = dot(diffuseColor.rgb, vec3(0.3, 0.5, 0.2));
-            diffuseColor.rgb = mix(diffuseColor.rgb, vec3(grey), 0.35) * vec3(0.42, 0.46, 0.62);
-          }`,
+          if (!gl_FrontFacing) diffuseColor.rgb *= 0.78 * mix(vec3(1.0), diffuseColor.rgb + 0.25, 0.65);`,
         )
         .replace(
           "vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;",
