@@ -130,7 +130,8 @@ function filesBelow(folder) {
 
 function compress(folder) {
   for (const file of filesBelow(folder)) {
-    if (/\.(js|css|html|svg|wasm|txt)$/.test(file)) writeFileSync(`${file}.gz`, gzipSync(readFileSync(file), { level: 9 }));
+    if (/\.(js|css|html|svg|wasm|txt)$/.test(file))
+      writeFileSync(`${file}.gz`, gzipSync(readFileSync(file), { level: 9 }));
   }
 }
 

@@ -13,9 +13,18 @@ const root = path.resolve(here, "../..");
 const program = process.env.DINI_PROGRAM ?? path.join(root, "build/release/dini");
 
 const CHROMIUM_ARGUMENTS = [
-  "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage", "--hide-scrollbars",
-  "--force-device-scale-factor=1", "--mute-audio", "--disable-quic", "--no-first-run", "--disable-background-networking",
-  "--disable-component-update", "--disable-sync",
+  "--no-sandbox",
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+  "--disable-dev-shm-usage",
+  "--hide-scrollbars",
+  "--force-device-scale-factor=1",
+  "--mute-audio",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
 ];
 
 /** A server of our own that can be stopped and started again at the same address. */
@@ -33,7 +42,10 @@ export class Server {
     const common = ["--port", port, "--port-file", portFile];
     const [command, parts] = this.isStandIn
       ? [process.execPath, [path.join(here, "stand_in/main.mjs"), ...common]]
-      : [program, ["serve", ...common, "--web", path.join(root, "web/dist"), "--examples", path.join(root, "examples")]];
+      : [
+          program,
+          ["serve", ...common, "--web", path.join(root, "web/dist"), "--examples", path.join(root, "examples")],
+        ];
     this.#child = spawn(command, parts, { stdio: ["ignore", "ignore", "inherit"] });
     const limit = Date.now() + 15_000;
     const written = () => existsSync(portFile) && readFileSync(portFile, "utf8").trim() !== "";
@@ -55,7 +67,11 @@ export class Server {
 }
 
 export function launchBrowser() {
-  return chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium", headless: true, args: CHROMIUM_ARGUMENTS });
+  return chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    headless: true,
+    args: CHROMIUM_ARGUMENTS,
+  });
 }
 
 /** A page that keeps account of everything that must not happen: `page.offences`. */
@@ -64,32 +80,45 @@ export async function openPage(browser, url, options = {}) {
   const context = await browser.newContext({ viewport: { width, height }, colorScheme: theme, acceptDownloads: true });
   await context.addInitScript(() => {
     window.cspViolations = [];
-    document.addEventListener("securitypolicyviolation", (event) => window.cspViolations.push(event.violatedDirective + " " + event.blockedURI));
+    document.addEventListener("securitypolicyviolation", (event) =>
+      window.cspViolations.push(event.violatedDirective + " " + event.blockedURI),
+    );
   });
   const page = await context.newPage();
   const offences = [];
   const origin = new URL(url).origin;
   page.on("console", (message) => {
     // The browser itself reports refused evaluations (422) and a server that is away as errors.
-    const isAnswer = /Failed to load resource: (the server responded with a status of 422|net::ERR_(CONNECTION|EMPTY))/.test(message.text());
+    const isAnswer =
+      /Failed to load resource: (the server responded with a status of 422|net::ERR_(CONNECTION|EMPTY))/.test(
+        message.text(),
+      );
     const isAllowed = isAnswer && (expectOutage || message.text().includes("422"));
     if (message.type() === "error" && !isAllowed) offences.push(`console: ${message.text()}`);
   });
   page.on("pageerror", (error) => offences.push(`error: ${error.message}`));
   page.on("request", (request) => {
-    if (!/^(blob|data):/.test(request.url()) && new URL(request.url()).origin !== origin) offences.push(`request to ${request.url()}`);
+    if (!/^(blob|data):/.test(request.url()) && new URL(request.url()).origin !== origin)
+      offences.push(`request to ${request.url()}`);
   });
   await page.goto(`${url}/${hash}`);
-  page.offences = async () => [...offences, ...(await page.evaluate(() => window.cspViolations)).map((text) => `policy: ${text}`)];
+  page.offences = async () => [
+    ...offences,
+    ...(await page.evaluate(() => window.cspViolations)).map((text) => `policy: ${text}`),
+  ];
   return page;
 }
 
 /** Waits until the newest input is shown in full quality. */
 export async function settled(page, timeout = 30_000) {
-  await page.waitForFunction(() => {
-    const { state, revision, shown, quality } = document.documentElement.dataset;
-    return state === "idle" && revision === shown && quality === "final";
-  }, undefined, { timeout });
+  await page.waitForFunction(
+    () => {
+      const { state, revision, shown, quality } = document.documentElement.dataset;
+      return state === "idle" && revision === shown && quality === "final";
+    },
+    undefined,
+    { timeout },
+  );
 }
 
 /** Share of the model view's pixels that differ clearly from its corners' background. */
@@ -111,7 +140,10 @@ export async function coverage(page) {
       const edge = 4 * (row * image.width + 2);
       for (let column = 0; column < image.width; column++) {
         const at = 4 * (row * image.width + column);
-        const distance = Math.abs(pixels[at] - pixels[edge]) + Math.abs(pixels[at + 1] - pixels[edge + 1]) + Math.abs(pixels[at + 2] - pixels[edge + 2]);
+        const distance =
+          Math.abs(pixels[at] - pixels[edge]) +
+          Math.abs(pixels[at + 1] - pixels[edge + 1]) +
+          Math.abs(pixels[at + 2] - pixels[edge + 2]);
         if (distance > 60) different++;
       }
     }

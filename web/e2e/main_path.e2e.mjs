@@ -9,11 +9,13 @@ const RING = "fig04_boosted_ring";
 const server = new Server();
 let browser;
 let ring;
+let count;
 
 before(async () => {
   await server.start();
   browser = await launchBrowser();
   const { examples } = await (await fetch(`${server.url}/v1/examples`)).json();
+  count = examples.length;
   ring = examples.find((item) => item.id === RING);
 });
 
@@ -24,7 +26,9 @@ after(async () => {
 
 /** The first number parameter with a range: the one the tests drag and mistype. */
 function rangedParameter() {
-  const [name, item] = Object.entries(ring.graph.parameters).find(([, one]) => one.type === "number" && one.min !== undefined && one.max !== undefined);
+  const [name, item] = Object.entries(ring.graph.parameters).find(
+    ([, one]) => one.type === "number" && one.min !== undefined && one.max !== undefined,
+  );
   return { name, label: item.label ?? name, ...item };
 }
 
@@ -44,7 +48,7 @@ test("the page opens with a finished example, and the gallery opens another", ()
     const first = await coverage(page);
     assert.ok(first > 0.05 && first < 0.95, `share of the view that is not background: ${first}`);
     const gallery = page.getByRole("navigation", { name: "Examples" });
-    assert.equal(await gallery.getByRole("listitem").count(), 6);
+    assert.equal(await gallery.getByRole("listitem").count(), count);
     await gallery.getByRole("button", { name: ring.title }).click();
     await page.waitForFunction((id) => location.hash === `#example=${id}`, RING);
     await settled(page);
@@ -56,8 +60,12 @@ test("the page opens with a finished example, and the gallery opens another", ()
 test("the gallery makes a picture of every example", () =>
   withPage({}, async (page) => {
     await settled(page);
-    await page.waitForFunction(() => document.querySelectorAll(".card-picture img").length === 6, undefined, { timeout: 60_000 });
-    const wide = await page.evaluate(() => [...document.querySelectorAll(".card-picture img")].every((image) => image.complete && image.naturalWidth > 0));
+    await page.waitForFunction((all) => document.querySelectorAll(".card-picture img").length === all, count, {
+      timeout: 60_000,
+    });
+    const wide = await page.evaluate(() =>
+      [...document.querySelectorAll(".card-picture img")].every((image) => image.complete && image.naturalWidth > 0),
+    );
     assert.ok(wide);
   }));
 
@@ -69,7 +77,9 @@ test("an address opens its example, drawn as a graph of named nodes and sockets"
     for (const id of nodes) await graph.getByRole("group", { name: new RegExp(`, ${id}$`) }).waitFor();
     assert.ok((await graph.getByRole("button", { name: /^Output .* of / }).count()) >= nodes.length);
     assert.ok((await graph.getByRole("button", { name: /^Input .* of / }).count()) > 0);
-    const boxes = await graph.locator(".node").evaluateAll((list) => list.map((item) => item.getBoundingClientRect().toJSON()));
+    const boxes = await graph
+      .locator(".node")
+      .evaluateAll((list) => list.map((item) => item.getBoundingClientRect().toJSON()));
     for (const a of boxes) {
       for (const b of boxes) {
         if (a === b) continue;
@@ -148,7 +158,10 @@ test("a value out of range is refused next to its field, and the last picture st
     const share = await coverage(page);
     assert.ok(share > 0.04, `the last picture stays: ${share}`);
     await page.getByRole("tab", { name: /Problems/ }).click();
-    await page.getByRole("tabpanel", { name: /Problems/ }).getByText(String(parameter.max + 5)).waitFor();
+    await page
+      .getByRole("tabpanel", { name: /Problems/ })
+      .getByText(String(parameter.max + 5))
+      .waitFor();
     await page.getByRole("tab", { name: "Controls" }).click();
     await page.getByRole("slider", { name: parameter.label, exact: true }).press("Home");
     await settled(page);
@@ -159,7 +172,10 @@ test("a value out of range is refused next to its field, and the last picture st
 test("the download is a GLB in full quality, named after the example", () =>
   withPage({ hash: `#example=${RING}` }, async (page) => {
     await settled(page);
-    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Download GLB" }).click()]);
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      page.getByRole("button", { name: "Download GLB" }).click(),
+    ]);
     assert.match(download.suggestedFilename(), /^[a-z0-9-]+\.glb$/);
     const bytes = readFileSync(await download.path());
     assert.equal(bytes.toString("latin1", 0, 4), "glTF");

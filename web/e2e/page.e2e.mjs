@@ -54,11 +54,20 @@ test("text is readable in both themes", async () => {
         const style = getComputedStyle(document.documentElement);
         const luminance = (name) => {
           const hex = style.getPropertyValue(name).trim();
-          const [r, g, b] = [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255).map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));
+          const [r, g, b] = [1, 3, 5]
+            .map((at) => parseInt(hex.slice(at, at + 2), 16) / 255)
+            .map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));
           return 0.2126 * r + 0.7152 * g + 0.0722 * b;
         };
-        const pairs = ["--text", "--text2", "--text3", "--error", "--accent-text"].flatMap((text) => ["--bg0", "--bg1", "--bg2"].map((ground) => [text, ground]));
-        pairs.push(["--error", "--error-soft"], ["--accent-text", "--accent-soft"], ["--text", "--warning-soft"], ["--text", "--bg3"]);
+        const pairs = ["--text", "--text2", "--text3", "--error", "--accent-text"].flatMap((text) =>
+          ["--bg0", "--bg1", "--bg2"].map((ground) => [text, ground]),
+        );
+        pairs.push(
+          ["--error", "--error-soft"],
+          ["--accent-text", "--accent-soft"],
+          ["--text", "--warning-soft"],
+          ["--text", "--bg3"],
+        );
         return pairs
           .map(([text, ground]) => {
             const [a, b] = [luminance(text), luminance(ground)].sort((x, y) => y - x);
@@ -76,7 +85,9 @@ test("every button and field has a name", () =>
     await settled(page);
     const nameless = await page.evaluate(() =>
       [...document.querySelectorAll("button, input, select, [role=slider], [role=separator], [role=tab]")]
-        .filter((item) => !(item.getAttribute("aria-label") || item.textContent.trim() || item.labels?.[0]?.textContent))
+        .filter(
+          (item) => !(item.getAttribute("aria-label") || item.textContent.trim() || item.labels?.[0]?.textContent),
+        )
         .map((item) => item.outerHTML.slice(0, 120)),
     );
     assert.deepEqual(nameless, []);
@@ -113,7 +124,8 @@ test("shading, grid and axes can be chosen, and the view is turned with mouse an
       assert.ok(!picture.equals(last), what);
       last = picture;
     };
-    for (const mode of ["Lines", "Wire", "Normals", "Shaded"]) await changed(mode, () => page.getByRole("radio", { name: mode, exact: true }).click());
+    for (const mode of ["Lines", "Wire", "Normals", "Shaded"])
+      await changed(mode, () => page.getByRole("radio", { name: mode, exact: true }).click());
     await changed("grid", () => page.getByRole("button", { name: "Grid" }).click());
     await changed("axes", () => page.getByRole("button", { name: "Axes" }).click());
     const { x, y, width, height } = await canvas.boundingBox();
@@ -140,16 +152,20 @@ test("choosing a node tells what it is", () =>
     assert.ok((await panel.getByRole("row").count()) > 0);
   }));
 
-test("a server that goes away is announced, and the page goes on by itself when it is back", { skip: !server.isOurs }, () =>
-  withPage({ expectOutage: true }, async (page) => {
-    await settled(page);
-    await server.stop();
-    const slider = page.getByRole("slider").first();
-    await slider.press("PageUp");
-    await page.getByText("The server does not answer.").waitFor();
-    assert.equal(await page.evaluate(() => document.documentElement.dataset.state), "error");
-    assert.ok((await coverage(page)) > 0.03, "the last picture stays");
-    await server.start();
-    await settled(page);
-    assert.equal(await page.getByText("The server does not answer.").count(), 0);
-  }));
+test(
+  "a server that goes away is announced, and the page goes on by itself when it is back",
+  { skip: !server.isOurs },
+  () =>
+    withPage({ expectOutage: true }, async (page) => {
+      await settled(page);
+      await server.stop();
+      const slider = page.getByRole("slider").first();
+      await slider.press("PageUp");
+      await page.getByText("The server does not answer.").waitFor();
+      assert.equal(await page.evaluate(() => document.documentElement.dataset.state), "error");
+      assert.ok((await coverage(page)) > 0.03, "the last picture stays");
+      await server.start();
+      await settled(page);
+      assert.equal(await page.getByText("The server does not answer.").count(), 0);
+    }),
+);

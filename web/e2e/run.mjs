@@ -7,7 +7,9 @@ import { fileURLToPath } from "node:url";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 const chosen = process.argv.slice(2);
-const files = readdirSync(here).filter((name) => name.endsWith(".e2e.mjs") && (chosen.length === 0 || chosen.includes(name)));
+const files = readdirSync(here).filter(
+  (name) => name.endsWith(".e2e.mjs") && (chosen.length === 0 || chosen.includes(name)),
+);
 // One file after the other: the browser draws on the processor, and the pictures of two at once take too long.
 for (const file of files) {
   const { status } = spawnSync(process.execPath, ["--test", path.join(here, file)], { stdio: "inherit" });

@@ -18,7 +18,9 @@ const IDS =
   "torus_mesh box_mesh import subdivide merge color curvature_color measure check export";
 
 // Ids that are also parameter types, words of CSS, SVG or the DOM, or names of the page's own things (icons, settings).
-const ORDINARY = new Set("number vector point circle line color grid range list scale rotate translate check add patch".split(" "));
+const ORDINARY = new Set(
+  "number vector point circle line color grid range list scale rotate translate check add patch".split(" "),
+);
 
 function sources(folder: string): string[] {
   return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {
@@ -30,7 +32,9 @@ function sources(folder: string): string[] {
 test("no source file names a node of the catalogue", () => {
   const ids = new Set([...IDS.split(" "), ...cards.nodes.map((card) => card.id)]);
   for (const file of sources("src").filter((name) => /\.tsx?$/.test(name))) {
-    const text = readFileSync(file, "utf8").replace(/^\s*(\/\/|\*|\/\*).*$/gm, "").replace(/^(import|export)\b.*$/gm, "");
+    const text = readFileSync(file, "utf8")
+      .replace(/^\s*(\/\/|\*|\/\*).*$/gm, "")
+      .replace(/^(import|export)\b.*$/gm, "");
     for (const [, , literal = ""] of text.matchAll(/(["'`])([a-z_]+)\1/g)) {
       assert.ok(!ids.has(literal) || ORDINARY.has(literal), `${file} names the node "${literal}"`);
     }
@@ -45,7 +49,10 @@ test("renaming every node type changes nothing but the names", () => {
   const renamed = { ...cards, nodes: cards.nodes.map((card) => ({ ...card, id: rename(card.id) })) };
   for (const example of examples) {
     const nodes = Object.fromEntries(
-      Object.entries(example.graph.nodes as Record<string, { type: string }>).map(([id, node]) => [id, { ...node, type: rename(node.type) }]),
+      Object.entries(example.graph.nodes as Record<string, { type: string }>).map(([id, node]) => [
+        id,
+        { ...node, type: rename(node.type) },
+      ]),
     );
     const [before, after] = [
       { graph: example.graph as Json, catalogue: readCatalogue(cards as Json) },
@@ -54,7 +61,11 @@ test("renaming every node type changes nothing but the names", () => {
       const result = readDocument(graph);
       if ("error" in result) throw new Error(result.error);
       const view = viewGraph(result.document, catalogue);
-      return { wires: view.wires, nodes: view.nodes.map((node) => ({ ...node, type: "" })), output: fileOutput(result.document, catalogue) };
+      return {
+        wires: view.wires,
+        nodes: view.nodes.map((node) => ({ ...node, type: "" })),
+        output: fileOutput(result.document, catalogue),
+      };
     });
     assert.deepEqual(after, before);
   }

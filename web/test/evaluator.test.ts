@@ -19,7 +19,16 @@ function bodyOf(answer: Answer): number {
 /** An evaluator whose server answers after the given times; bodies are numbers from 0 to 255. */
 function setUp({ evaluate = () => 10, decode = () => 5, answer }: Setup = {}) {
   const clock = new FakeClock();
-  const log = { shown: [] as (Stamp & { body: number })[], failed: [] as Stamp[], sent: [] as string[], away: 0, busy: false, most: 0, live: 0, aborted: 0 };
+  const log = {
+    shown: [] as (Stamp & { body: number })[],
+    failed: [] as Stamp[],
+    sent: [] as string[],
+    away: 0,
+    busy: false,
+    most: 0,
+    live: 0,
+    aborted: 0,
+  };
   const modelOf = (body: number): Answer => ({ kind: "model", report: readReport({}), model: new Uint8Array([body]) });
   const evaluator = new Evaluator<number, number>({
     async send(body, quality, signal) {
@@ -56,7 +65,8 @@ function setUp({ evaluate = () => 10, decode = () => 5, answer }: Setup = {}) {
 
 function assertNeverOlder(shown: Stamp[]): void {
   const ranks = shown.map((stamp) => 2 * stamp.revision + (stamp.quality === "final" ? 1 : 0));
-  for (let i = 1; i < ranks.length; i++) assert.ok((ranks[i] ?? 0) > (ranks[i - 1] ?? 0), `shown in order: ${ranks.join()}`);
+  for (let i = 1; i < ranks.length; i++)
+    assert.ok((ranks[i] ?? 0) > (ranks[i - 1] ?? 0), `shown in order: ${ranks.join()}`);
 }
 
 test("one input that does not move asks for the full quality at once", async () => {
@@ -85,7 +95,10 @@ test("never more than two in flight, never an older picture, always the newest a
   for (let seed = 1; seed <= 40; seed++) {
     let state = seed;
     const random = (below: number): number => (state = (state * 48271) % 2147483647) % below;
-    const { clock, evaluator, log } = setUp({ evaluate: (_, quality) => random(quality === "final" ? 400 : 150), decode: () => random(120) });
+    const { clock, evaluator, log } = setUp({
+      evaluate: (_, quality) => random(quality === "final" ? 400 : 150),
+      decode: () => random(120),
+    });
     const inputs = 20 + random(40);
     for (let body = 1; body <= inputs; body++) {
       evaluator.input(body, random(10) > 0);
@@ -132,7 +145,9 @@ test("a full evaluation is dropped when the slider moves again", async () => {
 
 test("a refused value is reported for the newest input only", async () => {
   const refuse: Setup["answer"] = (body) =>
-    body === 2 ? { kind: "problem", problem: localProblem("wrong", "") } : { kind: "model", report: readReport({}), model: new Uint8Array([body]) };
+    body === 2
+      ? { kind: "problem", problem: localProblem("wrong", "") }
+      : { kind: "model", report: readReport({}), model: new Uint8Array([body]) };
   const { clock, evaluator, log } = setUp({ answer: refuse });
   evaluator.input(1, false);
   await clock.advance(100);
@@ -148,7 +163,9 @@ test("a refused value is reported for the newest input only", async () => {
 
 test("a request the server dropped for a newer one is no failure", async () => {
   const answer: Setup["answer"] = (body) =>
-    body === 1 ? { kind: "problem", problem: { ...localProblem("superseded", ""), status: 409 } } : { kind: "model", report: readReport({}), model: new Uint8Array([body]) };
+    body === 1
+      ? { kind: "problem", problem: { ...localProblem("superseded", ""), status: 409 } }
+      : { kind: "model", report: readReport({}), model: new Uint8Array([body]) };
   const { clock, evaluator, log } = setUp({ answer });
   evaluator.input(1, true);
   evaluator.input(2, true);
@@ -159,7 +176,8 @@ test("a request the server dropped for a newer one is no failure", async () => {
 
 test("a server that is away is asked again until it answers, for the newest input", async () => {
   let isAway = true;
-  const answer: Setup["answer"] = (body) => (isAway ? { kind: "away" } : { kind: "model", report: readReport({}), model: new Uint8Array([body]) });
+  const answer: Setup["answer"] = (body) =>
+    isAway ? { kind: "away" } : { kind: "model", report: readReport({}), model: new Uint8Array([body]) };
   const { clock, evaluator, log } = setUp({ answer });
   evaluator.input(1, false);
   await clock.advance(2000);

@@ -19,7 +19,11 @@ function open(json: Json): GraphDocument {
 function assertNoOverlap(view: ViewGraph): void {
   const places = layeredLayout(view);
   assert.equal(places.size, view.nodes.length);
-  const boxes = view.nodes.map((node) => ({ ...(places.get(node.id) ?? { x: 0, y: 0 }), id: node.id, height: nodeHeight(node) }));
+  const boxes = view.nodes.map((node) => ({
+    ...(places.get(node.id) ?? { x: 0, y: 0 }),
+    id: node.id,
+    height: nodeHeight(node),
+  }));
   for (const a of boxes) {
     for (const b of boxes) {
       if (a === b || Math.abs(a.x - b.x) >= NODE_WIDTH) continue;
@@ -51,7 +55,10 @@ test("a transform's wire has the type of what went in", () => {
     parameters: { reach: { type: "number", default: 1, label: "How far" } },
   });
   const view = viewGraph(graph, catalogue);
-  assert.deepEqual(view.wires.map((wire) => wire.type), ["mesh", "mesh", "mesh", "mesh"]);
+  assert.deepEqual(
+    view.wires.map((wire) => wire.type),
+    ["mesh", "mesh", "mesh", "mesh"],
+  );
   const row = view.nodes[1]?.inputs.find((input) => input.name === "amount");
   assert.equal(row?.parameter, "How far");
 });
@@ -87,7 +94,11 @@ test("links name a node, and an output where there are several", () => {
 });
 
 test("positions are read from ui", () => {
-  const document = open({ format: 1, nodes: { a: { type: "x" } }, ui: { nodes: { a: { x: 3, y: -4 }, ghost: { x: 1, y: 1 } } } });
+  const document = open({
+    format: 1,
+    nodes: { a: { type: "x" } },
+    ui: { nodes: { a: { x: 3, y: -4 }, ghost: { x: 1, y: 1 } } },
+  });
   assert.deepEqual([...document.positions], [["a", { x: 3, y: -4 }]]);
 });
 

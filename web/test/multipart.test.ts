@@ -25,10 +25,28 @@ test("the boundary is read with and without quotes", () => {
 });
 
 test("both parts of an answer come out byte for byte, whatever is in them", () => {
-  const model = body("glTF", new Uint8Array([0, 13, 10, 45, 45, 13, 10]), "--x not a boundary", "--X", "\r\n--", "\r\n");
-  const bytes = body("--X\r\n", head("report", "application/json"), "{}", "\r\n--X\r\n", head("model", "model/gltf-binary"), model, "\r\n--X--\r\n");
+  const model = body(
+    "glTF",
+    new Uint8Array([0, 13, 10, 45, 45, 13, 10]),
+    "--x not a boundary",
+    "--X",
+    "\r\n--",
+    "\r\n",
+  );
+  const bytes = body(
+    "--X\r\n",
+    head("report", "application/json"),
+    "{}",
+    "\r\n--X\r\n",
+    head("model", "model/gltf-binary"),
+    model,
+    "\r\n--X--\r\n",
+  );
   const parts = readMultipart(bytes, "X");
-  assert.deepEqual(parts?.map((part) => part.name), ["report", "model"]);
+  assert.deepEqual(
+    parts?.map((part) => part.name),
+    ["report", "model"],
+  );
   assert.deepEqual([...(parts?.[1]?.data ?? [])], [...model]);
   assert.equal(parts?.[1]?.type, "model/gltf-binary");
 });
@@ -40,7 +58,15 @@ test("an empty part is a part", () => {
 });
 
 test("a body that is cut short anywhere is refused", () => {
-  const whole = body("--X\r\n", head("report", "application/json"), "{}", "\r\n--X\r\n", head("model", "m"), "abc", "\r\n--X--");
+  const whole = body(
+    "--X\r\n",
+    head("report", "application/json"),
+    "{}",
+    "\r\n--X\r\n",
+    head("model", "m"),
+    "abc",
+    "\r\n--X--",
+  );
   assert.ok(readMultipart(whole, "X"));
   for (let length = 0; length < whole.length; length++) {
     assert.equal(readMultipart(whole.subarray(0, length), "X"), undefined, String(length));

@@ -38,7 +38,10 @@ test("the errors of a parameter are found by their pointer", () => {
     { code: "type-mismatch", pointer: "/graph/parameters/reach", detail: "elsewhere" },
   ];
   const problem = readProblem(422, { title: "Wrong", errors });
-  assert.deepEqual(parameterErrors(problem, "reach").map((entry) => entry.detail), ["too far"]);
+  assert.deepEqual(
+    parameterErrors(problem, "reach").map((entry) => entry.detail),
+    ["too far"],
+  );
 });
 
 test("a body that is no problem becomes one", () => {

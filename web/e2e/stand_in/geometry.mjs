@@ -65,49 +65,99 @@ export function normalsOf({ positions, indices }) {
 
 const SHAPES = {
   fig02_circle_family: (p, n) => [
-    sheet(n(96), n(96), (u, v) => boost(circle([0.9, 0, 0], (p.tilt * Math.PI) / 180, 0.5, v), [0, 0, 0], [0, 0.1, u * p.reach]), null, true),
+    sheet(
+      n(96),
+      n(96),
+      (u, v) => boost(circle([0.9, 0, 0], (p.tilt * Math.PI) / 180, 0.5, v), [0, 0, 0], [0, 0.1, u * p.reach]),
+      null,
+      true,
+    ),
   ],
   fig04_boosted_ring: (p, n) => [
-    sheet(n(p.bands), n(128), (u, v) => boost(circle([0, 0, 0], 0, 1, v), [0, 0, p.height], [0, 0, u * p.reach]), p.tint, true),
+    sheet(
+      n(p.bands),
+      n(128),
+      (u, v) => boost(circle([0, 0, 0], 0, 1, v), [0, 0, p.height], [0, 0, u * p.reach]),
+      p.tint,
+      true,
+    ),
   ],
   fig05_twisted_ring: (p, n) => [
-    sheet(n(192), n(128), (u, v) => {
-      const boosted = boost(circle(p.center, 0.35, 1, v), [0, 0, 1.5], [0, 0, u * p.reach]);
-      return add(turnZ(boosted, (u * p.turn * Math.PI) / 180), [0, 0, u * p.slide]);
-    }, null, true),
+    sheet(
+      n(192),
+      n(128),
+      (u, v) => {
+        const boosted = boost(circle(p.center, 0.35, 1, v), [0, 0, 1.5], [0, 0, u * p.reach]);
+        return add(turnZ(boosted, (u * p.turn * Math.PI) / 180), [0, 0, u * p.slide]);
+      },
+      null,
+      true,
+    ),
   ],
   fig06_hopf_fibres: (p, n) =>
     Array.from({ length: p.fibres }, (_, index) => {
       const angle = (2 * Math.PI * index) / p.fibres;
       const hue = [0.55 + 0.4 * Math.cos(angle), 0.55 + 0.4 * Math.cos(angle - 2.1), 0.6 + 0.4 * Math.cos(angle + 2.1)];
-      return sheet(n(96), 12, (u, v) => {
-        // A Villarceau circle of a torus, with a tube around it.
-        const [t, w] = [2 * Math.PI * u, 2 * Math.PI * v];
-        const onTorus = (s) => [(1.1 + 0.6 * Math.cos(s)) * Math.cos(s + angle), (1.1 + 0.6 * Math.cos(s)) * Math.sin(s + angle), 0.6 * Math.sin(s)];
-        const center = onTorus(t);
-        const outward = [Math.cos(t + angle), Math.sin(t + angle), 0];
-        return add(center, add(scale(outward, p.thickness * Math.cos(w)), [0, 0, p.thickness * Math.sin(w)]));
-      }, hue);
+      return sheet(
+        n(96),
+        12,
+        (u, v) => {
+          // A Villarceau circle of a torus, with a tube around it.
+          const [t, w] = [2 * Math.PI * u, 2 * Math.PI * v];
+          const onTorus = (s) => [
+            (1.1 + 0.6 * Math.cos(s)) * Math.cos(s + angle),
+            (1.1 + 0.6 * Math.cos(s)) * Math.sin(s + angle),
+            0.6 * Math.sin(s),
+          ];
+          const center = onTorus(t);
+          const outward = [Math.cos(t + angle), Math.sin(t + angle), 0];
+          return add(center, add(scale(outward, p.thickness * Math.cos(w)), [0, 0, p.thickness * Math.sin(w)]));
+        },
+        hue,
+      );
     }),
   fig11_patch: (p, n) => [
-    sheet(n(96), n(96), (u, v) => {
-      const [x, y] = [2.4 * u - 1.2, 2.4 * v - 1.2];
-      const blend = (1 - u) * (1 - v) - u * (1 - v) - (1 - u) * v + u * v;
-      return boost([x, y, p.lift * blend], [2 * u - 1, 2 * v - 1, 0.5], [0.2 * p.bend, 0, p.bend * blend]);
-    }, null),
+    sheet(
+      n(96),
+      n(96),
+      (u, v) => {
+        const [x, y] = [2.4 * u - 1.2, 2.4 * v - 1.2];
+        const blend = (1 - u) * (1 - v) - u * (1 - v) - (1 - u) * v + u * v;
+        return boost([x, y, p.lift * blend], [2 * u - 1, 2 * v - 1, 0.5], [0.2 * p.bend, 0, p.bend * blend]);
+      },
+      null,
+    ),
   ],
   fig12_warped_sphere: (p, n) => [
-    sheet(n(120), n(160), (u, v) => {
-      const [theta, phi] = [Math.PI * u, 2 * Math.PI * v];
-      let point = [Math.sin(theta) * Math.cos(phi), Math.sin(theta) * Math.sin(phi), Math.cos(theta)];
-      const start = point;
-      for (const [center, direction] of [[[1.3, 0, 0.3], [0, 0, 1]], [[-0.7, 1.1, 0], [1, 0, 0]], [[-0.6, -1, 0.4], [0, 1, 0.6]]]) {
-        const d = add(start, scale(center, -1));
-        const moved = boost(start, center, scale(direction, p.strength / (dot(d, d) + p.softening)));
-        point = add(point, add(moved, scale(start, -1)));
-      }
-      return point;
-    }, null),
+    sheet(
+      n(120),
+      n(160),
+      (u, v) => {
+        const [theta, phi] = [Math.PI * u, 2 * Math.PI * v];
+        let point = [Math.sin(theta) * Math.cos(phi), Math.sin(theta) * Math.sin(phi), Math.cos(theta)];
+        const start = point;
+        for (const [center, direction] of [
+          [
+            [1.3, 0, 0.3],
+            [0, 0, 1],
+          ],
+          [
+            [-0.7, 1.1, 0],
+            [1, 0, 0],
+          ],
+          [
+            [-0.6, -1, 0.4],
+            [0, 1, 0.6],
+          ],
+        ]) {
+          const d = add(start, scale(center, -1));
+          const moved = boost(start, center, scale(direction, p.strength / (dot(d, d) + p.softening)));
+          point = add(point, add(moved, scale(start, -1)));
+        }
+        return point;
+      },
+      null,
+    ),
   ],
 };
 

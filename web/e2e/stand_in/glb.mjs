@@ -44,7 +44,11 @@ export async function makeGlb(meshes, extras) {
     scene: 0,
     scenes: [{ nodes: [0] }],
     nodes: [{ rotation: [-Math.SQRT1_2, 0, 0, Math.SQRT1_2], children: [] }],
-    meshes: [], materials: [], accessors: [], bufferViews: [], buffers: [],
+    meshes: [],
+    materials: [],
+    accessors: [],
+    bufferViews: [],
+    buffers: [],
   };
   const chunks = [];
   let [offset, vertices, triangles] = [0, 0, 0];
@@ -55,23 +59,29 @@ export async function makeGlb(meshes, extras) {
     offset += padded.length;
     chunks.push(padded);
     const bounds = [0, 1, 2].map((k) => mesh.positions.filter((_, i) => i % 3 === k));
-    const accessor = (type, count, componentType, more = {}) => gltf.accessors.push({ type, count, componentType, ...more }) - 1;
+    const accessor = (type, count, componentType, more = {}) =>
+      gltf.accessors.push({ type, count, componentType, ...more }) - 1;
     const factor = colorOf(mesh.color);
-    gltf.materials.push({ doubleSided: true, pbrMetallicRoughness: { ...(factor ? { baseColorFactor: factor } : {}), metallicFactor: 0 } });
+    gltf.materials.push({
+      doubleSided: true,
+      pbrMetallicRoughness: { ...(factor ? { baseColorFactor: factor } : {}), metallicFactor: 0 },
+    });
     gltf.meshes.push({
-      primitives: [{
-        attributes: {
-          POSITION: accessor("VEC3", part.vertices, 5126, {
-            min: bounds.map((list) => list.reduce((a, b) => Math.min(a, b))),
-            max: bounds.map((list) => list.reduce((a, b) => Math.max(a, b))),
-          }),
-          NORMAL: accessor("VEC3", part.vertices, 5126),
-          TEXCOORD_0: accessor("VEC2", part.vertices, 5126),
+      primitives: [
+        {
+          attributes: {
+            POSITION: accessor("VEC3", part.vertices, 5126, {
+              min: bounds.map((list) => list.reduce((a, b) => Math.min(a, b))),
+              max: bounds.map((list) => list.reduce((a, b) => Math.max(a, b))),
+            }),
+            NORMAL: accessor("VEC3", part.vertices, 5126),
+            TEXCOORD_0: accessor("VEC2", part.vertices, 5126),
+          },
+          indices: accessor("SCALAR", part.indices, 5125),
+          material: gltf.materials.length - 1,
+          extensions: { KHR_draco_mesh_compression: { bufferView: view, attributes: part.attributes } },
         },
-        indices: accessor("SCALAR", part.indices, 5125),
-        material: gltf.materials.length - 1,
-        extensions: { KHR_draco_mesh_compression: { bufferView: view, attributes: part.attributes } },
-      }],
+      ],
     });
     gltf.nodes[0].children.push(gltf.nodes.push({ mesh: gltf.meshes.length - 1 }) - 1);
     vertices += part.vertices;
@@ -90,6 +100,12 @@ export async function makeGlb(meshes, extras) {
     buffer.writeUInt32LE(type, 4);
     return buffer;
   };
-  const bytes = Buffer.concat([head, chunkHead(text.length, 0x4e4f534a), text, chunkHead(offset, 0x004e4942), ...chunks]);
+  const bytes = Buffer.concat([
+    head,
+    chunkHead(text.length, 0x4e4f534a),
+    text,
+    chunkHead(offset, 0x004e4942),
+    ...chunks,
+  ]);
   return { bytes, vertices, triangles };
 }

@@ -36,8 +36,8 @@ export function App({ session }: { session: Session }): ReactElement {
       <TopBar
         theme={theme}
         onTheme={setTheme}
-        galleryOpen={narrow ? tab === "examples" : isOpen}
-        onGallery={() => (narrow ? setTab(tab === "examples" ? "model" : "examples") : setGallery(isOpen ? "closed" : "open"))}
+        galleryOpen={isOpen}
+        onGallery={() => setGallery(isOpen ? "closed" : "open")}
       />
       <Banner />
       <main className="work">
@@ -58,7 +58,13 @@ export function App({ session }: { session: Session }): ReactElement {
           <>
             <SplitPane name="graph" label="Border between graph and model" direction="row" initial={0.54}>
               {[
-                <SplitPane key="left" name="gallery" label="Border between graph and examples" direction="column" initial={0.515}>
+                <SplitPane
+                  key="left"
+                  name="gallery"
+                  label="Border between graph and examples"
+                  direction="column"
+                  initial={0.515}
+                >
                   {[<GraphPane key="graph" />, isOpen && <Examples />]}
                 </SplitPane>,
                 model,

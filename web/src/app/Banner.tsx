@@ -14,7 +14,9 @@ export function Banner(): ReactElement | null {
       <Icon name="offline" />
       <span>
         <strong>The server does not answer.</strong>{" "}
-        {isEmpty ? "The page goes on as soon as it does." : "The last picture stays; changes are sent as soon as it is back."}
+        {isEmpty
+          ? "The page goes on as soon as it does."
+          : "The last picture stays; changes are sent as soon as it is back."}
       </span>
       <span className="banner-note">Trying again…</span>
     </div>

@@ -1,4 +1,11 @@
-import { useRef, type CSSProperties, type KeyboardEvent, type PointerEvent, type ReactElement, type ReactNode } from "react";
+import {
+  useRef,
+  type CSSProperties,
+  type KeyboardEvent,
+  type PointerEvent,
+  type ReactElement,
+  type ReactNode,
+} from "react";
 import { useRemembered } from "./hooks";
 
 interface SplitPaneProps {
@@ -34,7 +41,11 @@ export function SplitPane({ name, label, direction, initial, children }: SplitPa
   };
   const isWhole = children[1] === false;
   return (
-    <div ref={element} className={`split split-${direction}`} style={{ "--share": isWhole ? 1 : share } as CSSProperties}>
+    <div
+      ref={element}
+      className={`split split-${direction}`}
+      style={{ "--share": isWhole ? 1 : share } as CSSProperties}
+    >
       <div className="split-first">{children[0]}</div>
       <div
         className="split-border"

@@ -5,7 +5,10 @@ import { useLasting } from "./hooks";
 
 /** The line at the bottom: whether the picture is up to date, how large the graph is, what the server took. */
 export function StatusBar(): ReactElement {
-  const busy = useLasting(useCurrent((state) => state.busy), 250);
+  const busy = useLasting(
+    useCurrent((state) => state.busy),
+    250,
+  );
   const away = useCurrent((state) => state.away);
   const problem = useCurrent((state) => state.problem);
   const view = useCurrent((state) => state.view);

@@ -30,7 +30,7 @@ export function TopBar({ theme, onTheme, galleryOpen, onGallery }: TopBarProps):
         <span>Dini</span>
       </span>
       <span className="rule" />
-      <button type="button" className="button" aria-expanded={galleryOpen} onClick={onGallery}>
+      <button type="button" className="button gallery-button" aria-expanded={galleryOpen} onClick={onGallery}>
         <Icon name="gallery" />
         <span>Examples</span>
       </button>
@@ -42,7 +42,13 @@ export function TopBar({ theme, onTheme, galleryOpen, onGallery }: TopBarProps):
       )}
       <span className="spacer" />
       <CopyMenu />
-      <button type="button" className="button" disabled={!title || saving} aria-label="Download GLB" onClick={() => void download()}>
+      <button
+        type="button"
+        className="button"
+        disabled={!title || saving}
+        aria-label="Download GLB"
+        onClick={() => void download()}
+      >
         <Icon name="download" />
         <span className="wide-only">{saving ? "Preparing…" : "Download .glb"}</span>
       </button>

@@ -32,7 +32,12 @@ export function showStateOn(element: HTMLElement, store: Store<SessionState>): v
   const write = (): void => {
     const { busy, away, problem, revision, shown } = store.get();
     const state = away || (problem && !busy) ? "error" : busy ? "busy" : "idle";
-    const facts = { state, revision: String(revision), shown: String(shown?.revision ?? 0), quality: shown?.quality ?? "" };
+    const facts = {
+      state,
+      revision: String(revision),
+      shown: String(shown?.revision ?? 0),
+      quality: shown?.quality ?? "",
+    };
     for (const [name, value] of Object.entries(facts)) {
       if (element.dataset[name] !== value) element.dataset[name] = value;
     }

@@ -1,7 +1,16 @@
 import { useCallback, useEffect, useState, useSyncExternalStore } from "react";
 import type { Store } from "../model/store";
 import type { Session, SessionState } from "./session";
-import { applyTheme, onSystemTheme, recall, remember, rememberTheme, rememberedTheme, systemTheme, type Theme } from "./theme";
+import {
+  applyTheme,
+  onSystemTheme,
+  recall,
+  remember,
+  rememberTheme,
+  rememberedTheme,
+  systemTheme,
+  type Theme,
+} from "./theme";
 
 /** The selected part of a store; the component renders again when that part is another one. */
 export function useStore<T extends object, Part>(store: Store<T>, select: (state: T) => Part): Part {

@@ -1,11 +1,4 @@
-import {
-  Background,
-  BackgroundVariant,
-  MiniMap,
-  ReactFlow,
-  type Edge,
-  type ReactFlowInstance,
-} from "@xyflow/react";
+import { Background, BackgroundVariant, MiniMap, ReactFlow, type Edge, type ReactFlowInstance } from "@xyflow/react";
 import { useEffect, useMemo, useRef, useState, type CSSProperties, type ReactElement } from "react";
 import { useCurrent, useCurrentSession } from "../app/context";
 import { Icon } from "../app/icons";
@@ -115,13 +108,21 @@ export function GraphPane(): ReactElement {
           onlyRenderVisibleElements={nodes.length > ONLY_VISIBLE_FROM}
         >
           <Background variant={BackgroundVariant.Dots} gap={24} size={1.4} />
-          {nodes.length > MINIMAP_FROM && nodes.length <= MINIMAP_TO && <MiniMap pannable zoomable ariaLabel="Map of the graph" />}
+          {nodes.length > MINIMAP_FROM && nodes.length <= MINIMAP_TO && (
+            <MiniMap pannable zoomable ariaLabel="Map of the graph" />
+          )}
         </ReactFlow>
       ) : (
         <p className="pane-wait">Loading the graph…</p>
       )}
       <div className="pane-tools">
-        <button type="button" className="tool" title="Fit the graph into the pane (F)" aria-label="Fit graph" onClick={fit}>
+        <button
+          type="button"
+          className="tool"
+          title="Fit the graph into the pane (F)"
+          aria-label="Fit graph"
+          onClick={fit}
+        >
           <Icon name="frame" />
         </button>
       </div>

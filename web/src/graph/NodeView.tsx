@@ -38,7 +38,13 @@ export const NodeView = memo(function NodeView({ data, selected }: NodeProps<Gra
         ))}
         {unfolded && node.folded.map((row) => <Input key={row.name} row={row} node={node} onChoose={choose} />)}
         {node.folded.length > 0 && (
-          <button type="button" className="node-fold nodrag" aria-expanded={unfolded} tabIndex={-1} onClick={() => setUnfolded(!unfolded)}>
+          <button
+            type="button"
+            className="node-fold nodrag"
+            aria-expanded={unfolded}
+            tabIndex={-1}
+            onClick={() => setUnfolded(!unfolded)}
+          >
             {unfolded ? "Hide defaults" : plural(node.folded.length, "default")}
             <Icon name="chevron" />
           </button>
@@ -46,7 +52,14 @@ export const NodeView = memo(function NodeView({ data, selected }: NodeProps<Gra
         {node.outputs.map((row) => (
           <div className="node-row node-output" key={row.name}>
             <span className="row-name">{row.name}</span>
-            <Socket side="output" name={row.name} type={row.type} nodeTitle={node.title} doc={row.doc} onChoose={choose} />
+            <Socket
+              side="output"
+              name={row.name}
+              type={row.type}
+              nodeTitle={node.title}
+              doc={row.doc}
+              onChoose={choose}
+            />
           </div>
         ))}
       </div>
@@ -66,7 +79,8 @@ function Input({ row, node, onChoose }: { row: InputRow; node: ViewNode; onChoos
           <span aria-hidden="true">◈</span> {row.parameter}
         </span>
       ) : (
-        row.value && !row.linked && (
+        row.value &&
+        !row.linked && (
           <span className="row-value" title={row.value}>
             {row.value}
           </span>
@@ -86,7 +100,12 @@ function Timing({ id }: { id: string }): ReactElement | null {
   });
   if (!text) return null;
   return text === "cached" ? (
-    <span className="node-time node-cached" role="img" aria-label="from the cache" title="Not computed again: its value was in the cache" />
+    <span
+      className="node-time node-cached"
+      role="img"
+      aria-label="from the cache"
+      title="Not computed again: its value was in the cache"
+    />
   ) : (
     <span className="node-time">{text}</span>
   );

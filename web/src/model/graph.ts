@@ -123,7 +123,8 @@ function inputRow(
   const isDefault = sources.length === 0;
   const unit = unitText(input?.unit ?? "");
   const withUnit = (text: string) => (/^[-\d.]/.test(text) ? text + unit : text);
-  const fallback = input?.fallback === undefined || input.fallback === null ? "" : withUnit(literalText(input.fallback));
+  const fallback =
+    input?.fallback === undefined || input.fallback === null ? "" : withUnit(literalText(input.fallback));
   return {
     name,
     type: (link && types.of(link.node, link.output)) ?? input?.types[0] ?? "",

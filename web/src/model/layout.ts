@@ -24,7 +24,12 @@ export function layeredLayout(graph: ViewGraph): Map<string, Position> {
   const columns = columnsOf(graph);
   const neighbors = neighborsOf(graph);
   const centers = new Map<string, number>();
-  for (const column of columns) stack(column, column.map((_, index) => index * 1e-3), centers);
+  for (const column of columns)
+    stack(
+      column,
+      column.map((_, index) => index * 1e-3),
+      centers,
+    );
   for (let sweep = 0; sweep < SWEEPS; sweep++) {
     const forward = sweep % 2 === 0;
     for (const column of forward ? columns : [...columns].reverse()) {

@@ -52,12 +52,14 @@ export function readReport(json: Json): Report {
     vertices: asNumber(model["vertices"]) ?? 0,
     triangles: asNumber(model["triangles"]) ?? 0,
     positionError: asNumber(model["position_error"]),
-    checks: asArray(root["checks"]).filter(isObject).map((item) => ({
-      node: asString(item["node"]),
-      value: asNumber(item["value"]),
-      passed: item["passed"] === true,
-      message: asString(item["message"]),
-    })),
+    checks: asArray(root["checks"])
+      .filter(isObject)
+      .map((item) => ({
+        node: asString(item["node"]),
+        value: asNumber(item["value"]),
+        passed: item["passed"] === true,
+        message: asString(item["message"]),
+      })),
     warnings: asArray(root["warnings"]).map(readEntry),
   };
 }
@@ -73,11 +75,13 @@ function readNode(json: Json): NodeReport {
   const outputs: NodeReport["outputs"] = new Map();
   for (const [name, value] of Object.entries(asObject(item["outputs"]))) {
     const output = asObject(value);
-    const axes = asArray(output["axes"]).map(asObject).map((axis) => ({
-      name: asString(axis["name"]),
-      size: asNumber(axis["size"]) ?? 0,
-      closed: axis["closed"] === true,
-    }));
+    const axes = asArray(output["axes"])
+      .map(asObject)
+      .map((axis) => ({
+        name: asString(axis["name"]),
+        size: asNumber(axis["size"]) ?? 0,
+        closed: axis["closed"] === true,
+      }));
     outputs.set(name, { type: asString(output["type"]), axes });
   }
   return { milliseconds: asNumber(item["milliseconds"]) ?? 0, cached: item["cached"] === true, outputs };

@@ -22,7 +22,8 @@ export function Examples(): ReactElement {
             <Card example={example} isChosen={example.id === chosen} onOpen={() => session.openExample(example.id)} />
           </li>
         ))}
-        {!examples && Array.from({ length: PLACEHOLDERS }, (_, index) => <li key={index} className="card card-empty" />)}
+        {!examples &&
+          Array.from({ length: PLACEHOLDERS }, (_, index) => <li key={index} className="card card-empty" />)}
       </ul>
       {examples?.length === 0 && <p className="empty">This server has no examples.</p>}
     </nav>

@@ -50,9 +50,7 @@ function Outputs({ node }: { node: ViewNode }): ReactElement {
           </li>
         );
       })}
-      {report && (
-        <li className="muted">{report.cached ? "from the cache" : millisecondText(report.milliseconds)}</li>
-      )}
+      {report && <li className="muted">{report.cached ? "from the cache" : millisecondText(report.milliseconds)}</li>}
     </ul>
   );
 }

@@ -6,15 +6,22 @@ import type { FieldProps } from "./ParameterRow";
 import { SliderBar } from "./SliderBar";
 
 /** A number: a bar to drag where it has a range, and a field to type or drag. */
-export function NumberField({ id, parameter, value, invalid, describedBy, onChange, onUnreadable }: FieldProps): ReactElement {
+export function NumberField({
+  id,
+  parameter,
+  value,
+  invalid,
+  describedBy,
+  onChange,
+  onUnreadable,
+}: FieldProps): ReactElement {
   const number = typeof value === "number" ? value : 0;
   const step = stepOf(parameter);
   const least = parameter.type === "integer" ? 1 : step / 10;
   const { minimum, maximum } = parameter;
   const hasRange = minimum !== undefined && maximum !== undefined && maximum > minimum;
   /** Drags and arrows stay inside the bounds; Shift makes the steps ten times finer. */
-  const move = (next: number, fine: boolean): void =>
-    onChange(clamp(parameter, snap(next, fine ? least : step)), true);
+  const move = (next: number, fine: boolean): void => onChange(clamp(parameter, snap(next, fine ? least : step)), true);
   return (
     <div className="number-field" data-range={hasRange}>
       {hasRange && (

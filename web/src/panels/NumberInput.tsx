@@ -63,7 +63,8 @@ export function NumberInput(props: NumberInputProps): ReactElement {
   };
   const onPointerMove = (event: PointerEvent<HTMLInputElement>): void => {
     const state = drag.current;
-    if (document.activeElement === event.currentTarget || !event.currentTarget.hasPointerCapture(event.pointerId)) return;
+    if (document.activeElement === event.currentTarget || !event.currentTarget.hasPointerCapture(event.pointerId))
+      return;
     if (!state.moved && Math.abs(event.clientX - state.x) < DRAG_THRESHOLD) return;
     state.moved = true;
     state.value += ((event.clientX - state.x) / PIXELS_PER_STEP) * step * (event.shiftKey ? 0.1 : 1);

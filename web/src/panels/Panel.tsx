@@ -13,11 +13,7 @@ export function Panel(): ReactElement {
   useEffect(() => {
     if (selected !== null) setTab("node");
   }, [selected]);
-  const problems = (
-    <>
-      Problems{count > 0 && <span className="badge">{count}</span>}
-    </>
-  );
+  const problems = <>Problems{count > 0 && <span className="badge">{count}</span>}</>;
   return (
     <Tabs
       className="panel"

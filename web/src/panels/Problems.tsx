@@ -29,19 +29,32 @@ export function Problems(): ReactElement {
     <div className="problems">
       {problem && problem.errors.length === 0 && (
         <ul>
-          <Row tone="error" entry={{ code: problem.code, node: "", port: "", pointer: "", detail: problem.detail || problem.title }} />
+          <Row
+            tone="error"
+            entry={{ code: problem.code, node: "", port: "", pointer: "", detail: problem.detail || problem.title }}
+          />
         </ul>
       )}
       <ul>
-        {problem?.errors.map((entry, index) => <Row key={index} tone="error" entry={entry} />)}
+        {problem?.errors.map((entry, index) => (
+          <Row key={index} tone="error" entry={entry} />
+        ))}
         {checks.map((check, index) => (
           <Row
             key={`check-${index}`}
             tone="warning"
-            entry={{ code: "check-failed", node: check.node, port: "", pointer: "", detail: check.message || `The value is ${check.value}.` }}
+            entry={{
+              code: "check-failed",
+              node: check.node,
+              port: "",
+              pointer: "",
+              detail: check.message || `The value is ${check.value}.`,
+            }}
           />
         ))}
-        {warnings.map((entry, index) => <Row key={`warning-${index}`} tone="warning" entry={entry} />)}
+        {warnings.map((entry, index) => (
+          <Row key={`warning-${index}`} tone="warning" entry={entry} />
+        ))}
       </ul>
       {problem && problem.blocked.length > 0 && (
         <p className="problems-blocked">
@@ -57,7 +70,8 @@ function Row({ tone, entry }: { tone: "error" | "warning"; entry: ProblemEntry }
   const session = useCurrentSession();
   const place = useCurrent((state) => {
     const parameter = parameterOf(entry);
-    if (parameter !== undefined) return state.document?.parameters.find((item) => item.name === parameter)?.label ?? parameter;
+    if (parameter !== undefined)
+      return state.document?.parameters.find((item) => item.name === parameter)?.label ?? parameter;
     const node = state.view?.nodes.find((item) => item.id === entry.node);
     const name = node ? `${node.title} (${node.id})` : entry.node;
     return entry.port ? `${name} · ${entry.port}` : name;

@@ -15,7 +15,16 @@ const FINE = 0.1;
 const PAGE = 10;
 
 /** A bar that is dragged (Shift: finer), or moved with the keys. The wheel never changes it. */
-export function SliderBar({ label, value, minimum, maximum, step, text, describedBy, onMove }: SliderBarProps): ReactElement {
+export function SliderBar({
+  label,
+  value,
+  minimum,
+  maximum,
+  step,
+  text,
+  describedBy,
+  onMove,
+}: SliderBarProps): ReactElement {
   // The dragged value before rounding, so that slow fine drags add up.
   const dragged = useRef(0);
   const lastX = useRef(0);

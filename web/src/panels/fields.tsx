@@ -43,11 +43,22 @@ export function ChoiceField({ id, parameter, value, invalid, describedBy, onChan
   );
 }
 
-export function VectorField({ id, parameter, value, invalid, describedBy, onChange, onUnreadable }: FieldProps): ReactElement {
+export function VectorField({
+  id,
+  parameter,
+  value,
+  invalid,
+  describedBy,
+  onChange,
+  onUnreadable,
+}: FieldProps): ReactElement {
   const parts = Array.isArray(value) ? value : [0, 0, 0];
   const step = stepOf(parameter);
   const set = (index: number, next: number): void =>
-    onChange(parts.map((part, at) => (at === index ? next : part)), true);
+    onChange(
+      parts.map((part, at) => (at === index ? next : part)),
+      true,
+    );
   return (
     <span className="vector-field" role="group" aria-label={parameter.label}>
       {["x", "y", "z"].map((letter, index) => (

@@ -31,7 +31,10 @@ export function ViewPane({ light }: { light: boolean }): ReactElement {
     import("./Viewer")
       .then(({ Viewer: Made }) => {
         if (isGone || !place.current) return;
-        made = new Made(place.current, "The model. Drag to turn, Shift and drag to move, wheel to zoom; arrow keys turn.");
+        made = new Made(
+          place.current,
+          "The model. Drag to turn, Shift and drag to move, wheel to zoom; arrow keys turn.",
+        );
         setViewer(made);
         session.viewerLoaded(made);
         void makeThumbnails(session, made);
@@ -87,7 +90,12 @@ export function ViewPane({ light }: { light: boolean }): ReactElement {
         <div className="segments">
           <Toggle title="Grid" icon="grid" on={grid === "on"} onChange={(on) => setGrid(on ? "on" : "off")} />
           <Toggle title="Axes" icon="axes" on={axes === "on"} onChange={(on) => setAxes(on ? "on" : "off")} />
-          <button type="button" title="Fill the view with the model (F)" aria-label="Frame" onClick={() => viewer?.frame()}>
+          <button
+            type="button"
+            title="Fill the view with the model (F)"
+            aria-label="Frame"
+            onClick={() => viewer?.frame()}
+          >
             <Icon name="frame" />
           </button>
           <button type="button" title="Standard view (Home)" aria-label="Home view" onClick={() => viewer?.home()}>
@@ -101,7 +109,17 @@ export function ViewPane({ light }: { light: boolean }): ReactElement {
   );
 }
 
-function Toggle({ title, icon, on, onChange }: { title: string; icon: "grid" | "axes"; on: boolean; onChange(on: boolean): void }): ReactElement {
+function Toggle({
+  title,
+  icon,
+  on,
+  onChange,
+}: {
+  title: string;
+  icon: "grid" | "axes";
+  on: boolean;
+  onChange(on: boolean): void;
+}): ReactElement {
   return (
     <button type="button" aria-pressed={on} aria-label={title} title={title} onClick={() => onChange(!on)}>
       <Icon name={icon} />

@@ -1,25 +1,14 @@
 // The 3D view. Draws only when something changed; React never runs while it does.
 
-import {
-  Group,
-  LineBasicMaterial,
-  LineSegments,
-  Mesh,
-  PerspectiveCamera,
-  Points,
-  PointsMaterial,
-  Scene,
-  Vector3,
-  WebGLRenderer,
-  type Material,
-  type MeshStandardMaterial,
-  type Object3D,
-} from "three";
+import { Group, LineBasicMaterial, LineSegments, Mesh, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Decoder, type DecodedModel } from "./decode";
-import { frame, samplePositions } from "./framing";
+import { dress, studioOf } from "./dress";
+import { frame, placeCamera, samplePositions, type Framing } from "./framing";
+import { turnByKey } from "./keys";
 import { Materials, type ShadingMode } from "./materials";
 import { cellSize, makeAxes, makeGrid, remove, type OverlayColors } from "./overlays";
+import { isSoftwareRendering } from "./software";
 import { wireGeometry } from "./wireframe";
 
 export interface ViewSettings {
@@ -31,7 +20,6 @@ export interface ViewSettings {
 
 const HOME = new Vector3(-0.62, -0.5, -0.92);
 const FIELD_OF_VIEW = 32;
-const POINT_SIZE = 5;
 const COLORS: Record<"dark" | "light", OverlayColors & { wire: string; soleWire: string }> = {
   dark: { grid: "#5a6374", axes: ["#ff7a6b", "#7ddb8c", "#4fb4ff"], wire: "#0d1017", soleWire: "#9db6ff" },
   light: { grid: "#8d97a8", axes: ["#d2402f", "#1f8f3e", "#1f74d0"], wire: "#1b2540", soleWire: "#3450a8" },
@@ -62,7 +50,11 @@ export class Viewer {
     label: string,
   ) {
     this.isSoftware = isSoftwareRendering();
-    this.renderer = new WebGLRenderer({ antialias: !this.isSoftware, alpha: true, powerPreference: "high-performance" });
+    this.renderer = new WebGLRenderer({
+      antialias: !this.isSoftware,
+      alpha: true,
+      powerPreference: "high-performance",
+    });
     this.renderer.setPixelRatio(this.isSoftware ? 1 : Math.min(2, window.devicePixelRatio));
     this.renderer.setClearColor(0x000000, 0);
     const canvas = this.renderer.domElement;
@@ -88,7 +80,7 @@ export class Viewer {
 
   decode(bytes: Uint8Array<ArrayBuffer>): Promise<DecodedModel> {
     return this.decoder.decode(bytes).then((model) => {
-      this.dress(model.scene);
+      dress(model.scene, this.materials);
       return model;
     });
   }
@@ -137,7 +129,7 @@ export class Viewer {
     picture.width = width;
     picture.height = height;
     if (framing) {
-      placeCamera(camera, HOME, framing.target, framing.distance, framing.radius);
+      placeCamera(camera, HOME, framing);
       // Drawn twice as large and scaled down, which is smooth without multisampling.
       const ratio = this.renderer.getPixelRatio();
       this.renderer.setPixelRatio(1);
@@ -198,8 +190,8 @@ export class Viewer {
     this.draw();
   }
 
-  private look(direction: Vector3, framing: { target: Vector3; distance: number; radius: number }): void {
-    placeCamera(this.camera, direction, framing.target, framing.distance, framing.radius);
+  private look(direction: Vector3, framing: Framing): void {
+    placeCamera(this.camera, direction, framing);
     this.controls.target.copy(framing.target);
     this.controls.minDistance = framing.radius * 0.02;
     this.controls.maxDistance = framing.radius * 60;
@@ -207,50 +199,11 @@ export class Viewer {
   }
 
   private onKey(event: KeyboardEvent): void {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const turn: Record<string, [number, number]> = {
-      ArrowLeft: [-0.12, 0],
-      ArrowRight: [0.12, 0],
-      ArrowUp: [0, -0.12],
-      ArrowDown: [0, 0.12],
-    };
-    const zoom: Record<string, number> = { "+": 0.85, "=": 0.85, "-": 1 / 0.85 };
-    const step = turn[event.key];
-    const factor = zoom[event.key];
-    if (!step && factor === undefined) return;
-    event.preventDefault();
     const offset = this.camera.position.clone().sub(this.controls.target);
-    if (factor !== undefined) offset.multiplyScalar(factor);
-    if (step) {
-      const polar = Math.acos(Math.min(1, Math.max(-1, offset.y / offset.length())));
-      const tilt = Math.min(Math.PI - 0.05, Math.max(0.05, polar + step[1])) - polar;
-      const side = new Vector3().crossVectors(this.camera.up, offset).normalize();
-      offset.applyAxisAngle(side, tilt).applyAxisAngle(this.camera.up, step[0]);
-    }
+    if (!turnByKey(event, offset, this.camera.up)) return;
+    event.preventDefault();
     this.camera.position.copy(this.controls.target).add(offset);
     this.controls.update();
-  }
-
-  /** Gives a decoded scene the materials of this viewer. */
-  private dress(root: Object3D): void {
-    root.traverse((object) => {
-      const drawn = object as Mesh;
-      const source = drawn.material as Material | undefined;
-      if (!source) return;
-      const hasColors = drawn.geometry.hasAttribute("color");
-      if (object instanceof Mesh) {
-        if (!drawn.geometry.hasAttribute("normal")) drawn.geometry.computeVertexNormals();
-        drawn.userData["studio"] = drawn.material = this.materials.studio(source, hasColors);
-      } else {
-        const color = (source as MeshStandardMaterial).color;
-        const style = { color, vertexColors: hasColors, opacity: source.opacity, transparent: source.transparent };
-        drawn.material =
-          object instanceof Points
-            ? new PointsMaterial({ ...style, size: POINT_SIZE, sizeAttenuation: false })
-            : new LineBasicMaterial(style);
-      }
-      source.dispose();
-    });
   }
 
   private applyMode(): void {
@@ -264,7 +217,7 @@ export class Viewer {
       if (object instanceof Mesh) meshes.push(object);
     });
     for (const mesh of meshes) {
-      mesh.material = mode === "normals" ? this.materials.normals : (mesh.userData["studio"] as Material);
+      mesh.material = mode === "normals" ? this.materials.normals : (studioOf(mesh) ?? this.materials.normals);
       mesh.material.visible = mode !== "wire";
       if (mode !== "wire" && mode !== "shaded-wire") continue;
       const lines = new LineSegments(wireGeometry(mesh.geometry), this.wire);
@@ -292,22 +245,3 @@ export class Viewer {
     if (this.axes) this.overlays.add(this.axes);
   }
 }
-
-function placeCamera(camera: PerspectiveCamera, direction: Vector3, target: Vector3, distance: number, radius: number): void {
-  camera.position.copy(target).addScaledVector(direction.clone().normalize(), -distance);
-  camera.near = Math.max(distance, radius) / 500;
-  camera.far = distance + radius * 80;
-  camera.lookAt(target);
-  camera.updateProjectionMatrix();
-  camera.updateMatrixWorld();
-}
-
-/** True where WebGL runs on the processor: there, multisampling and large pixels cost more than they give. */
-function isSoftwareRendering(): boolean {
-  const context = document.createElement("canvas").getContext("webgl2");
-  const details = context?.getExtension("WEBGL_debug_renderer_info");
-  const name = context && details ? String(context.getParameter(details.UNMASKED_RENDERER_WEBGL)) : "";
-  context?.getExtension("WEBGL_lose_context")?.loseContext();
-  return /swiftshader|llvmpipe|software|basic render/i.test(name);
-}
-

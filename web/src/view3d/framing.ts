@@ -69,3 +69,14 @@ export function frame(points: Vector3[], direction: Vector3, camera: Perspective
   radius = Math.max(radius, 1e-6);
   return { target, distance: Math.max(distance, radius * 0.2), radius };
 }
+
+/** Puts the camera `distance` before the target, looking along `direction`, with depth enough to look around. */
+export function placeCamera(camera: PerspectiveCamera, direction: Vector3, framing: Framing): void {
+  const { target, distance, radius } = framing;
+  camera.position.copy(target).addScaledVector(direction.clone().normalize(), -distance);
+  camera.near = Math.max(distance, radius) / 500;
+  camera.far = distance + radius * 80;
+  camera.lookAt(target);
+  camera.updateProjectionMatrix();
+  camera.updateMatrixWorld();
+}

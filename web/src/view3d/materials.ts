@@ -35,13 +35,16 @@ const FILL: Light = { direction: new Vector3(0.8, -0.1, 0.5).normalize(), streng
 const AMBIENT = 0.13;
 const RIM = 0.3;
 const SHININESS = 110;
-const SHINE = 0.34;
+const SHINE = 0.28;
 
 /** Light on a ball: RGB is the diffuse light, alpha the highlight, which the shader adds uncolored. */
 function studioMatcap(): DataTexture {
   const data = new Uint8Array(4 * MATCAP_SIZE * MATCAP_SIZE);
   const normal = new Vector3();
-  const half = KEY.direction.clone().add(new Vector3(0, 0, 1)).normalize();
+  const half = KEY.direction
+    .clone()
+    .add(new Vector3(0, 0, 1))
+    .normalize();
   for (let row = 0; row < MATCAP_SIZE; row++) {
     for (let column = 0; column < MATCAP_SIZE; column++) {
       const x = (2 * (column + 0.5)) / MATCAP_SIZE - 1;
@@ -123,10 +126,13 @@ export class Materials {
         .replace(
           "#include <color_fragment>",
           // The back of a surface is deeper in color and a little darker, so that the two sides are told apart. It is
-          // never dull: which side of an open surface is the front is chance.
+          // never dull: which side of an open surface is the front is chance. At the outline a triangle may face away
+          // while its smooth normal does not; taking it for the back would draw dots of the other shade.
           `#include <color_fragment>
-          if (!gl_FrontFacing) diffuseColor.rgb *= 0.78 * mix(vec3(1.0), diffuseColor.rgb + 0.25, 0.65);`,
+          bool isBack = !gl_FrontFacing && dot(vNormal, vViewPosition) < 0.0;
+          if (isBack) diffuseColor.rgb *= 0.78 * mix(vec3(1.0), diffuseColor.rgb + 0.25, 0.65);`,
         )
+        .replace("#include <normal_fragment_begin>", "vec3 normal = isBack ? -normalize(vNormal) : normalize(vNormal);")
         .replace(
           "vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;",
           "vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb * 1.2 + vec3(matcapColor.a);",
