@@ -85,7 +85,7 @@ function writePage(addresses) {
 
 function copyHashed(name) {
   const bytes = readFileSync(path.join(here, name));
-  const hash = createHash("sha256").update(bytes).digest("hex").slice(0, 8);
+  const hash = createHash("sha256").update(bytes).digest("hex").slice(0, 8).toUpperCase();
   const { name: stem, ext } = path.parse(name);
   writeFileSync(path.join(dist, "assets", `${stem}-${hash}${ext}`), bytes);
   return `assets/${stem}-${hash}${ext}`;

@@ -26,7 +26,10 @@ test("steps leave no noise of binary fractions", () => {
 });
 
 test("colors keep the notation of the document", () => {
-  assert.equal(colorText([1, 0.5, 0]), "#ff8000");
+  assert.equal(colorText([1, 0.5, 0]), "#ffbc00");
+  for (const text of ["#000000", "#0a141e", "#7f9df0", "#ffffff"]) {
+    assert.equal(colorText(colorValue(text, [0, 0, 0])), text, "linear values give the same color back");
+  }
   assert.deepEqual(colorValue("#ff0000", [0, 0, 0, 0.5]), [1, 0, 0, 0.5]);
   assert.equal(colorValue("#ff0000", "#000000"), "#ff0000");
 });

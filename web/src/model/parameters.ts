@@ -91,18 +91,28 @@ export function clamp(parameter: Parameter, value: number): number {
   return Math.min(parameter.maximum ?? Infinity, Math.max(parameter.minimum ?? -Infinity, value));
 }
 
-/** "#rrggbb" for a color given as text or as three numbers from 0 to 1. */
+/** "#rrggbb" for a color given as text, or as linear red, green, blue (and alpha) from 0 to 1. */
 export function colorText(value: ParameterValue): string {
   if (typeof value === "string" && /^#[0-9a-f]{6}$/i.test(value)) return value.toLowerCase();
   if (!Array.isArray(value)) return "#808080";
-  const part = (x: number | undefined) => Math.round(255 * Math.min(1, Math.max(0, x ?? 0)));
-  return "#" + [0, 1, 2].map((i) => part(value[i]).toString(16).padStart(2, "0")).join("");
+  const part = (x: number | undefined): string => {
+    const linear = Math.min(1, Math.max(0, x ?? 0));
+    const encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * linear ** (1 / 2.4) - 0.055;
+    return Math.round(255 * encoded)
+      .toString(16)
+      .padStart(2, "0");
+  };
+  return "#" + [0, 1, 2].map((i) => part(value[i])).join("");
 }
 
 /** The color in the notation the document uses for this parameter. */
 export function colorValue(text: string, like: ParameterValue): ParameterValue {
   if (!Array.isArray(like)) return text;
-  const rgb = [1, 3, 5].map((at) => Number((parseInt(text.slice(at, at + 2), 16) / 255).toFixed(4)));
+  const rgb = [1, 3, 5].map((at) => {
+    const encoded = parseInt(text.slice(at, at + 2), 16) / 255;
+    const linear = encoded <= 0.04045 ? encoded / 12.92 : ((encoded + 0.055) / 1.055) ** 2.4;
+    return Number(linear.toFixed(5));
+  });
   return like.length === 4 ? [...rgb, like[3] ?? 1] : rgb;
 }
 
