@@ -1,5 +1,6 @@
 // Starts the server and a browser for the end-to-end tests.
-// DINI_URL: use a running server. Else build/release/dini if it exists, else the stand-in (DINI_STAND_IN=1 forces it).
+// DINI_URL: a running server. DINI_PROGRAM: the program to start, else build/release/dini. Without either, or with
+// DINI_STAND_IN=1, the stand-in answers, which is said aloud: it proves less.
 
 import { spawn } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
@@ -31,11 +32,13 @@ const CHROMIUM_ARGUMENTS = [
 export class Server {
   url = process.env.DINI_URL ?? "";
   isOurs = !process.env.DINI_URL;
-  isStandIn = this.isOurs && (process.env.DINI_STAND_IN === "1" || !existsSync(program));
+  isStandIn =
+    this.isOurs && (process.env.DINI_STAND_IN === "1" || (!process.env.DINI_PROGRAM && !existsSync(program)));
   #child;
 
   async start() {
     if (!this.isOurs) return;
+    if (this.isStandIn) console.log("The stand-in answers, not the server.");
     const folder = mkdtempSync(path.join(tmpdir(), "dini-e2e-"));
     const portFile = path.join(folder, "port");
     const port = this.url ? new URL(this.url).port : "0";
