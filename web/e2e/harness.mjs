@@ -32,8 +32,7 @@ const CHROMIUM_ARGUMENTS = [
 export class Server {
   url = process.env.DINI_URL ?? "";
   isOurs = !process.env.DINI_URL;
-  isStandIn =
-    this.isOurs && (process.env.DINI_STAND_IN === "1" || (!process.env.DINI_PROGRAM && !existsSync(program)));
+  isStandIn = this.isOurs && (process.env.DINI_STAND_IN === "1" || (!process.env.DINI_PROGRAM && !existsSync(program)));
   #child;
 
   async start() {
