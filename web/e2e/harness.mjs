@@ -1,0 +1,154 @@
+// Starts the server and a browser for the end-to-end tests.
+// DINI_URL: a running server. DINI_PROGRAM: the program to start, else build/release/dini. Without either, or with
+// DINI_STAND_IN=1, the stand-in answers, which is said aloud: it proves less.
+
+import { spawn } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { chromium } from "playwright-core";
+
+const here = path.dirname(fileURLToPath(import.meta.url));
+const root = path.resolve(here, "../..");
+const program = process.env.DINI_PROGRAM ?? path.join(root, "build/release/dini");
+
+const CHROMIUM_ARGUMENTS = [
+  "--no-sandbox",
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+  "--disable-dev-shm-usage",
+  "--hide-scrollbars",
+  "--force-device-scale-factor=1",
+  "--mute-audio",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+];
+
+/** A server of our own that can be stopped and started again at the same address. */
+export class Server {
+  url = process.env.DINI_URL ?? "";
+  isOurs = !process.env.DINI_URL;
+  isStandIn = this.isOurs && (process.env.DINI_STAND_IN === "1" || (!process.env.DINI_PROGRAM && !existsSync(program)));
+  #child;
+
+  async start() {
+    if (!this.isOurs) return;
+    if (this.isStandIn) console.log("The stand-in answers, not the server.");
+    const folder = mkdtempSync(path.join(tmpdir(), "dini-e2e-"));
+    const portFile = path.join(folder, "port");
+    const port = this.url ? new URL(this.url).port : "0";
+    const common = ["--port", port, "--port-file", portFile];
+    const [command, parts] = this.isStandIn
+      ? [process.execPath, [path.join(here, "stand_in/main.mjs"), ...common]]
+      : [
+          program,
+          ["serve", ...common, "--web", path.join(root, "web/dist"), "--examples", path.join(root, "examples")],
+        ];
+    this.#child = spawn(command, parts, { stdio: ["ignore", "ignore", "inherit"] });
+    const limit = Date.now() + 15_000;
+    const written = () => existsSync(portFile) && readFileSync(portFile, "utf8").trim() !== "";
+    while (!written()) {
+      if (Date.now() > limit) throw new Error(`${command} did not start`);
+      await new Promise((resolve) => setTimeout(resolve, 20));
+    }
+    this.url = `http://127.0.0.1:${readFileSync(portFile, "utf8").trim()}`;
+    rmSync(folder, { recursive: true, force: true });
+  }
+
+  async stop() {
+    if (!this.#child) return;
+    const gone = new Promise((resolve) => this.#child.once("exit", resolve));
+    this.#child.kill("SIGTERM");
+    await gone;
+    this.#child = undefined;
+  }
+}
+
+export function launchBrowser() {
+  return chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    headless: true,
+    args: CHROMIUM_ARGUMENTS,
+  });
+}
+
+/** A page that keeps account of everything that must not happen: `page.offences`. */
+export async function openPage(browser, url, options = {}) {
+  const { hash = "", theme = "dark", width = 1280, height = 720, expectOutage = false } = options;
+  const context = await browser.newContext({ viewport: { width, height }, colorScheme: theme, acceptDownloads: true });
+  await context.addInitScript(() => {
+    window.cspViolations = [];
+    document.addEventListener("securitypolicyviolation", (event) =>
+      window.cspViolations.push(event.violatedDirective + " " + event.blockedURI),
+    );
+  });
+  const page = await context.newPage();
+  const offences = [];
+  const origin = new URL(url).origin;
+  page.on("console", (message) => {
+    // The browser itself reports refused evaluations (422) and a server that is away as errors.
+    const isAnswer =
+      /Failed to load resource: (the server responded with a status of 422|net::ERR_(CONNECTION|EMPTY))/.test(
+        message.text(),
+      );
+    const isAllowed = isAnswer && (expectOutage || message.text().includes("422"));
+    if (message.type() === "error" && !isAllowed) offences.push(`console: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => offences.push(`error: ${error.message}`));
+  page.on("request", (request) => {
+    if (!/^(blob|data):/.test(request.url()) && new URL(request.url()).origin !== origin)
+      offences.push(`request to ${request.url()}`);
+  });
+  await page.goto(`${url}/${hash}`);
+  page.offences = async () => [
+    ...offences,
+    ...(await page.evaluate(() => window.cspViolations)).map((text) => `policy: ${text}`),
+  ];
+  return page;
+}
+
+/** Waits until the newest input is shown in full quality. */
+export async function settled(page, timeout = 30_000) {
+  await page.waitForFunction(
+    () => {
+      const { state, revision, shown, quality } = document.documentElement.dataset;
+      return state === "idle" && revision === shown && quality === "final";
+    },
+    undefined,
+    { timeout },
+  );
+}
+
+/** Share of the model view's pixels that differ clearly from its corners' background. */
+export async function coverage(page) {
+  const canvas = page.getByRole("img", { name: /^The model/ });
+  const picture = (await canvas.screenshot()).toString("base64");
+  return page.evaluate(async (data) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${data}`;
+    await image.decode();
+    const surface = document.createElement("canvas");
+    [surface.width, surface.height] = [image.width, image.height];
+    const context = surface.getContext("2d");
+    context.drawImage(image, 0, 0);
+    const pixels = context.getImageData(0, 0, image.width, image.height).data;
+    let different = 0;
+    for (let row = 0; row < image.height; row++) {
+      // The background is a vertical gradient, so each row is compared with its own border.
+      const edge = 4 * (row * image.width + 2);
+      for (let column = 0; column < image.width; column++) {
+        const at = 4 * (row * image.width + column);
+        const distance =
+          Math.abs(pixels[at] - pixels[edge]) +
+          Math.abs(pixels[at + 1] - pixels[edge + 1]) +
+          Math.abs(pixels[at + 2] - pixels[edge + 2]);
+        if (distance > 60) different++;
+      }
+    }
+    return different / (image.width * image.height);
+  }, picture);
+}

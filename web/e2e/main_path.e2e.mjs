@@ -1,0 +1,183 @@
+// The main path in a browser: open an example, see it, change it, be told what is wrong, take it away as a file.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { coverage, launchBrowser, openPage, Server, settled } from "./harness.mjs";
+
+const RING = "fig04_boosted_ring";
+const server = new Server();
+let browser;
+let ring;
+let count;
+
+before(async () => {
+  await server.start();
+  browser = await launchBrowser();
+  const { examples } = await (await fetch(`${server.url}/v1/examples`)).json();
+  count = examples.length;
+  ring = examples.find((item) => item.id === RING);
+});
+
+after(async () => {
+  await browser?.close();
+  await server.stop();
+});
+
+/** The first number parameter with a range: the one the tests drag and mistype. */
+function rangedParameter() {
+  const [name, item] = Object.entries(ring.graph.parameters).find(
+    ([, one]) => one.type === "number" && one.min !== undefined && one.max !== undefined,
+  );
+  return { name, label: item.label ?? name, ...item };
+}
+
+async function withPage(options, run) {
+  const page = await openPage(browser, server.url, options);
+  try {
+    await run(page);
+    assert.deepEqual(await page.offences(), []);
+  } finally {
+    await page.context().close();
+  }
+}
+
+test("the page opens with a finished example, and the gallery opens another", () =>
+  withPage({}, async (page) => {
+    await settled(page);
+    const first = await coverage(page);
+    assert.ok(first > 0.05 && first < 0.95, `share of the view that is not background: ${first}`);
+    const gallery = page.getByRole("navigation", { name: "Examples" });
+    assert.equal(await gallery.getByRole("listitem").count(), count);
+    await gallery.getByRole("button", { name: new RegExp(`^${ring.title}`) }).click();
+    await page.waitForFunction((id) => location.hash === `#example=${id}`, RING);
+    await settled(page);
+    assert.equal(await page.getByRole("heading", { level: 1 }).textContent(), ring.title);
+    const second = await coverage(page);
+    assert.ok(second > 0.05 && second < 0.95, `share of the view that is not background: ${second}`);
+  }));
+
+test("the gallery makes a picture of every example", () =>
+  withPage({}, async (page) => {
+    await settled(page);
+    await page.waitForFunction((all) => document.querySelectorAll(".card-picture img").length === all, count, {
+      timeout: 60_000,
+    });
+    const wide = await page.evaluate(() =>
+      [...document.querySelectorAll(".card-picture img")].every((image) => image.complete && image.naturalWidth > 0),
+    );
+    assert.ok(wide);
+  }));
+
+test("an address opens its example, drawn as a graph of named nodes and sockets", () =>
+  withPage({ hash: `#example=${RING}` }, async (page) => {
+    await settled(page);
+    const graph = page.getByRole("region", { name: "Graph" });
+    const nodes = Object.keys(ring.graph.nodes);
+    for (const id of nodes) await graph.getByRole("group", { name: new RegExp(`, ${id}$`) }).waitFor();
+    assert.ok((await graph.getByRole("button", { name: /^Output .* of / }).count()) >= nodes.length);
+    assert.ok((await graph.getByRole("button", { name: /^Input .* of / }).count()) > 0);
+    const boxes = await graph
+      .locator(".node")
+      .evaluateAll((list) => list.map((item) => item.getBoundingClientRect().toJSON()));
+    for (const a of boxes) {
+      for (const b of boxes) {
+        if (a === b) continue;
+        assert.ok(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top, "nodes overlap");
+      }
+    }
+  }));
+
+test("dragging a slider ends at its final value in full quality", () =>
+  withPage({ hash: `#example=${RING}` }, async (page) => {
+    await settled(page);
+    const parameter = rangedParameter();
+    const slider = page.getByRole("slider", { name: parameter.label, exact: true });
+    const box = await slider.boundingBox();
+    const middle = box.y + box.height / 2;
+    const before = Number(await page.evaluate(() => document.documentElement.dataset.revision));
+    const pictureBefore = await page.getByRole("img", { name: /^The model/ }).screenshot();
+    await page.mouse.move(box.x + box.width * 0.3, middle);
+    await page.mouse.down();
+    for (let step = 1; step <= 30; step++) await page.mouse.move(box.x + box.width * (0.3 + 0.015 * step), middle);
+    await page.mouse.up();
+    await settled(page);
+    const facts = await page.evaluate(() => ({ ...document.documentElement.dataset }));
+    assert.ok(Number(facts.revision) >= before + 20, `revision ${facts.revision} after ${before}`);
+    assert.equal(facts.shown, facts.revision);
+    const value = Number(await slider.getAttribute("aria-valuenow"));
+    const expected = parameter.min + 0.75 * (parameter.max - parameter.min);
+    assert.ok(Math.abs(value - expected) < 0.02 * (parameter.max - parameter.min), `${value}, expected ${expected}`);
+    const pictureAfter = await page.getByRole("img", { name: /^The model/ }).screenshot();
+    assert.ok(!pictureBefore.equals(pictureAfter), "the picture changed");
+  }));
+
+test("a typed formula is a value, and the wheel never changes one", () =>
+  withPage({ hash: `#example=${RING}` }, async (page) => {
+    await settled(page);
+    const parameter = rangedParameter();
+    const field = page.getByRole("textbox", { name: `${parameter.label} value` });
+    await field.click();
+    await field.fill(`(${parameter.min}+${parameter.max})/2`);
+    await field.press("Enter");
+    await settled(page);
+    const middle = String((parameter.min + parameter.max) / 2);
+    assert.equal(await field.inputValue(), middle);
+    await field.hover();
+    await page.mouse.wheel(0, 300);
+    await page.getByRole("slider", { name: parameter.label, exact: true }).hover();
+    await page.mouse.wheel(0, 300);
+    assert.equal(await field.inputValue(), middle);
+    await field.fill("nonsense");
+    await field.press("Enter");
+    await page.getByRole("alert").filter({ hasText: "is not a number" }).waitFor();
+    await page.getByRole("button", { name: `Reset ${parameter.label}` }).click();
+    await settled(page);
+    assert.equal(Number(await field.inputValue()), parameter.default);
+    assert.equal(await page.getByRole("alert").count(), 0);
+  }));
+
+test("a value out of range is refused next to its field, and the last picture stays", () =>
+  withPage({ hash: `#example=${RING}` }, async (page) => {
+    await settled(page);
+    const parameter = rangedParameter();
+    const shown = await page.evaluate(() => document.documentElement.dataset.shown);
+    const field = page.getByRole("textbox", { name: `${parameter.label} value` });
+    await field.click();
+    await field.fill(String(parameter.max + 5));
+    await field.press("Enter");
+    const alert = page.locator(`[data-parameter="${parameter.name}"]`).getByRole("alert");
+    await alert.waitFor();
+    assert.match(await alert.textContent(), new RegExp(String(parameter.max + 5)));
+    assert.equal(await field.getAttribute("aria-invalid"), "true");
+    const described = (await field.getAttribute("aria-describedby")).split(" ");
+    assert.ok(described.includes(await alert.getAttribute("id")));
+    await page.waitForFunction(() => document.documentElement.dataset.state === "error");
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.shown), shown);
+    assert.equal(await page.getByRole("region", { name: "Model" }).getAttribute("data-stale"), "true");
+    const share = await coverage(page);
+    assert.ok(share > 0.04, `the last picture stays: ${share}`);
+    await page.getByRole("tab", { name: /Problems/ }).click();
+    await page
+      .getByRole("tabpanel", { name: /Problems/ })
+      .getByText(String(parameter.max + 5))
+      .waitFor();
+    await page.getByRole("tab", { name: "Controls" }).click();
+    await page.getByRole("slider", { name: parameter.label, exact: true }).press("Home");
+    await settled(page);
+    assert.equal(await alert.count(), 0);
+    assert.equal(await page.getByRole("region", { name: "Model" }).getAttribute("data-stale"), "false");
+  }));
+
+test("the download is a GLB in full quality, named after the example", () =>
+  withPage({ hash: `#example=${RING}` }, async (page) => {
+    await settled(page);
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      page.getByRole("button", { name: "Download GLB" }).click(),
+    ]);
+    assert.match(download.suggestedFilename(), /^[a-z0-9-]+\.glb$/);
+    const bytes = readFileSync(await download.path());
+    assert.equal(bytes.toString("latin1", 0, 4), "glTF");
+    assert.equal(bytes.readUInt32LE(8), bytes.length);
+  }));

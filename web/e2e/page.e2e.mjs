@@ -1,0 +1,171 @@
+// The page itself: themes, narrow windows, the 3D view's settings, the keyboard, a server that goes away.
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { coverage, launchBrowser, openPage, Server, settled } from "./harness.mjs";
+
+const server = new Server();
+let browser;
+
+before(async () => {
+  await server.start();
+  browser = await launchBrowser();
+});
+
+after(async () => {
+  await browser?.close();
+  await server.stop();
+});
+
+async function withPage(options, run) {
+  const page = await openPage(browser, server.url, options);
+  try {
+    await run(page);
+    assert.deepEqual(await page.offences(), []);
+  } finally {
+    await page.context().close();
+  }
+}
+
+const themeOf = (page) => page.evaluate(() => document.documentElement.dataset.theme);
+
+test("the theme follows the system until it is chosen, and the choice is remembered", () =>
+  withPage({ theme: "light" }, async (page) => {
+    assert.equal(await themeOf(page), "light");
+    await settled(page);
+    await page.getByRole("button", { name: "Use the dark theme" }).click();
+    assert.equal(await themeOf(page), "dark");
+    const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    const dark = await background();
+    await page.reload();
+    assert.equal(await themeOf(page), "dark");
+    assert.equal(await background(), dark);
+    await page.getByRole("button", { name: "Use the light theme" }).click();
+    await page.emulateMedia({ colorScheme: "dark" });
+    await page.waitForFunction(() => document.documentElement.dataset.theme === "dark");
+    await settled(page);
+  }));
+
+test("text is readable in both themes", async () => {
+  for (const theme of ["dark", "light"]) {
+    await withPage({ theme }, async (page) => {
+      await settled(page);
+      const low = await page.evaluate(() => {
+        const style = getComputedStyle(document.documentElement);
+        const luminance = (name) => {
+          const hex = style.getPropertyValue(name).trim();
+          const [r, g, b] = [1, 3, 5]
+            .map((at) => parseInt(hex.slice(at, at + 2), 16) / 255)
+            .map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));
+          return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+        };
+        const pairs = ["--text", "--text2", "--text3", "--error", "--accent-text"].flatMap((text) =>
+          ["--bg0", "--bg1", "--bg2"].map((ground) => [text, ground]),
+        );
+        pairs.push(
+          ["--error", "--error-soft"],
+          ["--accent-text", "--accent-soft"],
+          ["--text", "--warning-soft"],
+          ["--text", "--bg3"],
+        );
+        return pairs
+          .map(([text, ground]) => {
+            const [a, b] = [luminance(text), luminance(ground)].sort((x, y) => y - x);
+            return { text, ground, ratio: (a + 0.05) / (b + 0.05) };
+          })
+          .filter(({ ratio }) => ratio < 4.5);
+      });
+      assert.deepEqual(low, []);
+    });
+  }
+});
+
+test("every button and field has a name", () =>
+  withPage({}, async (page) => {
+    await settled(page);
+    const nameless = await page.evaluate(() =>
+      [...document.querySelectorAll("button, input, select, [role=slider], [role=separator], [role=tab]")]
+        .filter(
+          (item) => !(item.getAttribute("aria-label") || item.textContent.trim() || item.labels?.[0]?.textContent),
+        )
+        .map((item) => item.outerHTML.slice(0, 120)),
+    );
+    assert.deepEqual(nameless, []);
+  }));
+
+test("a narrow window has tabs instead of panes, and the model survives the change", () =>
+  withPage({ width: 800, height: 800 }, async (page) => {
+    await settled(page);
+    const panes = page.getByRole("tablist", { name: "Panes" });
+    await panes.getByRole("tab", { name: "Examples" }).click();
+    const cards = page.getByRole("navigation", { name: "Examples" }).getByRole("button");
+    await cards.nth(1).click();
+    await settled(page);
+    assert.equal(await panes.getByRole("tab", { name: "Model" }).getAttribute("aria-selected"), "true");
+    assert.ok((await coverage(page)) > 0.03);
+    await panes.getByRole("tab", { name: "Graph" }).click();
+    await page.locator(".node").first().waitFor();
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 800);
+    await page.setViewportSize({ width: 1280, height: 720 });
+    await page.getByRole("img", { name: /^The model/ }).waitFor();
+    await page.waitForTimeout(1000);
+    assert.ok((await coverage(page)) > 0.03, "the model is drawn again in the new pane");
+  }));
+
+test("shading, grid and axes can be chosen, and the view is turned with mouse and keys", () =>
+  withPage({}, async (page) => {
+    await settled(page);
+    const canvas = page.getByRole("img", { name: /^The model/ });
+    let last = await canvas.screenshot();
+    const changed = async (what, act) => {
+      await act();
+      await page.waitForTimeout(400);
+      const picture = await canvas.screenshot();
+      assert.ok(!picture.equals(last), what);
+      last = picture;
+    };
+    for (const mode of ["Lines", "Wire", "Normals", "Shaded"])
+      await changed(mode, () => page.getByRole("radio", { name: mode, exact: true }).click());
+    await changed("grid", () => page.getByRole("button", { name: "Grid" }).click());
+    await changed("axes", () => page.getByRole("button", { name: "Axes" }).click());
+    const { x, y, width, height } = await canvas.boundingBox();
+    await changed("orbit", async () => {
+      await page.mouse.move(x + width / 2, y + height / 2);
+      await page.mouse.down();
+      await page.mouse.move(x + width / 2 + 90, y + height / 2 + 40, { steps: 5 });
+      await page.mouse.up();
+    });
+    await changed("zoom", () => page.mouse.wheel(0, 400));
+    await changed("frame", () => page.keyboard.press("f"));
+    await changed("home", () => page.keyboard.press("Home"));
+    await canvas.focus();
+    await changed("arrow key", () => page.keyboard.press("ArrowLeft"));
+  }));
+
+test("choosing a node tells what it is", () =>
+  withPage({}, async (page) => {
+    await settled(page);
+    await page.locator(".react-flow__node").first().focus();
+    await page.keyboard.press("Enter");
+    const panel = page.getByRole("tabpanel", { name: "Node" });
+    await panel.getByRole("heading", { level: 2 }).waitFor();
+    assert.ok((await panel.getByRole("row").count()) > 0);
+  }));
+
+test(
+  "a server that goes away is announced, and the page goes on by itself when it is back",
+  { skip: !server.isOurs },
+  () =>
+    withPage({ expectOutage: true }, async (page) => {
+      await settled(page);
+      await server.stop();
+      const slider = page.getByRole("slider").first();
+      await slider.press("PageUp");
+      await page.getByText("The server does not answer.").waitFor();
+      assert.equal(await page.evaluate(() => document.documentElement.dataset.state), "error");
+      assert.ok((await coverage(page)) > 0.03, "the last picture stays");
+      await server.start();
+      await settled(page);
+      assert.equal(await page.getByText("The server does not answer.").count(), 0);
+    }),
+);

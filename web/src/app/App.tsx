@@ -1,0 +1,79 @@
+import { useEffect, useState, type ReactElement } from "react";
+import { GraphPane } from "../graph/GraphPane";
+import { Examples } from "../panels/Examples";
+import { Panel } from "../panels/Panel";
+import { ViewPane } from "../view3d/ViewPane";
+import { Banner } from "./Banner";
+import { SessionContext } from "./context";
+import { useMedia, useRemembered, useSession, useTheme } from "./hooks";
+import type { Session } from "./session";
+import { SplitPane } from "./SplitPane";
+import { StatusBar } from "./StatusBar";
+import { Tabs } from "./Tabs";
+import { TopBar } from "./TopBar";
+
+const NARROW = "(max-width: 899px)";
+
+export function App({ session }: { session: Session }): ReactElement {
+  const [theme, setTheme] = useTheme();
+  const [gallery, setGallery] = useRemembered("dini.gallery", "open");
+  const [tab, setTab] = useState("model");
+  const narrow = useMedia(NARROW);
+  const exampleId = useSession(session, (state) => state.exampleId);
+
+  // In a narrow window, choosing an example is followed by looking at it.
+  useEffect(() => setTab("model"), [exampleId]);
+
+  const isOpen = gallery === "open";
+  const view = <ViewPane light={theme === "light"} />;
+  const model = (
+    <SplitPane name="model" label="Border between model and controls" direction="column" initial={0.62}>
+      {[view, <Panel key="panel" />]}
+    </SplitPane>
+  );
+  return (
+    <SessionContext value={session}>
+      <TopBar
+        theme={theme}
+        onTheme={setTheme}
+        galleryOpen={isOpen}
+        onGallery={() => setGallery(isOpen ? "closed" : "open")}
+      />
+      <Banner />
+      <main className="work">
+        {narrow ? (
+          <Tabs
+            className="pane-tabs"
+            label="Panes"
+            keep
+            chosen={tab}
+            onChoose={setTab}
+            tabs={[
+              { id: "model", title: "Model", content: model },
+              { id: "graph", title: "Graph", content: <GraphPane /> },
+              { id: "examples", title: "Examples", content: <Examples /> },
+            ]}
+          />
+        ) : (
+          <>
+            <SplitPane name="graph" label="Border between graph and model" direction="row" initial={0.54}>
+              {[
+                <SplitPane
+                  key="left"
+                  name="gallery"
+                  label="Border between graph and examples"
+                  direction="column"
+                  initial={0.515}
+                >
+                  {[<GraphPane key="graph" />, isOpen && <Examples />]}
+                </SplitPane>,
+                model,
+              ]}
+            </SplitPane>
+          </>
+        )}
+      </main>
+      <StatusBar />
+    </SessionContext>
+  );
+}

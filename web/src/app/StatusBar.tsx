@@ -1,0 +1,49 @@
+import type { ReactElement } from "react";
+import { millisecondText, plural } from "../model/format";
+import { useCurrent } from "./context";
+import { useLasting } from "./hooks";
+
+/** The line at the bottom: whether the picture is up to date, how large the graph is, what the server took. */
+export function StatusBar(): ReactElement {
+  const busy = useLasting(
+    useCurrent((state) => state.busy),
+    250,
+  );
+  const away = useCurrent((state) => state.away);
+  const problem = useCurrent((state) => state.problem);
+  const view = useCurrent((state) => state.view);
+  const shown = useCurrent((state) => state.shown);
+  const engine = useCurrent((state) => state.catalogue?.engine);
+  const count = problem ? Math.max(1, problem.errors.length) : 0;
+  const [tone, text] = away
+    ? ["warning", "Server away"]
+    : busy
+      ? ["busy", "Evaluating…"]
+      : problem
+        ? ["error", "Out of date"]
+        : ["ok", shown ? "Up to date" : "Ready"];
+  const nodes = [...(shown?.report.nodes.values() ?? [])];
+  const cached = nodes.filter((node) => node.cached).length;
+  const total = shown && shown.report.prepare + shown.report.evaluate + shown.report.encode;
+  return (
+    <footer className="status-bar" aria-label="Status">
+      <span className="status-main" data-tone={tone} role="status">
+        {text}
+      </span>
+      {view && (
+        <span>
+          {plural(view.nodes.length, "node")} · {plural(view.wires.length, "wire")}
+        </span>
+      )}
+      {count > 0 && <span className="status-problems">{plural(count, "problem")}</span>}
+      <span className="spacer" />
+      {total !== null && total !== undefined && <span>Server {millisecondText(total)}</span>}
+      {nodes.length > 0 && (
+        <span title="Nodes whose value was already there">
+          cache {cached}/{nodes.length}
+        </span>
+      )}
+      {engine && <span className="status-engine">Dini {engine}</span>}
+    </footer>
+  );
+}

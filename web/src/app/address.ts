@@ -1,0 +1,47 @@
+// The page's address names the open example; the page's root element tells tests what is going on.
+
+import type { Store } from "../model/store";
+import type { Session, SessionState } from "./session";
+
+/** The example named in "#example=...", or null. */
+export function exampleInAddress(): string | null {
+  return new URLSearchParams(location.hash.slice(1)).get("example");
+}
+
+/** Keeps address and open example equal, both ways. */
+export function keepAddress(session: Session): void {
+  let written: string | null = null;
+  session.store.subscribe(() => {
+    const { exampleId, document: open } = session.store.get();
+    if (exampleId === written || exampleId === null) return;
+    const first = written === null;
+    written = exampleId;
+    if (open) document.title = `${open.title} · Dini`;
+    const wanted = exampleInAddress();
+    // The example a person did not ask for stays out of the address.
+    if (wanted !== exampleId && !(first && wanted === null)) location.hash = `example=${encodeURIComponent(exampleId)}`;
+  });
+  window.addEventListener("hashchange", () => {
+    const wanted = exampleInAddress();
+    if (wanted !== null) session.openExample(wanted);
+  });
+}
+
+/** Writes data-state, data-revision, data-shown and data-quality, so that tests wait for facts and not for time. */
+export function showStateOn(element: HTMLElement, store: Store<SessionState>): void {
+  const write = (): void => {
+    const { busy, away, problem, revision, shown } = store.get();
+    const state = away || (problem && !busy) ? "error" : busy ? "busy" : "idle";
+    const facts = {
+      state,
+      revision: String(revision),
+      shown: String(shown?.revision ?? 0),
+      quality: shown?.quality ?? "",
+    };
+    for (const [name, value] of Object.entries(facts)) {
+      if (element.dataset[name] !== value) element.dataset[name] = value;
+    }
+  };
+  write();
+  store.subscribe(write);
+}

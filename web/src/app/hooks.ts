@@ -1,0 +1,77 @@
+import { useCallback, useEffect, useState, useSyncExternalStore } from "react";
+import type { Store } from "../model/store";
+import type { Session, SessionState } from "./session";
+import {
+  applyTheme,
+  onSystemTheme,
+  recall,
+  remember,
+  rememberTheme,
+  rememberedTheme,
+  systemTheme,
+  type Theme,
+} from "./theme";
+
+/** The selected part of a store; the component renders again when that part is another one. */
+export function useStore<T extends object, Part>(store: Store<T>, select: (state: T) => Part): Part {
+  return useSyncExternalStore(store.subscribe, () => select(store.get()));
+}
+
+export function useSession<Part>(session: Session, select: (state: SessionState) => Part): Part {
+  return useStore(session.store, select);
+}
+
+/** The theme in use and the way to change it. */
+export function useTheme(): [Theme, (theme: Theme) => void] {
+  const [theme, setTheme] = useState<Theme>(rememberedTheme() ?? systemTheme());
+  useEffect(() => {
+    applyTheme(theme);
+    return onSystemTheme(() => setTheme(rememberedTheme() ?? systemTheme()));
+  }, [theme]);
+  return [
+    theme,
+    (next) => {
+      rememberTheme(next);
+      setTheme(next);
+    },
+  ];
+}
+
+/** True while the media query holds. */
+export function useMedia(query: string): boolean {
+  const subscribe = useCallback(
+    (listener: () => void) => {
+      const media = matchMedia(query);
+      media.addEventListener("change", listener);
+      return () => media.removeEventListener("change", listener);
+    },
+    [query],
+  );
+  return useSyncExternalStore(subscribe, () => matchMedia(query).matches);
+}
+
+/** State that survives a reload, as text. */
+export function useRemembered(key: string, initial: string): [string, (value: string) => void] {
+  const [value, setValue] = useState(() => recall(key) ?? initial);
+  return [
+    value,
+    (next) => {
+      remember(key, next);
+      setValue(next);
+    },
+  ];
+}
+
+/** True once `value` has been true for the given time without a break. */
+export function useLasting(value: boolean, milliseconds: number): boolean {
+  const [lasting, setLasting] = useState(false);
+  useEffect(() => {
+    if (!value) {
+      setLasting(false);
+      return undefined;
+    }
+    const timer = window.setTimeout(() => setLasting(true), milliseconds);
+    return () => window.clearTimeout(timer);
+  }, [value, milliseconds]);
+  return lasting;
+}

@@ -1,0 +1,123 @@
+// The catalogue of node types as GET /v1/nodes answers it. Everything the page knows about nodes comes from here.
+
+import { asArray, asObject, asString, isNumber, type Json } from "./json";
+
+/** A wire type: what its sockets and wires look like. */
+export interface WireType {
+  name: string;
+  family: string;
+  color: string;
+  shape: string;
+  doc: string;
+}
+
+/** An input of a node type: what it accepts and the literal it falls back to. */
+export interface InputCard {
+  name: string;
+  types: string[];
+  doc: string;
+  required: boolean;
+  several: boolean;
+  fallback?: Json;
+  unit: string;
+}
+
+/** An output of a node type; `sameAs` names the input whose type it repeats. */
+export interface OutputCard {
+  name: string;
+  types: string[];
+  doc: string;
+  sameAs?: string;
+}
+
+export interface NodeCard {
+  id: string;
+  title: string;
+  family: string;
+  doc: string;
+  source: string;
+  inputs: InputCard[];
+  outputs: OutputCard[];
+}
+
+export interface Catalogue {
+  engine: string;
+  types: Map<string, WireType>;
+  families: Map<string, string>;
+  nodes: Map<string, NodeCard>;
+}
+
+/** Type of the values that leave the graph as bytes: a node that makes one is something to evaluate and download. */
+export const FILE_TYPE = "asset";
+
+const UNKNOWN_TYPE: WireType = { name: "unknown", family: "", color: "#8B94A3", shape: "circle", doc: "" };
+
+/** Reads the answer of GET /v1/nodes; missing texts become empty, cards without an id are left out. */
+export function readCatalogue(json: Json): Catalogue {
+  const root = asObject(json);
+  const catalogue: Catalogue = {
+    engine: asString(root["engine"]),
+    types: new Map(),
+    families: new Map(),
+    nodes: new Map(),
+  };
+  for (const item of asArray(root["types"]).map(asObject)) {
+    const name = asString(item["name"]);
+    const color = asString(item["color"]) || UNKNOWN_TYPE.color;
+    const shape = asString(item["shape"]) || UNKNOWN_TYPE.shape;
+    catalogue.types.set(name, { name, family: asString(item["family"]), color, shape, doc: asString(item["doc"]) });
+  }
+  for (const item of asArray(root["families"]).map(asObject)) {
+    catalogue.families.set(asString(item["name"]), asString(item["title"]));
+  }
+  for (const item of asArray(root["nodes"]).map(asObject)) {
+    const card = readCard(item);
+    if (card.id) catalogue.nodes.set(card.id, card);
+  }
+  return catalogue;
+}
+
+/** The look of a wire type; a neutral one for a type the catalogue does not list. */
+export function wireType(catalogue: Catalogue, name: string | undefined): WireType {
+  return (name !== undefined && catalogue.types.get(name)) || UNKNOWN_TYPE;
+}
+
+/** The unit as written behind a number. */
+export function unitText(unit: string): string {
+  if (unit === "deg") return "°";
+  return unit ? `\u202f${unit}` : "";
+}
+
+function readCard(item: Record<string, Json>): NodeCard {
+  const id = asString(item["id"]);
+  return {
+    id,
+    title: asString(item["title"]) || id,
+    family: asString(item["family"]),
+    doc: asString(item["doc"]),
+    source: asString(item["source"]),
+    inputs: asArray(item["inputs"]).map(asObject).map(readInput),
+    outputs: asArray(item["outputs"]).map(asObject).map(readOutput),
+  };
+}
+
+function readInput(item: Record<string, Json>): InputCard {
+  return {
+    name: asString(item["name"]),
+    types: asArray(item["types"]).map(asString),
+    doc: asString(item["doc"]),
+    required: item["required"] === true,
+    several: item["several"] === true || isNumber(item["several"]),
+    fallback: item["default"],
+    unit: asString(item["unit"]),
+  };
+}
+
+function readOutput(item: Record<string, Json>): OutputCard {
+  return {
+    name: asString(item["name"]),
+    types: asArray(item["types"]).map(asString),
+    doc: asString(item["doc"]),
+    sameAs: asString(item["same_as"]) || undefined,
+  };
+}

@@ -1,0 +1,105 @@
+// The graph document, format 1, as the page reads it. The server is the judge of a document; here only what is needed
+// to draw it and to build the form is read, and the text sent to the server stays the one that was loaded.
+
+import { asArray, asNumber, asObject, asString, isNumber, isObject, type Json, type JsonObject } from "./json";
+import { readParameter, type Parameter } from "./parameters";
+
+/** What stands at an input: a literal, a wire from another node's output, or a parameter of the graph. */
+export type Source =
+  | { kind: "literal"; value: Json }
+  | { kind: "link"; node: string; output?: string }
+  | { kind: "parameter"; name: string };
+
+export interface GraphNode {
+  id: string;
+  type: string;
+  /** Several sources where the input takes several. */
+  inputs: Map<string, Source[]>;
+  bypass: boolean;
+}
+
+export interface Position {
+  x: number;
+  y: number;
+}
+
+export interface GraphDocument {
+  /** The document as it was loaded: this is what is sent. */
+  json: JsonObject;
+  title: string;
+  description: string;
+  parameters: Parameter[];
+  nodes: Map<string, GraphNode>;
+  positions: Map<string, Position>;
+}
+
+export type ReadResult = { document: GraphDocument } | { error: string };
+
+const NEWEST_FORMAT = 1;
+
+/** Reads a parsed document. The error is one sentence for the person who opened it. */
+export function readDocument(json: Json): ReadResult {
+  if (!isObject(json)) return { error: "This is not a graph: a JSON object was expected." };
+  const format = json["format"];
+  if (!isNumber(format)) return { error: "This is not a graph: it has no format number." };
+  if (format > NEWEST_FORMAT) {
+    return { error: `This graph has format ${format}; this page reads formats up to ${NEWEST_FORMAT}.` };
+  }
+  if (!isObject(json["nodes"])) return { error: "This graph has no nodes." };
+  const meta = asObject(json["meta"]);
+  const parameters = Object.entries(asObject(json["parameters"])).map(([name, item]) =>
+    readParameter(name, asObject(item)),
+  );
+  const nodes = new Map<string, GraphNode>();
+  for (const [id, item] of Object.entries(json["nodes"])) nodes.set(id, readNode(id, asObject(item)));
+  return {
+    document: {
+      json,
+      title: asString(meta["title"]) || "Untitled graph",
+      description: asString(meta["description"]),
+      parameters,
+      nodes,
+      positions: readPositions(asObject(json["ui"]), nodes),
+    },
+  };
+}
+
+/** Splits "node.output" at its first dot; the output is left out where the node has one only. */
+export function readLink(text: string): { node: string; output?: string } {
+  const dot = text.indexOf(".");
+  return dot < 0 ? { node: text } : { node: text.slice(0, dot), output: text.slice(dot + 1) };
+}
+
+function readNode(id: string, item: JsonObject): GraphNode {
+  const inputs = new Map<string, Source[]>();
+  for (const [name, value] of Object.entries(asObject(item["inputs"]))) inputs.set(name, readSources(value));
+  return { id, type: asString(item["type"]), inputs, bypass: item["bypass"] === true };
+}
+
+function readSources(value: Json): Source[] {
+  // A list is several sources only if a link or a parameter is among them; otherwise it is one literal, as [x, y, z].
+  if (Array.isArray(value) && value.some(isReference)) return value.map(readSource);
+  return [readSource(value)];
+}
+
+function isReference(value: Json): boolean {
+  return isObject(value) && (typeof value["from"] === "string" || typeof value["parameter"] === "string");
+}
+
+function readSource(value: Json): Source {
+  if (isObject(value)) {
+    if (typeof value["from"] === "string") return { kind: "link", ...readLink(value["from"]) };
+    if (typeof value["parameter"] === "string") return { kind: "parameter", name: value["parameter"] };
+  }
+  return { kind: "literal", value };
+}
+
+function readPositions(ui: JsonObject, nodes: Map<string, GraphNode>): Map<string, Position> {
+  const positions = new Map<string, Position>();
+  for (const [id, item] of Object.entries(asObject(ui["nodes"]))) {
+    const place = asObject(item);
+    const [x, y] = Array.isArray(item) ? asArray(item).map(asNumber) : [asNumber(place["x"]), asNumber(place["y"])];
+    if (nodes.has(id) && x !== undefined && y !== undefined) positions.set(id, { x, y });
+  }
+  return positions;
+}

@@ -1,0 +1,149 @@
+// Places nodes in layers from left to right: sources left, wires as short as a few sweeps make them.
+
+import type { Position } from "./document";
+import type { ViewGraph, ViewNode } from "./graph";
+
+/** Measures of a drawn node in pixels; the style sheet uses the same (graph.css). */
+export const NODE_WIDTH = 192;
+export const HEADER_HEIGHT = 34;
+export const ROW_HEIGHT = 24;
+const NODE_PADDING = 12;
+
+const COLUMN_GAP = 54;
+const ROW_GAP = 22;
+const SWEEPS = 8;
+
+/** Height of a node with its inputs folded. */
+export function nodeHeight(node: ViewNode): number {
+  const rows = node.inputs.length + node.outputs.length + (node.folded.length > 0 ? 1 : 0);
+  return HEADER_HEIGHT + NODE_PADDING + rows * ROW_HEIGHT;
+}
+
+/** A position for every node; no two nodes overlap. Cycles do no harm. */
+export function layeredLayout(graph: ViewGraph): Map<string, Position> {
+  const columns = columnsOf(graph);
+  const neighbors = neighborsOf(graph);
+  const centers = new Map<string, number>();
+  for (const column of columns)
+    stack(
+      column,
+      column.map((_, index) => index * 1e-3),
+      centers,
+    );
+  for (let sweep = 0; sweep < SWEEPS; sweep++) {
+    const forward = sweep % 2 === 0;
+    for (const column of forward ? columns : [...columns].reverse()) {
+      const wanted = column.map((node) => mean(neighbors.get(node.id) ?? [], centers) ?? centers.get(node.id) ?? 0);
+      stack(column, wanted, centers);
+    }
+  }
+  return positions(columns, centers);
+}
+
+/** Nodes by distance: each one stands left of everything it feeds, as far right as that allows. */
+function columnsOf(graph: ViewGraph): ViewNode[][] {
+  const order = topological(graph);
+  const targets = new Map<string, string[]>();
+  for (const wire of graph.wires) push(targets, wire.from, wire.to);
+  const depth = new Map<string, number>();
+  const rank = new Map(order.map((id, index) => [id, index]));
+  for (const id of [...order].reverse()) {
+    let deepest = 0;
+    for (const target of targets.get(id) ?? []) {
+      // A wire against the order closes a cycle; it does not move anything.
+      if ((rank.get(target) ?? 0) > (rank.get(id) ?? 0)) deepest = Math.max(deepest, 1 + (depth.get(target) ?? 0));
+    }
+    depth.set(id, deepest);
+  }
+  const last = Math.max(0, ...depth.values());
+  const columns: ViewNode[][] = Array.from({ length: last + 1 }, () => []);
+  for (const node of graph.nodes) columns[last - (depth.get(node.id) ?? 0)]?.push(node);
+  return columns.filter((column) => column.length > 0);
+}
+
+/** Kahn's order; what a cycle leaves over follows in document order. */
+function topological(graph: ViewGraph): string[] {
+  const waiting = new Map(graph.nodes.map((node) => [node.id, 0]));
+  const targets = new Map<string, string[]>();
+  for (const wire of graph.wires) {
+    if (!waiting.has(wire.from) || !waiting.has(wire.to)) continue;
+    waiting.set(wire.to, (waiting.get(wire.to) ?? 0) + 1);
+    push(targets, wire.from, wire.to);
+  }
+  const order = graph.nodes.filter((node) => waiting.get(node.id) === 0).map((node) => node.id);
+  for (let at = 0; at < order.length; at++) {
+    for (const target of targets.get(order[at] ?? "") ?? []) {
+      const left = (waiting.get(target) ?? 0) - 1;
+      waiting.set(target, left);
+      if (left === 0) order.push(target);
+    }
+  }
+  const done = new Set(order);
+  for (const node of graph.nodes) if (!done.has(node.id)) order.push(node.id);
+  return order;
+}
+
+function neighborsOf(graph: ViewGraph): Map<string, string[]> {
+  const neighbors = new Map<string, string[]>();
+  for (const wire of graph.wires) {
+    push(neighbors, wire.from, wire.to);
+    push(neighbors, wire.to, wire.from);
+  }
+  return neighbors;
+}
+
+/** Sorts a column by the wanted centers and moves its nodes apart as little as keeps them from overlapping. */
+function stack(column: ViewNode[], wanted: number[], centers: Map<string, number>): void {
+  const items = column.map((node, index) => ({ node, wanted: wanted[index] ?? 0, half: nodeHeight(node) / 2 }));
+  items.sort((a, b) => a.wanted - b.wanted);
+  // Blocks of touching nodes sit at the mean of what their members want (as in isotonic regression).
+  const blocks: { start: number; size: number; sum: number; height: number; members: typeof items }[] = [];
+  for (const item of items) {
+    const height = 2 * item.half + ROW_GAP;
+    let block = { start: item.wanted - height / 2, size: 1, sum: item.wanted - height / 2, height, members: [item] };
+    for (let above = blocks.at(-1); above && above.start + above.height > block.start; above = blocks.at(-1)) {
+      blocks.pop();
+      const offset = above.height;
+      block = {
+        size: above.size + block.size,
+        sum: above.sum + block.sum - offset * block.size,
+        height: above.height + block.height,
+        members: [...above.members, ...block.members],
+        start: 0,
+      };
+      block.start = block.sum / block.size;
+    }
+    blocks.push(block);
+  }
+  column.length = 0;
+  for (const block of blocks) {
+    let top = block.start;
+    for (const { node, half } of block.members) {
+      centers.set(node.id, top + half + ROW_GAP / 2);
+      top += 2 * half + ROW_GAP;
+      column.push(node);
+    }
+  }
+}
+
+function positions(columns: ViewNode[][], centers: Map<string, number>): Map<string, Position> {
+  const places = new Map<string, Position>();
+  columns.forEach((column, index) => {
+    for (const node of column) {
+      const y = (centers.get(node.id) ?? 0) - nodeHeight(node) / 2;
+      places.set(node.id, { x: index * (NODE_WIDTH + COLUMN_GAP), y: Math.round(y) });
+    }
+  });
+  return places;
+}
+
+function mean(ids: string[], centers: Map<string, number>): number | undefined {
+  if (ids.length === 0) return undefined;
+  return ids.reduce((sum, id) => sum + (centers.get(id) ?? 0), 0) / ids.length;
+}
+
+function push(map: Map<string, string[]>, key: string, value: string): void {
+  const list = map.get(key);
+  if (list) list.push(value);
+  else map.set(key, [value]);
+}

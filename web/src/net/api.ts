@@ -1,0 +1,102 @@
+// The calls to the server. Addresses are relative to the page, so that it also works below a prefix.
+
+import type { Json, JsonObject } from "../model/json";
+import type { ParameterValues } from "../model/parameters";
+import { boundaryOf, readMultipart } from "./multipart";
+import { readProblem, type Problem } from "./problem";
+import { readReport, type Report } from "./report";
+
+export type Quality = "draft" | "final";
+
+export interface EvaluateBody {
+  graph: JsonObject;
+  parameters: ParameterValues;
+  output?: string;
+}
+
+export type Answer =
+  | { kind: "model"; report: Report; model: Uint8Array<ArrayBuffer> }
+  | { kind: "problem"; problem: Problem }
+  /** Nothing usable came: no connection, or the server asks to wait. */
+  | { kind: "away"; retryAfter?: number };
+
+const MULTIPART = "multipart/form-data";
+const MODEL = "model/gltf-binary";
+const BUSY_STATUS = new Set([429, 502, 503]);
+
+/** GET of a JSON answer. Rejects if the server cannot be reached or answers an error. */
+export async function getJson(path: string): Promise<Json> {
+  const response = await fetch(path, { headers: { accept: "application/json" } });
+  if (!response.ok) throw new Error(`${path}: ${response.status}`);
+  return (await response.json()) as Json;
+}
+
+/** True if the server answers at all. */
+export async function isAlive(): Promise<boolean> {
+  try {
+    return (await fetch("healthz", { cache: "no-store" })).ok;
+  } catch {
+    return false;
+  }
+}
+
+/** Evaluates a graph to report and model. Never rejects, except with AbortError after `signal`. */
+export async function evaluate(
+  body: EvaluateBody,
+  quality: Quality,
+  signal?: AbortSignal,
+  supersedeKey?: string,
+): Promise<Answer> {
+  const headers: Record<string, string> = { "content-type": "application/json", accept: MULTIPART };
+  if (supersedeKey) headers["supersede-key"] = supersedeKey;
+  try {
+    const response = await fetch("v1/evaluate", {
+      method: "POST",
+      headers,
+      body: JSON.stringify({ ...body, quality }),
+      signal,
+    });
+    return await readAnswer(response);
+  } catch (error) {
+    if (signal?.aborted) throw error;
+    return { kind: "away" };
+  }
+}
+
+/** The model alone in final quality, for a download. */
+export async function fetchModel(body: EvaluateBody): Promise<Uint8Array<ArrayBuffer> | Problem> {
+  const response = await fetch("v1/evaluate", {
+    method: "POST",
+    headers: { "content-type": "application/json", accept: MODEL },
+    body: JSON.stringify({ ...body, quality: "final" }),
+  });
+  if (!response.ok) return readProblem(response.status, await jsonOf(response));
+  return new Uint8Array(await response.arrayBuffer());
+}
+
+async function readAnswer(response: Response): Promise<Answer> {
+  if (BUSY_STATUS.has(response.status)) {
+    const seconds = Number(response.headers.get("retry-after"));
+    return { kind: "away", retryAfter: seconds > 0 ? seconds * 1000 : undefined };
+  }
+  if (!response.ok) return { kind: "problem", problem: readProblem(response.status, await jsonOf(response)) };
+  const boundary = boundaryOf(response.headers.get("content-type") ?? "");
+  const body = new Uint8Array(await response.arrayBuffer());
+  const parts = boundary === undefined ? undefined : readMultipart(body, boundary);
+  const report = parts?.find((part) => part.name === "report");
+  const model = parts?.find((part) => part.name === "model");
+  if (!report || !model) {
+    const problem = readProblem(0, { title: "Unreadable answer", detail: "The server's answer could not be read." });
+    return { kind: "problem", problem };
+  }
+  const json = JSON.parse(new TextDecoder().decode(report.data)) as Json;
+  return { kind: "model", report: readReport(json), model: model.data.slice() };
+}
+
+async function jsonOf(response: Response): Promise<Json> {
+  try {
+    return (await response.json()) as Json;
+  } catch {
+    return null;
+  }
+}

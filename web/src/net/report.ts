@@ -1,0 +1,88 @@
+// The report that comes with every evaluated model.
+
+import { asArray, asNumber, asObject, asString, isObject, type Json } from "../model/json";
+import { readEntry, type ProblemEntry } from "./problem";
+
+export interface Axis {
+  name: string;
+  size: number;
+  closed: boolean;
+}
+
+export interface NodeReport {
+  milliseconds: number;
+  cached: boolean;
+  outputs: Map<string, { type: string; axes: Axis[] }>;
+}
+
+export interface Check {
+  node: string;
+  value?: number;
+  passed: boolean;
+  message: string;
+}
+
+export interface Report {
+  quality: string;
+  prepare: number;
+  evaluate: number;
+  encode: number;
+  nodes: Map<string, NodeReport>;
+  bytes: number;
+  vertices: number;
+  triangles: number;
+  positionError?: number;
+  checks: Check[];
+  warnings: ProblemEntry[];
+}
+
+export function readReport(json: Json): Report {
+  const root = asObject(json);
+  const times = asObject(root["milliseconds"]);
+  const model = asObject(root["model"]);
+  const nodes = new Map<string, NodeReport>();
+  for (const [id, item] of Object.entries(asObject(root["nodes"]))) nodes.set(id, readNode(item));
+  return {
+    quality: asString(root["quality"]),
+    prepare: asNumber(times["prepare"]) ?? 0,
+    evaluate: asNumber(times["evaluate"]) ?? 0,
+    encode: asNumber(times["encode"]) ?? 0,
+    nodes,
+    bytes: asNumber(model["bytes"]) ?? 0,
+    vertices: asNumber(model["vertices"]) ?? 0,
+    triangles: asNumber(model["triangles"]) ?? 0,
+    positionError: asNumber(model["position_error"]),
+    checks: asArray(root["checks"])
+      .filter(isObject)
+      .map((item) => ({
+        node: asString(item["node"]),
+        value: asNumber(item["value"]),
+        passed: item["passed"] === true,
+        message: asString(item["message"]),
+      })),
+    warnings: asArray(root["warnings"]).map(readEntry),
+  };
+}
+
+/** "circle over k: 96, j: 12 closed" */
+export function axesText(type: string, axes: readonly Axis[]): string {
+  if (axes.length === 0) return type;
+  return `${type} over ${axes.map((axis) => `${axis.name}: ${axis.size}${axis.closed ? " closed" : ""}`).join(", ")}`;
+}
+
+function readNode(json: Json): NodeReport {
+  const item = asObject(json);
+  const outputs: NodeReport["outputs"] = new Map();
+  for (const [name, value] of Object.entries(asObject(item["outputs"]))) {
+    const output = asObject(value);
+    const axes = asArray(output["axes"])
+      .map(asObject)
+      .map((axis) => ({
+        name: asString(axis["name"]),
+        size: asNumber(axis["size"]) ?? 0,
+        closed: axis["closed"] === true,
+      }));
+    outputs.set(name, { type: asString(output["type"]), axes });
+  }
+  return { milliseconds: asNumber(item["milliseconds"]) ?? 0, cached: item["cached"] === true, outputs };
+}

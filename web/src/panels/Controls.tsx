@@ -1,0 +1,29 @@
+import type { ReactElement } from "react";
+import { useCurrent, useCurrentSession } from "../app/context";
+import { Icon } from "../app/icons";
+import { ParameterRow } from "./ParameterRow";
+
+/** A row per graph parameter. Changing one evaluates the graph again. */
+export function Controls(): ReactElement {
+  const session = useCurrentSession();
+  const open = useCurrent((state) => state.document);
+  const isChanged = useCurrent((state) => Object.keys(state.values).length > 0);
+  if (!open) return <p className="empty">No graph is open.</p>;
+  return (
+    <div className="controls">
+      {open.description && <p className="controls-description">{open.description}</p>}
+      {open.parameters.length === 0 && <p className="empty">This graph has no parameters.</p>}
+      <div className="parameter-rows" key={open.title}>
+        {open.parameters.map((parameter) => (
+          <ParameterRow key={parameter.name} parameter={parameter} />
+        ))}
+      </div>
+      {open.parameters.length > 0 && (
+        <button type="button" className="button quiet" disabled={!isChanged} onClick={() => session.resetParameters()}>
+          <Icon name="reset" />
+          <span>Reset all</span>
+        </button>
+      )}
+    </div>
+  );
+}

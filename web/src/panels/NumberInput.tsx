@@ -1,0 +1,110 @@
+import { useRef, useState, type KeyboardEvent, type PointerEvent, type ReactElement } from "react";
+import { evaluateExpression } from "../model/expression";
+import { numberText } from "../model/format";
+
+interface NumberInputProps {
+  id: string;
+  label: string;
+  value: number;
+  decimals: number;
+  unit?: string;
+  step: number;
+  invalid: boolean;
+  describedBy?: string;
+  /** A typed value; it is passed on as it is, so that the server can say what is wrong with it. */
+  onType(value: number): void;
+  onMove(value: number, fine: boolean): void;
+  onUnreadable(message: string): void;
+}
+
+const DRAG_THRESHOLD = 3;
+const PIXELS_PER_STEP = 4;
+
+/** A number that is typed (formulas too), dragged sideways, or stepped with the arrow keys. */
+export function NumberInput(props: NumberInputProps): ReactElement {
+  const { id, label, value, decimals, unit = "", step, invalid, describedBy, onType, onMove, onUnreadable } = props;
+  const [text, setText] = useState<string | null>(null);
+  const [textFor, setTextFor] = useState(value);
+  const drag = useRef({ x: 0, value: 0, moved: false });
+  // A value that comes from elsewhere (the bar, a reset) replaces what is being typed.
+  if (textFor !== value) {
+    setTextFor(value);
+    setText(null);
+  }
+
+  const commit = (): void => {
+    if (text === null) return;
+    const typed = evaluateExpression(text);
+    if (typed === undefined) {
+      onUnreadable(`“${text}” is not a number or a formula such as 2*pi/3.`);
+      return;
+    }
+    setText(null);
+    if (typed !== value || invalid) onType(typed);
+  };
+  const onKeyDown = (event: KeyboardEvent<HTMLInputElement>): void => {
+    if (event.key === "Enter") {
+      commit();
+      event.currentTarget.select();
+    } else if (event.key === "Escape") {
+      setText(null);
+      onUnreadable("");
+    } else if (event.key === "ArrowUp" || event.key === "ArrowDown") {
+      event.preventDefault();
+      setText(null);
+      const sign = event.key === "ArrowUp" ? 1 : -1;
+      onMove(value + sign * step * (event.shiftKey ? 0.1 : 1), event.shiftKey);
+    }
+  };
+  const onPointerDown = (event: PointerEvent<HTMLInputElement>): void => {
+    if (event.button !== 0 || document.activeElement === event.currentTarget) return;
+    event.currentTarget.setPointerCapture(event.pointerId);
+    drag.current = { x: event.clientX, value, moved: false };
+  };
+  const onPointerMove = (event: PointerEvent<HTMLInputElement>): void => {
+    const state = drag.current;
+    if (document.activeElement === event.currentTarget || !event.currentTarget.hasPointerCapture(event.pointerId))
+      return;
+    if (!state.moved && Math.abs(event.clientX - state.x) < DRAG_THRESHOLD) return;
+    state.moved = true;
+    state.value += ((event.clientX - state.x) / PIXELS_PER_STEP) * step * (event.shiftKey ? 0.1 : 1);
+    state.x = event.clientX;
+    onMove(state.value, event.shiftKey);
+  };
+  const onPointerUp = (event: PointerEvent<HTMLInputElement>): void => {
+    const input = event.currentTarget;
+    if (document.activeElement === input || drag.current.moved) return;
+    input.focus();
+    input.select();
+  };
+  return (
+    <span className="number-input" data-invalid={invalid}>
+      <input
+        id={id}
+        type="text"
+        inputMode="decimal"
+        autoComplete="off"
+        spellCheck={false}
+        aria-label={label}
+        aria-invalid={invalid}
+        aria-describedby={describedBy}
+        value={text ?? numberText(value, decimals)}
+        onChange={(event) => setText(event.currentTarget.value)}
+        onBlur={commit}
+        onKeyDown={onKeyDown}
+        onMouseDown={(event) => {
+          // Pressing may become a drag; the field takes the focus on release.
+          if (document.activeElement !== event.currentTarget) event.preventDefault();
+        }}
+        onPointerDown={onPointerDown}
+        onPointerMove={onPointerMove}
+        onPointerUp={onPointerUp}
+      />
+      {unit && (
+        <span className="unit" aria-hidden="true">
+          {unit.trim()}
+        </span>
+      )}
+    </span>
+  );
+}

@@ -1,0 +1,30 @@
+import { useEffect, useState, type ReactElement } from "react";
+import { useCurrent } from "../app/context";
+import { Tabs } from "../app/Tabs";
+import { Controls } from "./Controls";
+import { NodeInfo } from "./NodeInfo";
+import { Problems, useProblemCount } from "./Problems";
+
+/** The panel below the model: the graph's controls, the selected node, the problems. */
+export function Panel(): ReactElement {
+  const [tab, setTab] = useState("controls");
+  const selected = useCurrent((state) => state.selected);
+  const count = useProblemCount();
+  useEffect(() => {
+    if (selected !== null) setTab("node");
+  }, [selected]);
+  const problems = <>Problems{count > 0 && <span className="badge">{count}</span>}</>;
+  return (
+    <Tabs
+      className="panel"
+      label="Panel"
+      chosen={tab}
+      onChoose={setTab}
+      tabs={[
+        { id: "controls", title: "Controls", content: <Controls /> },
+        { id: "node", title: "Node", content: <NodeInfo /> },
+        { id: "problems", title: problems, content: <Problems /> },
+      ]}
+    />
+  );
+}

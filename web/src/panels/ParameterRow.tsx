@@ -1,0 +1,102 @@
+import { useId, useState, type ReactElement } from "react";
+import { useCurrent, useCurrentSession } from "../app/context";
+import { Icon } from "../app/icons";
+import { sameValue, valueOf, type Parameter, type ParameterValue } from "../model/parameters";
+import { parameterErrors } from "../net/problem";
+import { NumberField } from "./NumberField";
+import { ChoiceField, ColorField, SwitchField, TextField, VectorField } from "./fields";
+
+export interface FieldProps {
+  id: string;
+  parameter: Parameter;
+  value: ParameterValue;
+  invalid: boolean;
+  /** Ids of what describes the field: its description and its error. */
+  describedBy?: string;
+  onChange(value: ParameterValue, moving: boolean): void;
+  /** A text that is no value; it stays with the field and is not sent. */
+  onUnreadable(message: string): void;
+}
+
+/** Label, field, reset button, description and error of one parameter. */
+export function ParameterRow({ parameter }: { parameter: Parameter }): ReactElement {
+  const session = useCurrentSession();
+  const id = useId();
+  const value = useCurrent((state) => valueOf(parameter, state.values));
+  const problem = useCurrent((state) => state.problem);
+  const [unreadable, setUnreadable] = useState("");
+  const [resets, setResets] = useState(0);
+  const error = unreadable || parameterErrors(problem, parameter.name)[0]?.detail || "";
+  const isChanged = !sameValue(value, parameter.initial);
+  const set = (next: ParameterValue, moving: boolean): void => {
+    setUnreadable("");
+    session.setParameter(parameter, next, moving);
+  };
+  const reset = (): void => {
+    // Also drops a text in the field that never became a value.
+    setResets(resets + 1);
+    set(parameter.initial, true);
+  };
+  const described = [parameter.description && `${id}-about`, error && `${id}-error`].filter(Boolean).join(" ");
+  const field: FieldProps = {
+    id,
+    parameter,
+    value,
+    invalid: error !== "",
+    describedBy: described || undefined,
+    onChange: set,
+    onUnreadable: setUnreadable,
+  };
+  return (
+    <div className="parameter" data-invalid={error !== ""} data-parameter={parameter.name}>
+      <label
+        className="parameter-label"
+        htmlFor={id}
+        title={`${parameter.name}: double-click for the default`}
+        onDoubleClick={reset}
+      >
+        {parameter.label}
+      </label>
+      <Field key={resets} {...field} />
+      <button
+        type="button"
+        className="reset"
+        aria-label={`Reset ${parameter.label}`}
+        title="Back to the default"
+        disabled={!isChanged && !unreadable}
+        onClick={reset}
+      >
+        <Icon name="reset" />
+      </button>
+      {error && (
+        <p className="parameter-error" id={`${id}-error`} role="alert">
+          <Icon name="alert" />
+          <span>{error}</span>
+        </p>
+      )}
+      {parameter.description && (
+        <p className="parameter-about" id={`${id}-about`}>
+          {parameter.description}
+        </p>
+      )}
+    </div>
+  );
+}
+
+function Field(props: FieldProps): ReactElement {
+  switch (props.parameter.type) {
+    case "number":
+    case "integer":
+      return <NumberField {...props} />;
+    case "boolean":
+      return <SwitchField {...props} />;
+    case "choice":
+      return <ChoiceField {...props} />;
+    case "vector":
+      return <VectorField {...props} />;
+    case "color":
+      return <ColorField {...props} />;
+    default:
+      return <TextField {...props} />;
+  }
+}

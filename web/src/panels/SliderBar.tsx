@@ -1,0 +1,87 @@
+import { useRef, type CSSProperties, type KeyboardEvent, type PointerEvent, type ReactElement } from "react";
+
+interface SliderBarProps {
+  label: string;
+  value: number;
+  minimum: number;
+  maximum: number;
+  step: number;
+  text: string;
+  describedBy?: string;
+  onMove(value: number, fine: boolean): void;
+}
+
+const FINE = 0.1;
+const PAGE = 10;
+
+/** A bar that is dragged (Shift: finer), or moved with the keys. The wheel never changes it. */
+export function SliderBar({
+  label,
+  value,
+  minimum,
+  maximum,
+  step,
+  text,
+  describedBy,
+  onMove,
+}: SliderBarProps): ReactElement {
+  // The dragged value before rounding, so that slow fine drags add up.
+  const dragged = useRef(0);
+  const lastX = useRef(0);
+  const range = maximum - minimum;
+
+  const onPointerDown = (event: PointerEvent<HTMLDivElement>): void => {
+    if (event.button !== 0) return;
+    event.currentTarget.setPointerCapture(event.pointerId);
+    const box = event.currentTarget.getBoundingClientRect();
+    dragged.current = event.shiftKey ? value : minimum + (range * (event.clientX - box.left)) / box.width;
+    lastX.current = event.clientX;
+    if (!event.shiftKey) onMove(dragged.current, false);
+  };
+  const onPointerMove = (event: PointerEvent<HTMLDivElement>): void => {
+    if (!event.currentTarget.hasPointerCapture(event.pointerId)) return;
+    const width = event.currentTarget.getBoundingClientRect().width;
+    const share = (event.clientX - lastX.current) / width;
+    lastX.current = event.clientX;
+    if (share === 0) return;
+    dragged.current += share * range * (event.shiftKey ? FINE : 1);
+    onMove(dragged.current, event.shiftKey);
+  };
+  const onKeyDown = (event: KeyboardEvent): void => {
+    const steps: Record<string, number> = {
+      ArrowRight: step,
+      ArrowUp: step,
+      ArrowLeft: -step,
+      ArrowDown: -step,
+      PageUp: PAGE * step,
+      PageDown: -PAGE * step,
+      Home: minimum - value,
+      End: maximum - value,
+    };
+    const change = steps[event.key];
+    if (change === undefined) return;
+    event.preventDefault();
+    const isFine = event.shiftKey && event.key.startsWith("Arrow");
+    onMove(value + (isFine ? FINE * change : change), isFine);
+  };
+  const fill = Math.min(1, Math.max(0, (value - minimum) / range));
+  return (
+    <div
+      className="slider-bar"
+      role="slider"
+      tabIndex={0}
+      aria-label={label}
+      aria-valuemin={minimum}
+      aria-valuemax={maximum}
+      aria-valuenow={value}
+      aria-valuetext={text}
+      aria-describedby={describedBy}
+      style={{ "--fill": fill } as CSSProperties}
+      onPointerDown={onPointerDown}
+      onPointerMove={onPointerMove}
+      onKeyDown={onKeyDown}
+    >
+      <span className="slider-fill" />
+    </div>
+  );
+}

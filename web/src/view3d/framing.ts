@@ -1,0 +1,82 @@
+// Where the camera stands so that a model fills the view.
+
+import { Box3, Matrix4, Mesh, type BufferGeometry, type Object3D, type PerspectiveCamera, Vector3 } from "three";
+
+/** Share of the view that a framed model takes: what stands over the picture should not cover it. */
+const FILL = 0.8;
+const MOST_SAMPLES = 6000;
+
+export interface Framing {
+  target: Vector3;
+  distance: number;
+  radius: number;
+}
+
+/** Up to some thousand finite positions of a model in world space, enough to frame it. */
+export function samplePositions(root: Object3D): Vector3[] {
+  root.updateMatrixWorld(true);
+  const geometries: { geometry: BufferGeometry; matrix: Matrix4 }[] = [];
+  let total = 0;
+  root.traverse((object) => {
+    const geometry = (object as Mesh).geometry as BufferGeometry | undefined;
+    if (!geometry?.getAttribute("position")) return;
+    geometries.push({ geometry, matrix: object.matrixWorld });
+    total += geometry.getAttribute("position").count;
+  });
+  const stride = Math.max(1, Math.ceil(total / MOST_SAMPLES));
+  const points: Vector3[] = [];
+  for (const { geometry, matrix } of geometries) {
+    const position = geometry.getAttribute("position");
+    for (let at = 0; at < position.count; at += stride) {
+      const point = new Vector3().fromBufferAttribute(position, at).applyMatrix4(matrix);
+      if (Number.isFinite(point.x + point.y + point.z)) points.push(point);
+    }
+  }
+  return points;
+}
+
+/** The target and distance from which `camera`, looking along `direction`, sees all points. */
+export function frame(points: Vector3[], direction: Vector3, camera: PerspectiveCamera): Framing | undefined {
+  if (points.length === 0) return undefined;
+  const forward = direction.clone().normalize();
+  const right = new Vector3().crossVectors(forward, camera.up).normalize();
+  if (right.lengthSq() < 0.5) right.set(1, 0, 0);
+  const up = new Vector3().crossVectors(right, forward);
+  const target = new Box3().setFromPoints(points).getCenter(new Vector3());
+  const tangentY = Math.tan((camera.fov * Math.PI) / 360) * FILL;
+  const tangentX = tangentY * camera.aspect;
+  const offset = new Vector3();
+  let [distance, radius] = [0, 0];
+  // The second round centers what is seen, since near parts look larger than far ones.
+  for (let round = 0; round < 3; round++) {
+    const seen = { left: Infinity, right: -Infinity, low: Infinity, high: -Infinity };
+    const nearest = distance;
+    distance = 0;
+    for (const point of points) {
+      offset.subVectors(point, target);
+      const [x, y, depth] = [offset.dot(right), offset.dot(up), offset.dot(forward)];
+      radius = Math.max(radius, offset.length());
+      distance = Math.max(distance, Math.abs(x) / tangentX - depth, Math.abs(y) / tangentY - depth);
+      const scale = nearest > 0 ? nearest / Math.max(nearest + depth, nearest * 0.05) : 1;
+      seen.left = Math.min(seen.left, x * scale);
+      seen.right = Math.max(seen.right, x * scale);
+      seen.low = Math.min(seen.low, y * scale);
+      seen.high = Math.max(seen.high, y * scale);
+    }
+    if (round === 2) break;
+    target.addScaledVector(right, (seen.left + seen.right) / 2).addScaledVector(up, (seen.low + seen.high) / 2);
+  }
+  radius = Math.max(radius, 1e-6);
+  return { target, distance: Math.max(distance, radius * 0.2), radius };
+}
+
+/** Puts the camera `distance` before the target, looking along `direction`, with depth enough to look around. */
+export function placeCamera(camera: PerspectiveCamera, direction: Vector3, framing: Framing): void {
+  const { target, distance, radius } = framing;
+  camera.position.copy(target).addScaledVector(direction.clone().normalize(), -distance);
+  camera.near = Math.max(distance, radius) / 500;
+  camera.far = distance + radius * 80;
+  camera.lookAt(target);
+  camera.updateProjectionMatrix();
+  camera.updateMatrixWorld();
+}

@@ -1,0 +1,143 @@
+// Shading that looks like a lit studio and costs one texture read, so that it also runs without a GPU.
+
+import {
+  Color,
+  DataTexture,
+  DoubleSide,
+  LinearFilter,
+  MeshMatcapMaterial,
+  MeshNormalMaterial,
+  RGBAFormat,
+  SRGBColorSpace,
+  UnsignedByteType,
+  Vector3,
+  type Material,
+  type MeshStandardMaterial,
+} from "three";
+
+export type ShadingMode = "shaded" | "shaded-wire" | "wire" | "normals";
+
+const MATCAP_SIZE = 128;
+const DEFAULT_COLOR = new Color("#7f9df0");
+
+/** Pushes surfaces back a little, so that lines drawn on them are whole. */
+const BEHIND_LINES = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+
+interface Light {
+  direction: Vector3;
+  strength: number;
+  wrap: number;
+}
+
+// Seen from the camera: x right, y up, z towards the eye.
+const KEY: Light = { direction: new Vector3(-0.45, 0.75, 0.65).normalize(), strength: 0.74, wrap: 0.12 };
+const FILL: Light = { direction: new Vector3(0.8, -0.1, 0.5).normalize(), strength: 0.13, wrap: 0.3 };
+const AMBIENT = 0.13;
+const RIM = 0.3;
+const SHININESS = 110;
+const SHINE = 0.28;
+
+/** Light on a ball: RGB is the diffuse light, alpha the highlight, which the shader adds uncolored. */
+function studioMatcap(): DataTexture {
+  const data = new Uint8Array(4 * MATCAP_SIZE * MATCAP_SIZE);
+  const normal = new Vector3();
+  const half = KEY.direction
+    .clone()
+    .add(new Vector3(0, 0, 1))
+    .normalize();
+  for (let row = 0; row < MATCAP_SIZE; row++) {
+    for (let column = 0; column < MATCAP_SIZE; column++) {
+      const x = (2 * (column + 0.5)) / MATCAP_SIZE - 1;
+      const y = (2 * (row + 0.5)) / MATCAP_SIZE - 1;
+      const reach = Math.min(1, Math.hypot(x, y));
+      normal.set(x, y, Math.sqrt(1 - reach * reach)).normalize();
+      const edge = (1 - normal.z) ** 3;
+      const light = AMBIENT + lightOf(KEY, normal) + lightOf(FILL, normal) + RIM * edge * Math.max(0, normal.y + 0.5);
+      const at = 4 * (row * MATCAP_SIZE + column);
+      // Slightly warm in the light, slightly cool in the shade.
+      data[at] = byte(light * (0.97 + 0.04 * light));
+      data[at + 1] = byte(light * 0.985);
+      data[at + 2] = byte(light * (1.06 - 0.06 * light));
+      data[at + 3] = Math.round(255 * SHINE * Math.max(0, normal.dot(half)) ** SHININESS);
+    }
+  }
+  const texture = new DataTexture(data, MATCAP_SIZE, MATCAP_SIZE, RGBAFormat, UnsignedByteType);
+  texture.colorSpace = SRGBColorSpace;
+  texture.magFilter = LinearFilter;
+  texture.minFilter = LinearFilter;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+function lightOf(light: Light, normal: Vector3): number {
+  return light.strength * Math.max(0, (normal.dot(light.direction) + light.wrap) / (1 + light.wrap));
+}
+
+/** Linear light to an sRGB byte. */
+function byte(linear: number): number {
+  const value = linear <= 0.0031308 ? 12.92 * linear : 1.055 * linear ** (1 / 2.4) - 0.055;
+  return Math.round(255 * Math.min(1, Math.max(0, value)));
+}
+
+const MOST_KEPT = 64;
+
+/**
+ * Makes and shares the materials of one viewer. They outlive the models: a shader whose last material goes is compiled
+ * again for the next model, which takes longer than drawing it.
+ */
+export class Materials {
+  private readonly matcap = studioMatcap();
+  private readonly kept = new Map<string, MeshMatcapMaterial>();
+  readonly normals = new MeshNormalMaterial({ side: DoubleSide, ...BEHIND_LINES });
+
+  /** The studio look of a model's own material: its color, opacity and vertex colors are kept. */
+  studio(source: Material, hasColors: boolean): MeshMatcapMaterial {
+    const own = (source as MeshStandardMaterial).color;
+    const plain = !own || (own.r === 1 && own.g === 1 && own.b === 1);
+    const color = hasColors ? (own ?? new Color(1, 1, 1)) : plain ? DEFAULT_COLOR : own;
+    const key = `${color.getHex()} ${hasColors} ${source.opacity} ${source.transparent}`;
+    const found = this.kept.get(key);
+    if (found) return found;
+    if (this.kept.size >= MOST_KEPT) this.kept.clear();
+    const material = this.make(source, color, hasColors);
+    this.kept.set(key, material);
+    return material;
+  }
+
+  dispose(): void {
+    for (const material of this.kept.values()) material.dispose();
+    this.matcap.dispose();
+    this.normals.dispose();
+  }
+
+  private make(source: Material, color: Color, hasColors: boolean): MeshMatcapMaterial {
+    const material = new MeshMatcapMaterial({
+      matcap: this.matcap,
+      color,
+      vertexColors: hasColors,
+      side: DoubleSide,
+      opacity: source.opacity,
+      transparent: source.transparent,
+      depthWrite: !source.transparent,
+      ...BEHIND_LINES,
+    });
+    material.onBeforeCompile = (shader) => {
+      shader.fragmentShader = shader.fragmentShader
+        .replace(
+          "#include <color_fragment>",
+          // The back of a surface is deeper in color and a little darker, so that the two sides are told apart. It is
+          // never dull: which side of an open surface is the front is chance. At the outline a triangle may face away
+          // while its smooth normal does not; taking it for the back would draw dots of the other shade.
+          `#include <color_fragment>
+          bool isBack = !gl_FrontFacing && dot(normalize(vNormal), normalize(vViewPosition)) < -0.1;
+          if (isBack) diffuseColor.rgb *= 0.78 * mix(vec3(1.0), diffuseColor.rgb + 0.25, 0.65);`,
+        )
+        .replace("#include <normal_fragment_begin>", "vec3 normal = isBack ? -normalize(vNormal) : normalize(vNormal);")
+        .replace(
+          "vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;",
+          "vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb * 1.2 + vec3(matcapColor.a);",
+        );
+    };
+    return material;
+  }
+}
