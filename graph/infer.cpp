@@ -159,8 +159,8 @@ class Inference {
     std::map<std::string, std::string> from;
     for (const PlannedInput& input : node_.inputs) {
       for (const Axis& axis : input.shape.axes) {
-        if (auto found = add_axes(all, {axis}, port_name(input), from[axis.name])) return found;
-        from.emplace(axis.name, port_name(input));
+        const std::string& other = from.emplace(axis.name, port_name(input)).first->second;
+        if (auto found = add_axes(all, {axis}, port_name(input), other)) return found;
       }
     }
     for (const Axis& axis : all) {

@@ -2,8 +2,10 @@
 
 #include <muParserBase.h>
 
+#include <charconv>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "algebra/elementary.h"
 
@@ -55,11 +57,22 @@ constexpr OneArgument one_argument[] = {
 constexpr TwoArguments two_arguments[] = {{"atan2", elementary::atan2}, {"pow", elementary::pow}, {"hypot", elementary::hypot},
                                           {"min", minimum},             {"max", maximum},         {"mod", modulo}};
 
+/// Reads a number for muParser, independent of the locale.
+int read_number(const char* text, int* position, double* value) {
+  const std::string_view rest(text);
+  if (rest.empty() || (rest[0] != '.' && (rest[0] < '0' || rest[0] > '9'))) return 0;
+  const std::from_chars_result read = std::from_chars(rest.data(), rest.data() + rest.size(), *value);
+  if (read.ec != std::errc{}) return 0;
+  *position += static_cast<int>(read.ptr - rest.data());
+  return 1;
+}
+
 /// A parser without any built-in function or operator; `?:` is the only thing muParser computes by itself.
 class PureParser : public mu::ParserBase {
  public:
   PureParser() {
     EnableBuiltInOprt(false);
+    AddValIdent(read_number);
     InitCharSets();
     InitFun();
     InitConst();
