@@ -103,7 +103,7 @@ int status_of(std::string_view code) {
 
 std::string_view reason_of(int status) { return title_of(status).reason; }
 
-Reply problem_reply(const Problems& problems, const Exchange& exchange) {
+Reply problem_reply(const Problems& problems, const Exchange& exchange, const Json& blocked) {
   const Problem& first = problems.front();
   const int status = status_of(first.code);
   Reply reply = json_reply({{"type", "/problems/" + first.code},
@@ -111,7 +111,8 @@ Reply problem_reply(const Problems& problems, const Exchange& exchange) {
                             {"status", status},
                             {"detail", cut(first.detail, detail_bytes)},
                             {"instance", exchange.id},
-                            {"errors", to_json(problems)}},
+                            {"errors", to_json(problems)},
+                            {"blocked", blocked}},
                            status);
   reply.type = "application/problem+json";
   reply.headers.emplace_back("Cache-Control", "no-store");
