@@ -84,7 +84,7 @@ constexpr std::string_view content_security_policy =
 constexpr std::size_t detail_bytes = 200;
 
 std::string server_timing(const Exchange& exchange) {
-  std::array<char, 64> number;
+  std::array<char, 64> number{};
   std::string text;
   for (const auto& [name, milliseconds] : exchange.timings) {
     std::snprintf(number.data(), number.size(), ";dur=%.3f, ", milliseconds);
@@ -141,7 +141,7 @@ void add_common_headers(Reply& reply, const Exchange& exchange) {
 
 std::string closing_answer(const Reply& reply) {
   std::string text = "HTTP/1.1 " + std::to_string(reply.status) + " " + std::string(reason_of(reply.status)) + "\r\n";
-  for (const auto& [name, value] : reply.headers) text += name + ": " + value + "\r\n";
+  for (const auto& [name, value] : reply.headers) text.append(name).append(": ").append(value).append("\r\n");
   text += "Content-Type: " + reply.type + "\r\nContent-Length: " + std::to_string(reply.body.size()) +
           "\r\nConnection: close\r\n\r\n";
   return text + reply.body;
