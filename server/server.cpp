@@ -33,7 +33,7 @@ struct Server::State {
   State(const Engine& engine, const Settings& chosen, Page page, Examples examples)
       : settings(chosen),
         application{engine, settings, std::move(page), std::move(examples), Gate(slots(settings), queue(settings)),
-                    {},     {}},
+                    {},     {}, {}},
         guard(
             settings, engine.limits().body_bytes,
             [this](const httplib::Request& request, Exchange& exchange) {

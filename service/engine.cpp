@@ -149,9 +149,17 @@ Result<Evaluated> Engine::evaluate(const Prepared& prepared, const Cancel& cance
       return Problem{"axis-mismatch", "the output must be one file, it has axes", prepared.plan.nodes[prepared.output].id};
     }
     const SharedAsset asset = column_of<SharedAsset>(value)[0];
+    const auto run = evaluation->runs.find(prepared.output);
     Evaluated answer;
     answer.glb = std::make_shared<const std::string>(stamp_extras(asset->bytes, prepared.extras));
-    answer.report = evaluation_report(prepared, *evaluation, *asset, *answer.glb, milliseconds_since(begin));
+    answer.milliseconds = {{"prepare", prepared.milliseconds},
+                           {"evaluate", milliseconds_since(begin)},
+                           {"encode", run == evaluation->runs.end() ? 0 : run->second.milliseconds}};
+    // Most callers want the file only, and the report of a large graph takes longer than finding it in the cache.
+    answer.report = [owner = prepared.shared_from_this(), kept = std::move(*evaluation), asset, glb = answer.glb,
+                     milliseconds = answer.milliseconds] {
+      return evaluation_report(*owner, kept, *asset, *glb, milliseconds);
+    };
     return answer;
   });
 }

@@ -3,6 +3,8 @@
 // The engine: one request answered, whoever asks. The server and the command line are two thin faces over this class, so a
 // graph gives the same bytes and the same problems through both.
 
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,8 +40,9 @@ class Prepared;
 
 /// A finished evaluation.
 struct Evaluated {
-  std::shared_ptr<const std::string> glb;  ///< the finished file, extras included
-  Json report;                             ///< times, cached or not, sizes, measures, warnings; see docs/http.md
+  std::shared_ptr<const std::string> glb;       ///< the finished file, extras included
+  std::map<std::string, double> milliseconds;   ///< by step: prepare, evaluate, encode
+  std::function<Json()> report;                 ///< writes times, sizes, checks, warnings per node; see docs/http.md
 };
 
 class Engine {

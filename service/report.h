@@ -11,7 +11,7 @@ Json file_extras(const Plan& plan, std::size_t output);
 
 /// The report of an evaluation: times, what was cached, types and axes, the file, checks and warnings; see docs/http.md.
 Json evaluation_report(const Prepared& prepared, const Evaluation& evaluation, const Asset& asset, const std::string& glb,
-                       double milliseconds);
+                       const std::map<std::string, double>& milliseconds);
 
 /// The answer of a validation: whether the graph is well, its problems, its wires and its cost.
 Json validation_report(const CheckReport& report, const Problems& problems);
