@@ -53,7 +53,7 @@ TEST_CASE("every node runs at every hard bound") {
     CAPTURE(bound);
     Json literals = least_counts(subject);
     literals[port.name] = literal_of(port, bound);
-    CatalogueGraph graph(wired_nodes(subject, {.literals = literals}));
+    CatalogueGraph graph = graph_of(wired_nodes(subject, {.literals = literals}));
     const bool small = graph.static_problems().empty() && graph.plan().cost.samples <= most_evaluated;
     for (const Problem& problem : small ? graph.problems("subject") : graph.static_problems()) {
       FAIL_CHECK(problem.code << " at " << problem.node << "." << problem.port << ": " << problem.detail);
@@ -63,7 +63,8 @@ TEST_CASE("every node runs at every hard bound") {
 
 TEST_CASE("every node refuses a literal just outside a hard bound, and says what it takes") {
   for_every_bound([](const Subject& subject, const InputPort& port, double bound, double direction) {
-    const CatalogueGraph graph(wired_nodes(subject, {.literals = {{port.name, beyond(port, bound, direction)}}}));
+    const CatalogueGraph graph =
+        graph_of(wired_nodes(subject, {.literals = {{port.name, beyond(port, bound, direction)}}}));
     REQUIRE(codes(graph.static_problems()) == std::multiset<std::string>{"out-of-range subject." + port.name});
     const Problem& problem = graph.static_problems().front();
     CHECK(problem.pointer == "/graph/nodes/subject/inputs/" + port.name);
@@ -77,7 +78,7 @@ TEST_CASE("every node refuses a wired number just outside a hard bound") {
     Json nodes = wired_nodes(subject, {});
     nodes["outside"] = make("number", {{"value", beyond(port, bound, direction)}});
     nodes["subject"]["inputs"][port.name] = from("outside");
-    CatalogueGraph graph(nodes);
+    CatalogueGraph graph = graph_of(nodes);
     CHECK(codes(graph.problems("subject")) == std::multiset<std::string>{"out-of-range subject." + port.name});
   });
 }

@@ -34,6 +34,16 @@ std::vector<double> drives_of(const Subject& subject, const std::string& port) {
   return {0.35, 0.5, 0.85};
 }
 
+/// Literals that name the axes to consume, so that the one to lift over is left.
+Json consumed_names(const Subject& subject) {
+  Json literals = Json::object();
+  const std::vector<std::string> names = {"rows", "columns"};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(subject.overload->consumed_axes); ++k) {
+    literals[subject.type->over[k]] = names[k];
+  }
+  return literals;
+}
+
 }  // namespace
 
 TEST_CASE("every card is complete") {
@@ -88,7 +98,7 @@ TEST_CASE("every function of every node runs with its defaults, and with everyth
   for (const Subject& subject : all_subjects()) {
     for (const bool everything : {false, true}) {
       CAPTURE(subject.name(), everything);
-      CatalogueGraph graph(wired_nodes(subject, {.everything = everything}));
+      CatalogueGraph graph = graph_of(wired_nodes(subject, {.everything = everything}));
       require_right(graph);
       CHECK(graph.planned("subject").overload == subject.overload);
     }
@@ -98,7 +108,7 @@ TEST_CASE("every function of every node runs with its defaults, and with everyth
 TEST_CASE("every node in draft quality runs too") {
   for (const Subject& subject : all_subjects()) {
     CAPTURE(subject.name());
-    CatalogueGraph graph(wired_nodes(subject, {}), Quality::draft);
+    CatalogueGraph graph = graph_of(wired_nodes(subject, {}), Quality::draft);
     require_right(graph);
   }
 }
@@ -107,7 +117,7 @@ TEST_CASE("every node gives the same result twice") {
   for (const Subject& subject : all_subjects()) {
     CAPTURE(subject.name());
     const Json nodes = wired_nodes(subject, {.everything = true});
-    CatalogueGraph first(nodes), second(nodes);
+    CatalogueGraph first = graph_of(nodes), second = graph_of(nodes);
     const std::vector<AnyColumn> a = outputs_of(first), b = outputs_of(second);
     for (std::size_t output = 0; output < a.size(); ++output) CHECK(same_content(a[output], b[output]));
   }
@@ -121,14 +131,19 @@ TEST_CASE("every node lifted over one more axis equals the loop of single calls"
       const std::string& driven = subject.type->inputs[port].name;
       const std::vector<double> drives = drives_of(subject, driven);
       CAPTURE(subject.name(), driven);
-      CatalogueGraph lifted(wired_nodes(subject, {.driven = driven, .drive = drives}));
+      // Inputs that may be left out can depend on one another, so they are wired all or none.
+      const bool everything = subject.overload->input_is_optional[port];
+      const Json over = consumed_names(subject);
+      CatalogueGraph lifted = graph_of(
+          wired_nodes(subject, {.everything = everything, .driven = driven, .drive = drives, .literals = over}));
       const std::vector<AnyColumn> whole = outputs_of(lifted);
       for (std::size_t output = 0; output < whole.size(); ++output) {
         REQUIRE(lifted.planned("subject").outputs[output].axes.front() == Axis{"extra", 3, false});
       }
       for (std::size_t i = 0; i < drives.size(); ++i) {
         CAPTURE(i);
-        CatalogueGraph single(wired_nodes(subject, {.driven = driven, .drive = drives[i]}));
+        CatalogueGraph single = graph_of(
+            wired_nodes(subject, {.everything = everything, .driven = driven, .drive = drives[i], .literals = over}));
         const std::vector<AnyColumn> part = outputs_of(single);
         for (std::size_t output = 0; output < whole.size(); ++output) {
           const std::size_t size = sample_count(single.planned("subject").outputs[output].axes);
@@ -141,19 +156,19 @@ TEST_CASE("every node lifted over one more axis equals the loop of single calls"
 
 TEST_CASE("every node's fingerprint depends on every literal, but not on the names of axes") {
   for (const Subject& subject : all_subjects()) {
-    const CatalogueGraph usual(wired_nodes(subject, {}));
+    const CatalogueGraph usual = graph_of(wired_nodes(subject, {}));
     for (const InputPort& port : subject.type->inputs) {
       const std::optional<Json> literal = other_literal(port);
       if (!literal) continue;
       CAPTURE(subject.name(), port.name, *literal);
       if (port.spec.is_axis_name) {
         if (!std::count(subject.type->over.begin(), subject.type->over.end(), port.name)) {
-          const CatalogueGraph renamed(wired_nodes(subject, {.literals = {{port.name, "other"}}}));
+          const CatalogueGraph renamed = graph_of(wired_nodes(subject, {.literals = {{port.name, "other"}}}));
           CHECK(renamed.planned("subject").fingerprint == usual.planned("subject").fingerprint);
         }
         continue;
       }
-      const CatalogueGraph changed(wired_nodes(subject, {.literals = {{port.name, *literal}}}));
+      const CatalogueGraph changed = graph_of(wired_nodes(subject, {.literals = {{port.name, *literal}}}));
       for (const Problem& problem : changed.static_problems()) FAIL_CHECK(problem.detail);
       CHECK(changed.planned("subject").fingerprint != usual.planned("subject").fingerprint);
     }

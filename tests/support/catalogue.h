@@ -26,15 +26,12 @@ inline Json make(const std::string& type, Json inputs = Json::object()) {
 /// A link to a node or to "node.output".
 inline Json from(const std::string& place) { return {{"from", place}}; }
 
+class CatalogueGraph;
+CatalogueGraph graph_of(const Json& nodes, Quality quality);
+
 /// A graph of catalogue nodes, evaluated place by place as it is asked for.
 class CatalogueGraph {
  public:
-  explicit CatalogueGraph(const Json& nodes, Quality quality = Quality::final) {
-    const Result<Document> read = read_document(document(nodes), Limits{});
-    for (const Problem& problem : read ? Problems{} : read.problems()) FAIL(problem.pointer << ": " << problem.detail);
-    report_ = check(catalogue(), *read, {}, quality, {});
-  }
-
   /// What is wrong before anything is computed.
   const Problems& static_problems() const { return report_.problems; }
   const Plan& plan() const { return report_.plan; }
@@ -83,6 +80,14 @@ class CatalogueGraph {
   }
 
  private:
+  friend CatalogueGraph graph_of(const Json& nodes, Quality quality);
+
+  CatalogueGraph(const Json& nodes, Quality quality) {
+    const Result<Document> read = read_document(document(nodes), Limits{});
+    for (const Problem& problem : read ? Problems{} : read.problems()) FAIL(problem.pointer << ": " << problem.detail);
+    report_ = check(catalogue(), *read, {}, quality, {});
+  }
+
   Result<Evaluation> run(const std::string& node) { return evaluate(plan(), {plan().index.at(node)}, cache_, cancel_); }
 
   std::size_t output_index(const std::string& node, const std::string& place) const {
@@ -96,5 +101,7 @@ class CatalogueGraph {
   Cancel cancel_;
   std::vector<Warning> warnings_;
 };
+
+inline CatalogueGraph graph_of(const Json& nodes, Quality quality = Quality::final) { return {nodes, quality}; }
 
 }  // namespace dini::support
