@@ -2,6 +2,7 @@
 
 #include <muParserBase.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -140,7 +141,9 @@ std::optional<Formula> Formula::compile(const std::string& text, std::string& wr
       return std::nullopt;
     }
   } catch (const mu::ParserError& error) {
-    wrong = "the formula cannot be read at character " + std::to_string(error.GetPos() + 1) + ": " + error.GetMsg();
+    // muParser can point past the end.
+    const auto place = std::min(static_cast<std::size_t>(error.GetPos()), text.size()) + 1;
+    wrong = "the formula cannot be read at character " + std::to_string(place) + ": " + error.GetMsg();
     return std::nullopt;
   }
   return Formula(std::move(parser));
