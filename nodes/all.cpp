@@ -16,14 +16,10 @@ void add_all_nodes(Registry& registry) {
 }
 
 Json family_titles() {
-  return {{{"name", "numbers"}, {"title", "Numbers"}},
-          {{"name", "elements"}, {"title", "Elements"}},
-          {{"name", "generators"}, {"title", "Generators"}},
-          {{"name", "transforms"}, {"title", "Transforms"}},
-          {{"name", "fields"}, {"title", "Fields"}},
-          {{"name", "sampling"}, {"title", "Sampling"}},
-          {{"name", "surfaces"}, {"title", "Surfaces"}},
-          {{"name", "meshes"}, {"title", "Meshes"}},
+  return {{{"name", "numbers"}, {"title", "Numbers"}},       {{"name", "elements"}, {"title", "Elements"}},
+          {{"name", "generators"}, {"title", "Generators"}}, {{"name", "transforms"}, {"title", "Transforms"}},
+          {{"name", "fields"}, {"title", "Fields"}},         {{"name", "sampling"}, {"title", "Sampling"}},
+          {{"name", "surfaces"}, {"title", "Surfaces"}},     {{"name", "meshes"}, {"title", "Meshes"}},
           {{"name", "answers"}, {"title", "Answers"}}};
 }
 

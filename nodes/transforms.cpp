@@ -1,5 +1,5 @@
-// Transforms take any geometry and give the same type back. Most are one versor made from their inputs; VersorNode turns such
-// a rule into the functions for every type of shape.
+// Transforms take any geometry and give the same type back. Most are one versor made from their inputs; VersorNode
+// turns such a rule into the functions for every type of shape.
 
 #include "algebra/construct.h"
 #include "algebra/extract.h"
@@ -59,8 +59,10 @@ Attempt<Versor> line_to_line(const Circle& from, const Circle& to, double amount
   return exponential(amount * *logarithm);
 }
 
-/// exp(amount * generator) on points. One kernel whether or not these run over axes, so that a point has the same image either way.
-void boost_points(Batch<Point> shape, Batch<Generator> generator, Batch<double> amount, Rule rule, BatchOut<Point> out) {
+/// exp(amount * generator) on points. One kernel whether or not these run over axes, so that a point has the same image
+/// either way.
+void boost_points(Batch<Point> shape, Batch<Generator> generator, Batch<double> amount, Rule rule,
+                  BatchOut<Point> out) {
   std::vector<double> storage;
   const kernels::ConstPoints in = spread(shape, out.size, storage);
   kernels::ConstGenerators generators{{}, generator.constant};
@@ -73,7 +75,8 @@ Element boost_element(const Element& shape, const Generator& generator, double a
   return apply(exponential(amount * generator, rule), shape);
 }
 
-SharedMesh boost_mesh(const Context& context, const SharedMesh& shape, const Generator& generator, double amount, Rule rule) {
+SharedMesh boost_mesh(const Context& context, const SharedMesh& shape, const Generator& generator, double amount,
+                      Rule rule) {
   return apply_to_mesh(context, exponential(amount * generator, rule), shape);
 }
 
@@ -91,12 +94,14 @@ NodeBuilder exponential_node(const char* id) {
 }  // namespace
 
 void add_transforms(Registry& registry) {
-  registry.add(exponential_node("boost")
-                   .title("Boost")
-                   .doc("Bends a shape with the boosting rotor of a point pair.")
-                   .source("Boosted Surfaces, eqs. (2), (5), (14)")
-                   .details("A null pair keeps its own point; the point at position - direction / (amount |direction|^2) goes to "
-                            "infinity. Points there become the point at infinity, circles through it become lines."));
+  registry.add(
+      exponential_node("boost")
+          .title("Boost")
+          .doc("Bends a shape with the boosting rotor of a point pair.")
+          .source("Boosted Surfaces, eqs. (2), (5), (14)")
+          .details(
+              "A null pair keeps its own point; the point at position - direction / (amount |direction|^2) goes to "
+              "infinity. Points there become the point at infinity, circles through it become lines."));
 
   registry.add(exponential_node("transform")
                    .title("Transform")
@@ -114,18 +119,19 @@ void add_transforms(Registry& registry) {
                    .input("slide", "The way along the line.", defaults(0).soft(-4, 4).unit("m"))
                    .output("shape", "The twisted shape."));
 
-  registry.add(VersorNode<line_to_line, Circle, Circle, double>::declare("twist_between")
-                   .title("Twist between")
-                   .family("transforms")
-                   .doc("Applies a power of the screw motion that takes one line to another.")
-                   .source("Boosted Surfaces, eq. (11)")
-                   .details("The turn is the shorter one. Parallel lines: the shift between them. Opposite lines: a half turn "
-                            "about an axis chosen by a fixed rule.")
-                   .input("shape", "Points, circles, generators or meshes.")
-                   .input("from", "The line that is moved.")
-                   .input("to", "The line that it is moved to.")
-                   .input("amount", "0 nothing, 1 the whole way.", defaults(1).soft(0, 1))
-                   .output("shape", "The moved shape."));
+  registry.add(
+      VersorNode<line_to_line, Circle, Circle, double>::declare("twist_between")
+          .title("Twist between")
+          .family("transforms")
+          .doc("Applies a power of the screw motion that takes one line to another.")
+          .source("Boosted Surfaces, eq. (11)")
+          .details("The turn is the shorter one. Parallel lines: the shift between them. Opposite lines: a half turn "
+                   "about an axis chosen by a fixed rule.")
+          .input("shape", "Points, circles, generators or meshes.")
+          .input("from", "The line that is moved.")
+          .input("to", "The line that it is moved to.")
+          .input("amount", "0 nothing, 1 the whole way.", defaults(1).soft(0, 1))
+          .output("shape", "The moved shape."));
 
   registry.add(VersorNode<translation, Vector>::declare("translate")
                    .title("Translate")

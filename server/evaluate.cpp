@@ -63,7 +63,8 @@ void set_content(Reply& reply, std::string_view type, const Evaluated& evaluated
   }
 }
 
-/// Reads and checks a request, unless the very same bytes were read and checked before. Else the answer that says why not.
+/// Reads and checks a request, unless the very same bytes were read and checked before. Else the answer that says why
+/// not.
 std::variant<std::shared_ptr<const KnownRequest>, Reply> read_request(Call& call) {
   const std::string key = call.header("Content-Type") + "\n" + call.request.body;
   if (auto known = call.application.known.find(key)) return known;
