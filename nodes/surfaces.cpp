@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "algebra/extract.h"
 #include "geometry/circle_grid.h"
 #include "geometry/sampling.h"
@@ -80,8 +83,11 @@ Attempt<SharedMesh> tube_of_circle(const Context& context, const Circle& shape, 
   const std::size_t used = context.quality() == Quality::draft ? std::min(wanted, draft_segments) : wanted;
   Polyline curve{Column<Point>(found->line ? 2 : used), !found->line};
   if (found->line) {
-    curve.points.set(0, point_at(*found, -0.5, 2 * clip_radius));
-    curve.points.set(1, point_at(*found, 0.5, 2 * clip_radius));
+    // The chord of the clip sphere, a hair shorter so that round-off leaves its ends inside.
+    const double distance = std::min(length(to_vector(found->point)), clip_radius);
+    const double chord = 2 * (1 - 1e-9) * std::sqrt((clip_radius - distance) * (clip_radius + distance));
+    curve.points.set(0, point_at(*found, -0.5, chord));
+    curve.points.set(1, point_at(*found, 0.5, chord));
   } else {
     curve.points = sample_circle_row({found}, used, false, clip_radius);
   }
