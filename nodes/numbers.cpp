@@ -52,7 +52,7 @@ void add_numbers(Registry& registry) {
                    .axes(one_axis("count", "axis", "closed"))
                    .output("values", "The numbers, over the new axis."));
 
-  registry.add(node("list", list_item<double>, list_item<Point>, list_item<Vector>, list_item<Generator>, list_item<Circle>)
+  registry.add(node("list", list_item<double>, list_item<Point>, list_item<Vector>, list_item<Generator>, list_item<Circle>, list_item<Sphere>)
                    .title("List")
                    .family("numbers")
                    .doc("Values given one by one, along a new axis.")
