@@ -72,22 +72,23 @@ int run(Options& options) {
   const auto evaluated = engine.evaluate(**prepared, cancel);
   if (!evaluated) return fail(evaluated.problems(), exit_code_for(evaluated.problems(), Stage::evaluating));
 
-  for (const Json& warning : evaluated->report.value("warnings", Json::array())) {
+  const Json report = evaluated->report();
+  for (const Json& warning : report.value("warnings", Json::array())) {
     std::cerr << printable("warning[" + warning.value("code", "") + "] " + warning.value("node", "") + ": " +
                            warning.value("detail", ""))
               << "\n";
   }
   if (!options.report.empty()) {
-    const std::string text = evaluated->report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    const std::string text = report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     if (const Problems wrong = write_output(options.report, text); !wrong.empty()) return fail(wrong, exit_io);
   }
-  if (options.model.empty() && options.report != "-") std::cout << summary(evaluated->report) << "\n";
+  if (options.model.empty() && options.report != "-") std::cout << summary(report) << "\n";
   // A check that fails is an answer about this model, so the model is written all the same.
   if (!options.model.empty()) {
     if (const Problems wrong = write_output(options.model, *evaluated->glb); !wrong.empty())
       return fail(wrong, exit_io);
   }
-  return checks_hold(evaluated->report) ? exit_ok : exit_check_failed;
+  return checks_hold(report) ? exit_ok : exit_check_failed;
 }
 
 }  // namespace

@@ -80,7 +80,8 @@ class NodeBuilder {
     return std::move(*this);
   }
 
-  /// Which text inputs name the axes that Block parameters consume; empty text means the last axes of the first block input.
+  /// Which text inputs name the axes that Block parameters consume; empty text means the last axes of the first block
+  /// input.
   NodeBuilder&& over(std::vector<std::string> ports) && { return set(type_.over, std::move(ports)); }
   /// The axes that outputs of type Made run over.
   NodeBuilder&& axes(AxisRule rule) && { return set(type_.axes, std::move(rule)); }

@@ -2,7 +2,8 @@
 
 // A node type: what a card shows and what the engine runs. Built by `node(...)` in graph/node_builder.h.
 //
-// If a function consumes axes (Block parameters) it sees all values along them; every other axis of its inputs is lifted.
+// If a function consumes axes (Block parameters) it sees all values along them; every other axis of its inputs is
+// lifted.
 
 #include <functional>
 #include <map>

@@ -93,6 +93,8 @@ struct Wire<SharedAsset> {
 };
 
 template <class T>
-concept WireValue = requires { Wire<T>::type; };
+concept WireValue = requires {
+  Wire<T>::type;
+};
 
 }  // namespace dini

@@ -51,11 +51,7 @@ Attempt<Generator> curvature_generator(const Point& position, const Vector& norm
   const Vector up = normalized(normal);
   Vector ahead = normalized(u_direction);
   ahead = normalized(ahead - dot(ahead, up) * up);
-  if (ahead == Vector{}) {
-    if (u != 0 || v != 0)
-      return Failure{"degenerate", "u_direction must not be zero or along the normal", "u_direction"};
-    ahead = any_perpendicular(up);
-  }
+  if (ahead == Vector{}) ahead = any_perpendicular(up);
   return bending({position, curvature_u, curvature_v}, up, u * ahead, v * cross(up, ahead), method);
 }
 
@@ -67,7 +63,6 @@ Attempt<SharedMesh> curvature_patch(const Context& context, double u_a, double v
                                     const Vector& v_vector, double amount, std::int64_t count_u, std::int64_t count_v,
                                     CurvatureMethod method, Rule rule, AtInfinity at_infinity, double clip_radius) {
   const Vector normal = normalized(cross(u_vector, v_vector));
-  if (normal == Vector{}) return Failure{"degenerate", "u_vector and v_vector must span a plane", "v_vector"};
   const auto corner = [&](double u, double v) { return to_point(to_vector(center) + u * u_vector + v * v_vector); };
   const std::array<CurvatureSource, 4> corners = {
       {{corner(-1, -1), u_a, v_a}, {corner(1, -1), u_b, v_b}, {corner(-1, 1), u_c, v_c}, {corner(1, 1), u_d, v_d}}};
@@ -113,9 +108,8 @@ void add_curvature(Registry& registry) {
                             "point of the plane "
                             "its u and v: the curvature at u = v = 0 is then curvature_u along u and curvature_v along "
                             "v. The paper's "
-                            "eq. (18) lacks the factor -1/2 and exchanges u and v. A zero normal is an error, and so "
-                            "is a u_direction along "
-                            "the normal unless u = v = 0.")
+                            "eq. (18) lacks the factor -1/2 and exchanges u and v. A zero normal is an "
+                            "error. A u_direction along the normal is replaced by a fixed perpendicular.")
                    .input("position", "Where the curvatures hold.", defaults({0, 0, 0}).unit("m"))
                    .input("normal", "Normal of the plane, or of the line; of any length.", defaults({0, 0, 1}))
                    .input("u_direction", "Where u runs in the plane; v runs to its left.", defaults({1, 0, 0}))
@@ -135,7 +129,7 @@ void add_curvature(Registry& registry) {
                             "smoothly that the "
                             "curvatures at each corner are the ones asked for, along both edges; the paper's blends "
                             "eq. (18) bilinearly. "
-                            "Vectors that span no plane are an error.")
+                            "Vectors that span no plane give an empty mesh.")
                    .input("curvature_u_a", "Along u at u = 0, v = 0.", curvature_input(1))
                    .input("curvature_v_a", "Along v at u = 0, v = 0.", curvature_input(1))
                    .input("curvature_u_b", "Along u at u = 1, v = 0.", curvature_input(1))

@@ -67,8 +67,10 @@ Failure failure_of(const EncodeError& error) {
   return {"encode-failed", part + error.detail, "model"};
 }
 
-Attempt<SharedAsset> export_glb(const Context& context, const Several<WireType::mesh, WireType::point, WireType::circle>& model,
-                                std::int64_t position_bits, std::int64_t normal_bits, std::int64_t speed, bool normals) {
+Attempt<SharedAsset> export_glb(const Context& context,
+                                const Several<WireType::mesh, WireType::point, WireType::circle>& model,
+                                std::int64_t position_bits, std::int64_t normal_bits, std::int64_t speed,
+                                bool normals) {
   EncodeOptions options;
   options.position_bits = static_cast<int>(position_bits);
   options.normal_bits = static_cast<int>(normal_bits);

@@ -81,8 +81,7 @@ void add_mesh_tools(Registry& registry) {
           .details("Edges that are not positive are an error. Faces have vertices of their own along common edges.")
           .input("center", "Its center.", defaults({0, 0, 0}).unit("m"))
           .input("size", "Lengths of its edges.", defaults({1, 1, 1}).unit("m"))
-          .input("segments", "Quads along each edge; more of them bend better.",
-                 defaults(16).hard(1, 4096).soft(1, 128))
+          .input("segments", "Quads along each edge; more of them bend better.", defaults(16).hard(1, 512).soft(1, 128))
           .vertices(box_vertices)
           .output("mesh", "The mesh."));
 
@@ -93,7 +92,7 @@ void add_mesh_tools(Registry& registry) {
           .doc("Cuts every triangle of a mesh into four, so that it can bend.")
           .details("The shape stays the same. Normals, texture coordinates and colors are averaged along edges.")
           .input("shape", "The mesh.")
-          .input("levels", "How many times; each makes four triangles of one.", defaults(1).hard(0, 8).soft(0, 4))
+          .input("levels", "How many times; each makes four triangles of one.", defaults(1).hard(0, 6).soft(0, 4))
           .vertex_factor(subdivided_factor)
           .output("shape", "The finer mesh."));
 

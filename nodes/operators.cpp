@@ -70,21 +70,21 @@ Circle fibre(const CircleCoordinates& base, const Vector& outward, double tilt) 
   return {seen_from(dual, -to_vector(base.center))};
 }
 
-Attempt<Circle> hopf_fibre(const Circle& circle, double theta, double latitude, HopfMethod method) {
-  const std::optional<CircleCoordinates> base = coordinates(circle);
+Attempt<Circle> hopf_fibre(const Circle& shape, double theta, double latitude, HopfMethod method) {
+  const std::optional<CircleCoordinates> base = coordinates(shape);
   if (!base || base->line || base->radius == 0) {
-    return Failure{"degenerate", "the base must be a circle with a radius, so that it has an axis", "circle"};
+    return Failure{"degenerate", "the base must be a circle with a radius, so that it has an axis", "shape"};
   }
   const Vector start = any_perpendicular(base->normal);
   const auto [sine, cosine] = elementary::sincos_turns(theta);
   const Vector outward = cosine * start + sine * cross(base->normal, start);
   if (method == HopfMethod::exact) return fibre(*base, outward, 0.25 * latitude);
   const Generator tangent = null_pair(base->center, outward / base->radius);
-  const Circle straight = apply(exponential(tangent), circle);
+  const Circle straight = apply(exponential(tangent), shape);
   const std::optional<Versor> motor = motor_between(straight, line_from(base->center, base->normal));
   const std::optional<Generator> twist = motor ? motor_logarithm(*motor) : std::nullopt;
-  if (!twist) return Failure{"degenerate", "the boosted base is no line", "circle"};
-  return apply(compose(exponential(latitude * *twist), exponential(latitude * tangent)), circle);
+  if (!twist) return Failure{"degenerate", "the boosted base is no line", "shape"};
+  return apply(compose(exponential(latitude * *twist), exponential(latitude * tangent)), shape);
 }
 
 }  // namespace
@@ -151,7 +151,7 @@ void add_operators(Registry& registry) {
                             "exact method, as in the Hopf fibration, and 1 - latitude^2/4 for the paper's. Latitude 0 "
                             "is the base, 1 its "
                             "axis. A line, or a circle of radius zero, is an error.")
-                   .input("circle", "The base circle.")
+                   .input("shape", "The base circle.")
                    .input("theta", "Longitude; 1 is once around.", defaults(0).soft(0, 1).unit("turn"))
                    .input("latitude", "From the base circle to its axis: the paper's 1/2 + phi/pi.",
                           defaults(0.5).hard(0, 1).soft(0, 1))

@@ -29,11 +29,11 @@ Attempt<Sphere> sphere_of_curvature(const Point& position, const Vector& normal,
   return apply(exponential((-0.5 * curvature) * tangent), plane_from(position, normal));
 }
 
-Attempt<std::tuple<Circle, Vector>> axis_of_circle(const Circle& circle) {
-  const std::optional<CircleCoordinates> found = coordinates(circle);
-  if (!found) return Failure{"degenerate", "there is no circle to take the axis of", "circle"};
+Attempt<std::tuple<Circle, Vector>> axis_of_circle(const Circle& shape) {
+  const std::optional<CircleCoordinates> found = coordinates(shape);
+  if (!found) return Failure{"degenerate", "there is no circle to take the axis of", "shape"};
   if (found->line)
-    return Failure{"degenerate", "a line has no axis: every circle through infinity is wider than any axis", "circle"};
+    return Failure{"degenerate", "a line has no axis: every circle through infinity is wider than any axis", "shape"};
   return std::tuple{line_from(found->center, found->normal), found->normal};
 }
 
@@ -140,7 +140,7 @@ void add_rounds(Registry& registry) {
                    .source("Boosted Surfaces, eqs. (6), (7), (8)")
                    .details("The axis runs along the normal, about which the circle runs counter-clockwise. A line has "
                             "no axis: an error.")
-                   .input("circle", "The circle.")
+                   .input("shape", "The circle.")
                    .output("axis", "The axis, a line.")
                    .output("direction", "The unit normal."));
 

@@ -32,15 +32,12 @@ Attempt<Versor> line_to_line(const Circle& from, const Circle& to, double amount
   return exponential(amount * *logarithm);
 }
 
-/// exp(amount * generator) on points, by the fastest kernel that applies.
+/// exp(amount * generator) on points. One kernel whether or not these run over axes, so that a point has the same image
+/// either way.
 void boost_points(Batch<Point> shape, Batch<Generator> generator, Batch<double> amount, Rule rule,
                   BatchOut<Point> out) {
   std::vector<double> storage;
   const kernels::ConstPoints in = spread(shape, out.size, storage);
-  if (generator.constant && amount.constant) {
-    kernels::transform_points(exponential(amount[0] * generator[0], rule), in, components(out), out.size);
-    return;
-  }
   kernels::ConstGenerators generators{{}, generator.constant};
   for (std::size_t k = 0; k < generator.components.size(); ++k) generators.components[k] = generator.components[k];
   kernels::transform_points(generators, numbers(amount), rule, in, components(out), out.size);

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
-#include "server/request_body.h"
 #include "server/routes.h"
 
 namespace dini::server {
@@ -10,9 +10,9 @@ namespace dini::server {
 /// A request that computes: its deadline, and everything that may stop it before.
 class Computation {
  public:
-  /// Reads `deadline_ms` from the body; the deadline counts from the request's first byte and never passes the limit.
-  /// The request with the same `Supersede-Key` before this one is stopped.
-  Computation(Call& call, RequestBody& body);
+  /// `milliseconds` is what the client allows; the deadline counts from the request's first byte and never passes the
+  /// limit. The request with the same `Supersede-Key` before this one is stopped.
+  Computation(Call& call, std::optional<std::int64_t> milliseconds);
 
   const Cancel& cancel() const { return cancel_; }
 

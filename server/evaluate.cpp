@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <array>
+#include <variant>
 
 #include "server/computation.h"
 #include "server/handlers.h"
 #include "server/negotiation.h"
+#include "server/request_body.h"
 #include "server/responses.h"
 
 namespace dini::server {
@@ -18,9 +20,9 @@ bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
 }
 
-std::string file_name(const EvaluateRequest& request) {
+std::string file_name(const std::string& output) {
   std::string name;
-  std::ranges::copy_if(request.output.substr(0, 64), std::back_inserter(name), is_plain);
+  std::ranges::copy_if(output.substr(0, 64), std::back_inserter(name), is_plain);
   return (name.empty() ? "model" : name) + ".glb";
 }
 
@@ -46,35 +48,50 @@ std::string multipart(const std::string& boundary, const std::string& report, co
   return body;
 }
 
-/// The report's times, for Server-Timing.
-void add_timings(const Json& report, Exchange& exchange) {
-  const auto times = report.find("milliseconds");
-  if (times == report.end() || !times->is_object()) return;
-  for (const auto& [name, milliseconds] : times->items()) {
-    if (milliseconds.is_number()) exchange.timings.emplace_back(name, milliseconds.get<double>());
-  }
-}
-
 void set_content(Reply& reply, std::string_view type, const Evaluated& evaluated, const std::string& tag,
                  const std::string& file) {
   reply.type = type;
   if (type == report_type) {
-    reply.body = dump(evaluated.report);
+    reply.body = dump(evaluated.report());
   } else if (type == both_type) {
     const std::string boundary = boundary_for(tag);
     reply.type += "; boundary=" + boundary;
-    reply.body = multipart(boundary, dump(evaluated.report), *evaluated.glb, file);
+    reply.body = multipart(boundary, dump(evaluated.report()), *evaluated.glb, file);
   } else {
     reply.body = *evaluated.glb;
     reply.headers.emplace_back("Content-Disposition", "inline; filename=\"" + file + "\"");
   }
 }
 
+/// Reads and checks a request, unless the very same bytes were read and checked before. Else the answer that says why
+/// not.
+std::variant<std::shared_ptr<const KnownRequest>, Reply> read_request(Call& call) {
+  const std::string key = call.header("Content-Type") + "\n" + call.request.body;
+  if (auto known = call.application.known.find(key)) return known;
+  auto json = read_json(call);
+  if (!json) return problem_reply(json.problems(), call.exchange);
+  RequestBody body(*std::move(json), {"graph", "parameters", "output", "quality", "deadline_ms"});
+  KnownRequest read;
+  const EvaluateRequest request{
+      .graph = body.object("graph", true),
+      .parameters = body.object("parameters", false),
+      .output = body.text("output", false),
+      .quality = body.choice("quality", {"final", "draft"}) == "draft" ? Quality::draft : Quality::final};
+  read.deadline_milliseconds = body.positive_integer("deadline_ms");
+  read.output = request.output;
+  if (!body.problems().empty()) return problem_reply(body.problems(), call.exchange);
+  auto prepared = call.engine().prepare(request);
+  if (!prepared) {
+    const Json verdict = call.engine().validate(request.graph, request.parameters);
+    return problem_reply(prepared.problems(), call.exchange, verdict.value("blocked", Json::array()));
+  }
+  read.prepared = *std::move(prepared);
+  return call.application.known.insert(key, std::move(read));
+}
+
 }  // namespace
 
 Reply evaluate(Call& call) {
-  auto json = read_json(call);
-  if (!json) return problem_reply(json.problems(), call.exchange);
   const auto type = choose_type(call.header("Accept"), offers);
   if (!type) {
     return problem_reply(
@@ -82,20 +99,16 @@ Reply evaluate(Call& call) {
                 .detail = "Available are model/gltf-binary, application/json and multipart/form-data."},
         call.exchange);
   }
-  RequestBody body(*std::move(json), {"graph", "parameters", "output", "quality", "deadline_ms"});
-  const EvaluateRequest request{
-      .graph = body.object("graph", true),
-      .parameters = body.object("parameters", false),
-      .output = body.text("output", false),
-      .quality = body.choice("quality", {"final", "draft"}) == "draft" ? Quality::draft : Quality::final};
-  Computation computation(call, body);
-  if (!body.problems().empty()) return problem_reply(body.problems(), call.exchange);
-
-  const auto prepared = call.engine().prepare(request);
-  if (!prepared) return problem_reply(prepared.problems(), call.exchange);
-  const std::string& tag = Engine::entity_tag(**prepared);
-  // One tag for the result in all its forms; clients keep it and ask again, so an unchanged graph costs nothing.
-  Reply reply{.headers = {{"ETag", tag}, {"Cache-Control", "no-cache"}, {"Vary", "Accept"}}};
+  auto read = read_request(call);
+  if (auto* refused = std::get_if<Reply>(&read)) return std::move(*refused);
+  const KnownRequest& request = *std::get<0>(read);
+  const Prepared& prepared = *request.prepared;
+  Computation computation(call, request.deadline_milliseconds);
+  const std::string& tag = Engine::entity_tag(prepared);
+  // One tag for the result in all its forms; clients keep it and ask again, so an unchanged graph costs nothing. It is
+  // strong for the model only: reports hold times, so their bytes differ from one answer to the next.
+  const std::string shown = *type == model_type ? tag : "W/" + tag;
+  Reply reply{.headers = {{"ETag", shown}, {"Cache-Control", "no-cache"}, {"Vary", "Accept"}}};
   if (names_tag(call.header("If-None-Match"), tag)) {
     reply.status = 304;
     return reply;
@@ -104,11 +117,11 @@ Reply evaluate(Call& call) {
   const auto evaluated = [&]() -> Result<Evaluated> {
     const auto pass = computation.enter();
     if (!pass) return pass.problems();
-    return call.engine().evaluate(**prepared, computation.cancel());
+    return call.engine().evaluate(prepared, computation.cancel());
   }();
   if (!evaluated) return problem_reply(evaluated.problems(), call.exchange);
-  add_timings(evaluated->report, call.exchange);
-  set_content(reply, *type, *evaluated, tag, file_name(request));
+  for (const auto& [step, took] : evaluated->milliseconds) call.exchange.timings.emplace_back(step, took);
+  set_content(reply, *type, *evaluated, tag, file_name(request.output));
   return reply;
 }
 

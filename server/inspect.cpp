@@ -1,5 +1,6 @@
 #include "server/computation.h"
 #include "server/handlers.h"
+#include "server/request_body.h"
 #include "server/responses.h"
 
 namespace dini::server {
@@ -13,7 +14,7 @@ Reply inspect(Call& call) {
                                .node = body.text("node", true),
                                .output = body.text("output", false),
                                .full = body.boolean("full")};
-  Computation computation(call, body);
+  Computation computation(call, body.positive_integer("deadline_ms"));
   if (!body.problems().empty()) return problem_reply(body.problems(), call.exchange);
 
   const auto pass = computation.enter();

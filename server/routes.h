@@ -5,6 +5,7 @@
 
 #include "server/examples.h"
 #include "server/gate.h"
+#include "server/known_requests.h"
 #include "server/page.h"
 #include "server/reply.h"
 #include "server/running.h"
@@ -23,6 +24,7 @@ struct Application {
   Gate gate;
   RunningRequests running;
   Supersede supersede;
+  KnownRequests known;
 };
 
 /// One request on its way through a handler.

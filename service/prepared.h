@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,7 @@
 namespace dini {
 
 /// A checked request: everything that is known before anything is computed.
-class Prepared {
+class Prepared : public std::enable_shared_from_this<Prepared> {
  public:
   Document document;
   Plan plan;

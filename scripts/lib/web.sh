@@ -1,9 +1,9 @@
-# Sourced: installs and builds web/, each only when something changed. Stamps live in web/node_modules.
+# Sourced: installs node packages and builds web/, each only when something changed. Stamps live in node_modules.
 # shellcheck shell=bash
 
-# web_lock_hash: of what decides which packages are installed.
-web_lock_hash() {
-  { node --version && cat web/package-lock.json; } | sha256sum
+# node_lock_hash FOLDER: of what decides which packages are installed there.
+node_lock_hash() {
+  { node --version && cat "$1/package-lock.json"; } | sha256sum
 }
 
 # web_source_hash: of everything that the built page is made from.
@@ -15,16 +15,17 @@ web_source_hash() {
 # stamped FILE HASH: true when the step that wrote FILE last ran on the same content.
 stamped() { [[ -f $1 && $(<"$1") == "$2" ]]; }
 
-web_install() {
-  local stamp=web/node_modules/.dini-installed hash
-  hash=$(web_lock_hash) || return 1
+# node_install FOLDER: the packages of its lock file.
+node_install() {
+  local stamp=$1/node_modules/.dini-installed hash
+  hash=$(node_lock_hash "$1") || return 1
   if stamped "$stamp" "$hash"; then return 0; fi
-  npm --prefix web ci --no-audit --no-fund --loglevel=error </dev/null && echo "$hash" >"$stamp"
+  npm --prefix "$1" ci --no-audit --no-fund --loglevel=error </dev/null && echo "$hash" >"$stamp"
 }
 
 web_build() {
   local stamp=web/node_modules/.dini-built hash
-  web_install || return 1
+  node_install web || return 1
   hash=$(web_source_hash) || return 1
   if [[ -f web/dist/index.html ]] && stamped "$stamp" "$hash"; then return 0; fi
   npm --prefix web run --silent build </dev/null && echo "$hash" >"$stamp"

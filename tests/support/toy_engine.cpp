@@ -132,12 +132,15 @@ Result<Evaluated> Engine::evaluate(const Prepared& prepared, const Cancel& cance
   auto glb = std::make_shared<std::string>(prepared.inputs.value("bytes", std::size_t{8}), 'g');
   const std::size_t size = glb->size();
   return Evaluated{.glb = std::move(glb),
-                   .report = {{"etag", prepared.tag},
-                              {"output", prepared.output},
-                              {"milliseconds", {{"evaluate", 1.5}, {"encode", 0.5}}},
-                              {"model", {{"bytes", size}}},
-                              {"checks", Json::array()},
-                              {"warnings", Json::array()}}};
+                   .milliseconds = {{"evaluate", 1.5}, {"encode", 0.5}},
+                   .report = [tag = prepared.tag, output = prepared.output, size]() -> Json {
+                     return {{"etag", tag},
+                             {"output", output},
+                             {"milliseconds", {{"evaluate", 1.5}, {"encode", 0.5}}},
+                             {"model", {{"bytes", size}}},
+                             {"checks", Json::array()},
+                             {"warnings", Json::array()}};
+                   }};
 }
 
 Result<Json> Engine::inspect(const InspectRequest& request, const Cancel& cancel) const {

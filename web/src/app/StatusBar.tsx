@@ -20,7 +20,7 @@ export function StatusBar(): ReactElement {
     : busy
       ? ["busy", "Evaluating…"]
       : problem
-        ? ["error", "Out of date"]
+        ? ["error", shown ? "Out of date" : "Not shown"]
         : ["ok", shown ? "Up to date" : "Ready"];
   const nodes = [...(shown?.report.nodes.values() ?? [])];
   const cached = nodes.filter((node) => node.cached).length;

@@ -83,13 +83,35 @@ function topological(graph: ViewGraph): string[] {
   return order;
 }
 
-function neighborsOf(graph: ViewGraph): Map<string, string[]> {
-  const neighbors = new Map<string, string[]>();
+/** A wire as one of its nodes sees it: the node at the other end, and how far below it the wire runs straight. */
+interface Neighbor {
+  id: string;
+  shift: number;
+}
+
+function neighborsOf(graph: ViewGraph): Map<string, Neighbor[]> {
+  const nodes = new Map(graph.nodes.map((node) => [node.id, node]));
+  const neighbors = new Map<string, Neighbor[]>();
   for (const wire of graph.wires) {
-    push(neighbors, wire.from, wire.to);
-    push(neighbors, wire.to, wire.from);
+    const [from, to] = [nodes.get(wire.from), nodes.get(wire.to)];
+    if (!from || !to) continue;
+    const shift = inputHeight(to, wire.input) - outputHeight(from, wire.output);
+    push(neighbors, wire.from, { id: wire.to, shift });
+    push(neighbors, wire.to, { id: wire.from, shift: -shift });
   }
   return neighbors;
+}
+
+/** Height of an input's socket below the node's center. */
+function inputHeight(node: ViewNode, name: string): number {
+  const row = node.inputs.findIndex((input) => input.name === name);
+  return HEADER_HEIGHT + NODE_PADDING / 2 + (row + 0.5) * ROW_HEIGHT - nodeHeight(node) / 2;
+}
+
+/** Height of an output's socket below the node's center; outputs are the last rows. */
+function outputHeight(node: ViewNode, name: string): number {
+  const row = node.outputs.findIndex((output) => output.name === name);
+  return nodeHeight(node) / 2 - NODE_PADDING / 2 - (node.outputs.length - row - 0.5) * ROW_HEIGHT;
 }
 
 /** Sorts a column by the wanted centers and moves its nodes apart as little as keeps them from overlapping. */
@@ -137,12 +159,13 @@ function positions(columns: ViewNode[][], centers: Map<string, number>): Map<str
   return places;
 }
 
-function mean(ids: string[], centers: Map<string, number>): number | undefined {
-  if (ids.length === 0) return undefined;
-  return ids.reduce((sum, id) => sum + (centers.get(id) ?? 0), 0) / ids.length;
+/** Where a node's wires would run straight, on average. */
+function mean(neighbors: Neighbor[], centers: Map<string, number>): number | undefined {
+  if (neighbors.length === 0) return undefined;
+  return neighbors.reduce((sum, { id, shift }) => sum + (centers.get(id) ?? 0) + shift, 0) / neighbors.length;
 }
 
-function push(map: Map<string, string[]>, key: string, value: string): void {
+function push<Value>(map: Map<string, Value[]>, key: string, value: Value): void {
   const list = map.get(key);
   if (list) list.push(value);
   else map.set(key, [value]);

@@ -129,7 +129,7 @@ export class Materials {
           // never dull: which side of an open surface is the front is chance. At the outline a triangle may face away
           // while its smooth normal does not; taking it for the back would draw dots of the other shade.
           `#include <color_fragment>
-          bool isBack = !gl_FrontFacing && dot(normalize(vNormal), normalize(vViewPosition)) < -0.1;
+          bool isBack = !gl_FrontFacing && dot(normalize(vNormal), normalize(vViewPosition)) < 0.0;
           if (isBack) diffuseColor.rgb *= 0.78 * mix(vec3(1.0), diffuseColor.rgb + 0.25, 0.65);`,
         )
         .replace("#include <normal_fragment_begin>", "vec3 normal = isBack ? -normalize(vNormal) : normalize(vNormal);")

@@ -1,0 +1,176 @@
+// What every node of the catalogue must do, whichever it is.
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "graph/card.h"
+#include "tests/nodes/node_inputs.h"
+
+using namespace dini;
+using namespace dini::support;
+
+namespace {
+
+bool is_sentence(const std::string& text) { return !text.empty() && text.ends_with('.'); }
+
+std::vector<AnyColumn> outputs_of(CatalogueGraph& graph) {
+  std::vector<AnyColumn> columns;
+  for (const OutputPort& port : graph.planned("subject").type->outputs)
+    columns.push_back(graph.value("subject." + port.name).column);
+  return columns;
+}
+
+/// Requires that a graph has no problem, and says which it has.
+void require_right(CatalogueGraph& graph) {
+  for (const Problem& problem : graph.problems("subject")) {
+    FAIL_CHECK(problem.code << " at " << problem.node << "." << problem.port << ": " << problem.detail);
+  }
+}
+
+/// Numbers to lift an input over.
+std::vector<double> drives_of(const Subject& subject, const std::string& port) {
+  // A check fails when what is checked is below its least value.
+  if (subject.type->id == "check" && port == "minimum") return {-0.5, 0.1, 0.3};
+  return {0.35, 0.5, 0.85};
+}
+
+/// Literals that name the axes to consume, so that the one to lift over is left.
+Json consumed_names(const Subject& subject) {
+  Json literals = Json::object();
+  const std::vector<std::string> names = {"rows", "columns"};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(subject.overload->consumed_axes); ++k) {
+    literals[subject.type->over[k]] = names[k];
+  }
+  return literals;
+}
+
+}  // namespace
+
+TEST_CASE("every card is complete") {
+  for (const auto& [id, type] : catalogue().types()) {
+    CAPTURE(id);
+    CHECK(std::isupper(static_cast<unsigned char>(type.title.front())));
+    CHECK(is_sentence(type.doc));
+    CHECK((type.details.empty() || is_sentence(type.details)));
+    CHECK(type.version >= 1);
+    CHECK_FALSE(type.outputs.empty());
+    const Json families = family_titles();
+    CHECK(std::any_of(families.begin(), families.end(),
+                      [&](const Json& family) { return family["name"] == type.family; }));
+    for (const InputPort& port : type.inputs) {
+      CAPTURE(port.name);
+      const InputSpec& spec = port.spec;
+      CHECK(is_sentence(port.doc));
+      CHECK_FALSE(port.types.empty());
+      CHECK(spec.minimum.has_value() == spec.maximum.has_value());
+      CHECK(spec.soft_minimum.has_value() == spec.soft_maximum.has_value());
+      if (spec.minimum) CHECK(*spec.minimum < *spec.maximum);
+      if (spec.soft_minimum) CHECK(*spec.soft_minimum < *spec.soft_maximum);
+      if (spec.minimum && spec.soft_minimum) CHECK(*spec.soft_minimum >= *spec.minimum);
+      if (spec.maximum && spec.soft_maximum) CHECK(*spec.soft_maximum <= *spec.maximum);
+      CHECK((port.types.front() == WireType::choice) == !port.choices.empty());
+    }
+    for (const OutputPort& port : type.outputs) {
+      CAPTURE(port.name);
+      CHECK(is_sentence(port.doc));
+    }
+  }
+}
+
+TEST_CASE("every card tells in JSON what the declaration says") {
+  for (const auto& [id, type] : catalogue().types()) {
+    CAPTURE(id);
+    const Json shown = card(type);
+    CHECK(shown["id"] == id);
+    REQUIRE(shown["inputs"].size() == type.inputs.size());
+    for (std::size_t port = 0; port < type.inputs.size(); ++port) {
+      const Json& input = shown["inputs"][port];
+      CHECK(input["required"] == type.inputs[port].required());
+      CHECK(input["several"] == type.inputs[port].spec.takes_several);
+      CHECK(input.contains("default") == !type.inputs[port].spec.default_value.is_null());
+      CHECK(input.contains("minimum") == type.inputs[port].spec.minimum.has_value());
+    }
+    CHECK(shown["outputs"].size() == type.outputs.size());
+  }
+}
+
+TEST_CASE("every function of every node runs with its defaults, and with everything wired") {
+  for (const Subject& subject : all_subjects()) {
+    for (const bool everything : {false, true}) {
+      CAPTURE(subject.name(), everything);
+      CatalogueGraph graph = graph_of(wired_nodes(subject, {.everything = everything}));
+      require_right(graph);
+      CHECK(graph.planned("subject").overload == subject.overload);
+    }
+  }
+}
+
+TEST_CASE("every node in draft quality runs too") {
+  for (const Subject& subject : all_subjects()) {
+    CAPTURE(subject.name());
+    CatalogueGraph graph = graph_of(wired_nodes(subject, {}), Quality::draft);
+    require_right(graph);
+  }
+}
+
+TEST_CASE("every node gives the same result twice") {
+  for (const Subject& subject : all_subjects()) {
+    CAPTURE(subject.name());
+    const Json nodes = wired_nodes(subject, {.everything = true});
+    CatalogueGraph first = graph_of(nodes), second = graph_of(nodes);
+    const std::vector<AnyColumn> a = outputs_of(first), b = outputs_of(second);
+    for (std::size_t output = 0; output < a.size(); ++output) CHECK(same_content(a[output], b[output]));
+  }
+}
+
+TEST_CASE("every node lifted over one more axis equals the loop of single calls") {
+  for (const Subject& subject : all_subjects()) {
+    for (std::size_t port = 0; port < subject.type->inputs.size(); ++port) {
+      if (!can_be_lifted(subject, port) || subject.overload->is_mixed(port))
+        continue;  // mixed inputs keep their values apart
+      const std::string& driven = subject.type->inputs[port].name;
+      const std::vector<double> drives = drives_of(subject, driven);
+      CAPTURE(subject.name(), driven);
+      // Inputs that may be left out can depend on one another, so they are wired all or none.
+      const bool everything = subject.overload->input_is_optional[port];
+      const Json over = consumed_names(subject);
+      CatalogueGraph lifted = graph_of(
+          wired_nodes(subject, {.everything = everything, .driven = driven, .drive = drives, .literals = over}));
+      const std::vector<AnyColumn> whole = outputs_of(lifted);
+      for (std::size_t output = 0; output < whole.size(); ++output) {
+        REQUIRE(lifted.planned("subject").outputs[output].axes.front() == Axis{"extra", 3, false});
+      }
+      for (std::size_t i = 0; i < drives.size(); ++i) {
+        CAPTURE(i);
+        CatalogueGraph single = graph_of(
+            wired_nodes(subject, {.everything = everything, .driven = driven, .drive = drives[i], .literals = over}));
+        const std::vector<AnyColumn> part = outputs_of(single);
+        for (std::size_t output = 0; output < whole.size(); ++output) {
+          const std::size_t size = sample_count(single.planned("subject").outputs[output].axes);
+          CHECK(same_content(whole[output], i * size, size, part[output]));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("every node's fingerprint depends on every literal, but not on the names of axes") {
+  for (const Subject& subject : all_subjects()) {
+    const CatalogueGraph usual = graph_of(wired_nodes(subject, {}));
+    for (const InputPort& port : subject.type->inputs) {
+      const std::optional<Json> literal = other_literal(port);
+      if (!literal) continue;
+      CAPTURE(subject.name(), port.name, *literal);
+      if (port.spec.is_axis_name) {
+        if (!std::count(subject.type->over.begin(), subject.type->over.end(), port.name)) {
+          const CatalogueGraph renamed = graph_of(wired_nodes(subject, {.literals = {{port.name, "other"}}}));
+          CHECK(renamed.planned("subject").fingerprint == usual.planned("subject").fingerprint);
+        }
+        continue;
+      }
+      const CatalogueGraph changed = graph_of(wired_nodes(subject, {.literals = {{port.name, *literal}}}));
+      for (const Problem& problem : changed.static_problems()) FAIL_CHECK(problem.detail);
+      CHECK(changed.planned("subject").fingerprint != usual.planned("subject").fingerprint);
+    }
+  }
+}

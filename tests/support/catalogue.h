@@ -1,0 +1,107 @@
+#pragma once
+
+// Small graphs of real nodes: written in one line each, evaluated, and looked at.
+
+#include "graph/value_json.h"
+#include "nodes/all.h"
+#include "tests/support/graphs.h"
+
+namespace dini::support {
+
+/// The whole catalogue, built once.
+inline const Registry& catalogue() {
+  static const Registry registry = [] {
+    Registry filled;
+    add_all_nodes(filled);
+    return filled;
+  }();
+  return registry;
+}
+
+/// A node of a document.
+inline Json make(const std::string& type, Json inputs = Json::object()) {
+  return {{"type", type}, {"inputs", std::move(inputs)}};
+}
+
+/// A link to a node or to "node.output".
+inline Json from(const std::string& place) { return {{"from", place}}; }
+
+class CatalogueGraph;
+CatalogueGraph graph_of(const Json& nodes, Quality quality);
+
+/// A graph of catalogue nodes, evaluated place by place as it is asked for.
+class CatalogueGraph {
+ public:
+  /// What is wrong before anything is computed.
+  const Problems& static_problems() const { return report_.problems; }
+  const Plan& plan() const { return report_.plan; }
+  const PlannedNode& planned(const std::string& node) const { return plan().nodes[plan().index.at(node)]; }
+
+  /// Everything the evaluation of a node says: its problems, those before it included, or none.
+  Problems problems(const std::string& node) {
+    if (!static_problems().empty()) return static_problems();
+    const Result<Evaluation> evaluation = run(node);
+    return evaluation ? Problems{} : evaluation.problems();
+  }
+
+  /// The value at "node" or "node.output" of a graph that is right.
+  Value value(const std::string& place) {
+    const std::string node = place.substr(0, place.find('.'));
+    for (const Problem& problem : static_problems()) {
+      FAIL(problem.code << " at " << problem.node << "." << problem.port << ": " << problem.detail);
+    }
+    const Result<Evaluation> evaluation = run(node);
+    for (const Problem& problem : evaluation ? Problems{} : evaluation.problems()) {
+      FAIL(problem.code << " at " << problem.node << "." << problem.port << ": " << problem.detail);
+    }
+    const std::size_t index = plan().index.at(node);
+    warnings_ = evaluation->runs.at(index).result->warnings;
+    return evaluation->value(plan(), index, output_index(node, place));
+  }
+
+  /// The warnings of the node that was asked for last.
+  const std::vector<Warning>& warnings() const { return warnings_; }
+
+  Json json(const std::string& place, bool full = false) { return to_json(value(place), full); }
+
+  /// The only value at a place.
+  template <class T>
+  T one(const std::string& place) {
+    return all<T>(place).at(0);
+  }
+
+  template <class T>
+  std::vector<T> all(const std::string& place) {
+    const Value found = value(place);
+    const Column<T>& column = column_of<T>(found);
+    std::vector<T> values;
+    for (std::size_t i = 0; i < column.size(); ++i) values.push_back(column[i]);
+    return values;
+  }
+
+ private:
+  friend CatalogueGraph graph_of(const Json& nodes, Quality quality);
+
+  CatalogueGraph(const Json& nodes, Quality quality) {
+    const Result<Document> read = read_document(document(nodes), Limits{});
+    for (const Problem& problem : read ? Problems{} : read.problems()) FAIL(problem.pointer << ": " << problem.detail);
+    report_ = check(catalogue(), *read, {}, quality, {});
+  }
+
+  Result<Evaluation> run(const std::string& node) { return evaluate(plan(), {plan().index.at(node)}, cache_, cancel_); }
+
+  std::size_t output_index(const std::string& node, const std::string& place) const {
+    if (place == node) return 0;
+    const NodeType& type = *planned(node).type;
+    return static_cast<std::size_t>(type.find_output(place.substr(node.size() + 1)) - type.outputs.data());
+  }
+
+  CheckReport report_;
+  Cache cache_{std::size_t{256} << 20};
+  Cancel cancel_;
+  std::vector<Warning> warnings_;
+};
+
+inline CatalogueGraph graph_of(const Json& nodes, Quality quality = Quality::final) { return {nodes, quality}; }
+
+}  // namespace dini::support
