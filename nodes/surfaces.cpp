@@ -16,26 +16,6 @@ namespace {
 constexpr std::size_t draft_sides = 8;
 constexpr std::size_t draft_segments = 64;
 
-<<<<<<< HEAD
-=======
-Attempt<SharedMesh> finish(const Context& context, const PointGrid& grid, AtInfinity at_infinity, double clip_radius,
-                           const Axis& rows) {
-  const std::size_t budget = context.quality() == Quality::draft ? draft_triangles : 0;
-  SurfaceResult result = surface(grid, {at_infinity, clip_radius, budget}, context.cancel());
-  if (result.first_clipped) {
-    const std::string place = rows.name + " = " + std::to_string((*result.first_clipped)[0]);
-    if (at_infinity == AtInfinity::fail) {
-      return Failure{"at-infinity",
-                     "the surface leaves the clip radius at " + place + "; choose clip, or a larger clip_radius",
-                     "at_infinity"};
-    }
-    context.warn({"at-infinity", "the surface reaches infinity first at " + place + "; " +
-                                     std::to_string(result.clipped_quads) + " quads were cut or left out"});
-  }
-  return std::make_shared<const Mesh>(std::move(result.mesh));
-}
-
->>>>>>> main
 Attempt<SharedMesh> surface_of_points(const Context& context, const Block<Point, 2>& shape, std::int64_t,
                                       AtInfinity at_infinity, double clip_radius, const std::string&,
                                       const std::string&) {
@@ -56,13 +36,8 @@ Attempt<SharedMesh> surface_of_circles(const Context& context, const Block<Circl
   for (std::size_t i = 0; i < shape.size(); ++i) circles.push_back(coordinates(shape(i)));
   const auto columns = static_cast<std::size_t>(segments);
   const Column<Point> points = sample_circle_row(circles, columns, shape.axis().closed, clip_radius);
-<<<<<<< HEAD
   return finish_surface(context, {points, circles.size(), columns, shape.axis().closed, true}, at_infinity, clip_radius,
                         shape.axis());
-=======
-  return finish(context, {points, circles.size(), columns, shape.axis().closed, true}, at_infinity, clip_radius,
-                shape.axis());
->>>>>>> main
 }
 
 SharedMesh tube_along(const Context& context, const Polyline& curve, double radius, std::int64_t sides,
