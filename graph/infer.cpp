@@ -196,6 +196,7 @@ class Inference {
       const std::size_t meshes = is_mixed(input) ? 1 : std::max<std::size_t>(1, sample_count(input.shape.axes));
       total += input.shape.vertices / meshes;
     }
+    if (node_.type->vertex_factor) total *= node_.type->vertex_factor(node_.literals);
     return total;
   }
 

@@ -87,6 +87,8 @@ class NodeBuilder {
   NodeBuilder&& axes(AxisRule rule) && { return set(type_.axes, std::move(rule)); }
   /// A bound of the vertices of each mesh made, known before anything is computed.
   NodeBuilder&& vertices(VertexRule rule) && { return set(type_.vertices, std::move(rule)); }
+  /// The same for a node that refines the meshes it is given.
+  NodeBuilder&& vertex_factor(VertexFactor factor) && { return set(type_.vertex_factor, std::move(factor)); }
   NodeBuilder&& depends_on_quality() && { return set(type_.depends_on_quality, true); }
   NodeBuilder&& always_evaluated() && { return set(type_.always_evaluated, true); }
 

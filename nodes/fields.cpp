@@ -3,6 +3,7 @@
 #include "nodes/all.h"
 #include "nodes/choices.h"
 #include "nodes/shapes.h"
+#include "nodes/sources.h"
 
 namespace dini {
 
@@ -13,7 +14,8 @@ bool is_direction(const Generator& generator) {
   return generator.no_e == Vector{} && generator.e_e == Vector{} && generator.no_ni == 0;
 }
 
-/// The generators of a warp that act; a zero generator does nothing wherever it sits.
+}  // namespace
+
 Attempt<std::vector<kernels::WarpSource>> sources_of(const Block<Generator, 1>& generators) {
   std::vector<kernels::WarpSource> sources;
   for (std::size_t i = 0; i < generators.size(); ++i) {
@@ -29,6 +31,8 @@ Attempt<std::vector<kernels::WarpSource>> sources_of(const Block<Generator, 1>& 
   }
   return sources;
 }
+
+namespace {
 
 std::optional<Failure> warp_point_batch(Batch<Point> shape, const Block<Generator, 1>& generators, const std::string&,
                                         double strength, double power, double softening, Rule rule,

@@ -54,15 +54,15 @@ void add_numbers(Registry& registry) {
           .axes(one_axis("count", "axis", "closed"))
           .output("values", "The numbers, over the new axis."));
 
-  registry.add(
-      node("list", list_item<double>, list_item<Point>, list_item<Vector>, list_item<Generator>, list_item<Circle>)
-          .title("List")
-          .family("numbers")
-          .doc("Values given one by one, along a new axis.")
-          .details("Literal triples are read as points.")
-          .input("items", "Links or literals, all of one type.", required().several())
-          .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
-          .output("items", "The values, over the new axis."));
+  registry.add(node("list", list_item<double>, list_item<Point>, list_item<Vector>, list_item<Generator>,
+                    list_item<Circle>, list_item<Sphere>)
+                   .title("List")
+                   .family("numbers")
+                   .doc("Values given one by one, along a new axis.")
+                   .details("Literal triples are read as points.")
+                   .input("items", "Links or literals, all of one type.", required().several())
+                   .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
+                   .output("items", "The values, over the new axis."));
 
   registry.add(node("vector", vector_of)
                    .title("Vector")

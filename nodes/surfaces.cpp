@@ -9,33 +9,15 @@
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 #include "nodes/choices.h"
+#include "nodes/finish_surface.h"
 #include "nodes/shapes.h"
 
 namespace dini {
 
 namespace {
 
-/// Triangles of one surface while a value is being dragged; the final answer has no such bound.
-constexpr std::size_t draft_triangles = 20'000;
 constexpr std::size_t draft_sides = 8;
 constexpr std::size_t draft_segments = 64;
-
-Attempt<SharedMesh> finish(const Context& context, const PointGrid& grid, AtInfinity at_infinity, double clip_radius,
-                           const Axis& rows) {
-  const std::size_t budget = context.quality() == Quality::draft ? draft_triangles : 0;
-  SurfaceResult result = surface(grid, {at_infinity, clip_radius, budget}, context.cancel());
-  if (result.first_clipped) {
-    const std::string place = rows.name + " = " + std::to_string((*result.first_clipped)[0]);
-    if (at_infinity == AtInfinity::fail) {
-      return Failure{"at-infinity",
-                     "the surface leaves the clip radius at " + place + "; choose clip, or a larger clip_radius",
-                     "at_infinity"};
-    }
-    context.warn({"at-infinity", "the surface reaches infinity first at " + place + "; " +
-                                     std::to_string(result.clipped_quads) + " quads were cut or left out"});
-  }
-  return std::make_shared<const Mesh>(std::move(result.mesh));
-}
 
 Attempt<SharedMesh> surface_of_points(const Context& context, const Block<Point, 2>& shape, std::int64_t,
                                       AtInfinity at_infinity, double clip_radius, const std::string&,
@@ -46,8 +28,8 @@ Attempt<SharedMesh> surface_of_points(const Context& context, const Block<Point,
   for (std::size_t i = 0; i < rows; ++i) {
     for (std::size_t j = 0; j < columns; ++j) points.set(i * columns + j, shape(i, j));
   }
-  return finish(context, {points, rows, columns, shape.axis(0).closed, shape.axis(1).closed}, at_infinity, clip_radius,
-                shape.axis(0));
+  return finish_surface(context, {points, rows, columns, shape.axis(0).closed, shape.axis(1).closed}, at_infinity,
+                        clip_radius, shape.axis(0));
 }
 
 Attempt<SharedMesh> surface_of_circles(const Context& context, const Block<Circle, 1>& shape, std::int64_t segments,
@@ -57,8 +39,8 @@ Attempt<SharedMesh> surface_of_circles(const Context& context, const Block<Circl
   for (std::size_t i = 0; i < shape.size(); ++i) circles.push_back(coordinates(shape(i)));
   const auto columns = static_cast<std::size_t>(segments);
   const Column<Point> points = sample_circle_row(circles, columns, shape.axis().closed, clip_radius);
-  return finish(context, {points, circles.size(), columns, shape.axis().closed, true}, at_infinity, clip_radius,
-                shape.axis());
+  return finish_surface(context, {points, circles.size(), columns, shape.axis().closed, true}, at_infinity, clip_radius,
+                        shape.axis());
 }
 
 SharedMesh tube_along(const Context& context, const Polyline& curve, double radius, std::int64_t sides,
@@ -114,7 +96,7 @@ Attempt<SharedMesh> patch_mesh(const Context& context, const Generator& a, const
                                        components(std::as_const(points), i * columns), components(points, i * columns),
                                        columns);
   }
-  return finish(context, {points, rows, columns, false, false}, at_infinity, clip_radius, {"u", rows, false});
+  return finish_surface(context, {points, rows, columns, false, false}, at_infinity, clip_radius, {"u", rows, false});
 }
 
 std::size_t surface_vertices(const Literals& literals, const Axes& consumed) {

@@ -36,6 +36,9 @@ class Source {
         return axis_wanted ? line()
                            : add("circle", "circle",
                                  {{"center", {0.2, 0.1, 0.3}}, {"normal", {0.3, 0, 1}}, {"radius", spread_or_drive()}});
+      case WireType::sphere:
+        return add("sphere", "sphere",
+                   {{"center", {0.2, -0.1, 0.4 * static_cast<double>(prefix_.size())}}, {"radius", drive_}});
       case WireType::mesh:
         return add("mesh", "sphere_mesh",
                    {{"center", {0.3, -0.2, 0.5}}, {"radius", drive_}, {"segments", 6}, {"rings", 4}});
