@@ -2,10 +2,10 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <system_error>
 #include <unistd.h>
 
 #include "server/files.h"
@@ -14,7 +14,8 @@ namespace dini::cli {
 namespace {
 
 Problem io_problem(const std::string& path, int error) {
-  return {.code = "io", .detail = (path == "-" ? "standard stream" : path) + ": " + std::strerror(error)};
+  return {.code = "io",
+          .detail = (path == "-" ? "standard stream" : path) + ": " + std::generic_category().message(error)};
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ std::filesystem::path find_folder(const std::string& given, const char* in_build
   std::error_code error;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
   for (const auto* place : {in_build_tree, installed}) {
-    const auto folder = (program / place).lexically_normal();
+    auto folder = (program / place).lexically_normal();
     if (!error && std::filesystem::is_directory(folder, error)) return folder;
   }
   return {};

@@ -9,7 +9,8 @@ namespace dini {
 enum class StopReason { none, deadline, superseded, client_gone, shutting_down };
 
 /// The one flag that tells running work to stop. Shared by the request that owns it and every kernel that runs for it:
-/// kernels call `stopped()` at least every few thousand elements and return early, with any partial result, when it is true.
+/// kernels call `stopped()` at least every few thousand elements and return early, with any partial result, when it is
+/// true.
 class Cancel {
  public:
   using Clock = std::chrono::steady_clock;

@@ -50,9 +50,10 @@ double angle_between(const Start& from, const Start& to) {
   return elementary::atan2(dot(from.along, -to.inward), dot(from.inward, to.inward));
 }
 
-/// The point at `turn` of the half circle parameter: stereographic about the start with scale `width`, which is plain uniform
-/// sampling when the width is the diameter.
+/// The point at `turn` of the half circle parameter: stereographic about the start with scale `width`, which is plain
+/// uniform sampling when the width is the diameter.
 Point point_from(const CircleCoordinates& circle, const Start& start, double turn, double width) {
+  if (!circle.line && circle.radius == 0) return circle.center;
   const elementary::SineCosine half = elementary::sincos_turns(turn / 2);
   const double across = width * half.sine;
   const double bend = circle.line ? 0 : across / (2 * circle.radius);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Columns: the storage behind every family. Elements made of numbers (points, vectors, generators, circles) are kept as one
-// array of doubles per component, so that kernels read them with SIMD; everything else is a plain array.
+// Columns: the storage behind every family. Elements made of numbers (points, vectors, generators, circles) are kept as
+// one array of doubles per component, so that kernels read them with SIMD; everything else is a plain array.
 
 #include <cstddef>
 #include <utility>
@@ -113,16 +113,8 @@ class Column {
   }
 
   /// The array of component `k` of all elements; numeric elements only.
-  const double* component(std::size_t k) const
-    requires numeric
-  {
-    return data_.data() + k * size_;
-  }
-  double* component(std::size_t k)
-    requires numeric
-  {
-    return data_.data() + k * size_;
-  }
+  const double* component(std::size_t k) const requires numeric { return data_.data() + k * size_; }
+  double* component(std::size_t k) requires numeric { return data_.data() + k * size_; }
 
   std::size_t bytes() const { return data_.size() * sizeof(Element); }
 

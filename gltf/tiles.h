@@ -11,8 +11,8 @@
 
 namespace dini {
 
-/// Long runs of triangles are cut into tiles of at most this size. Smaller tiles repeat more vertices along their borders
-/// and start more entropy tables, larger ones leave threads idle, here and in the browser.
+/// Long runs of triangles are cut into tiles of at most this size. Smaller tiles repeat more vertices along their
+/// borders and start more entropy tables, larger ones leave threads idle, here and in the browser.
 inline constexpr std::size_t tile_triangles = 49152;
 
 /// No tile has more triangles than this: two squares of 128 x 128 quads are joined, three are not.

@@ -1,6 +1,7 @@
 #pragma once
 
-// What the parameters of a node function may be, and how each is read while the engine runs the function over the lifted axes.
+// What the parameters of a node function may be, and how each is read while the engine runs the function over the
+// lifted axes.
 //
 //   const T&            one value of a wire type: the function is lifted over its axes
 //   std::optional<T>    the same, for an input that may be left out
@@ -29,7 +30,9 @@ template <class E>
 struct ChoiceNames;
 
 template <class E>
-concept ChoiceEnum = std::is_enum_v<E> && requires { ChoiceNames<E>::names.size(); };
+concept ChoiceEnum = std::is_enum_v<E> && requires {
+  ChoiceNames<E>::names.size();
+};
 
 /// All values of an input that takes several links, each of one of `Types`.
 template <WireType... Types>
@@ -58,14 +61,8 @@ class Block {
   const Axis& axis(int k = 0) const { return (*consumed_)[static_cast<std::size_t>(k)]; }
   std::size_t size(int k = 0) const { return axis(k).size; }
 
-  T operator()(std::size_t i) const
-    requires(K == 1)
-  {
-    return (*column_)[base_ + i * strides_[0]];
-  }
-  T operator()(std::size_t i, std::size_t j) const
-    requires(K == 2)
-  {
+  T operator()(std::size_t i) const requires(K == 1) { return (*column_)[base_ + i * strides_[0]]; }
+  T operator()(std::size_t i, std::size_t j) const requires(K == 2) {
     return (*column_)[base_ + i * strides_[0] + j * strides_[1]];
   }
 
@@ -278,8 +275,7 @@ class Reader<Batch<T>> {
 };
 
 template <class L>
-  requires(ArgumentTraits<L>::kind == ArgumentKind::literal)
-class Reader<L> {
+requires(ArgumentTraits<L>::kind == ArgumentKind::literal) class Reader<L> {
  public:
   Reader(const Call& call, std::size_t port) {
     const Literal& literal = std::get<Literal>(call.arguments[port]);

@@ -42,13 +42,14 @@ Json card(const NodeType& type) {
   for (const InputPort& port : type.inputs) inputs.push_back(input_card(port));
   Json outputs = Json::array();
   for (std::size_t k = 0; k < type.outputs.size(); ++k) {
-    Json output = {{"name", type.outputs[k].name}, {"types", names_of(type.outputs[k].types)}, {"doc", type.outputs[k].doc}};
+    Json output = {
+        {"name", type.outputs[k].name}, {"types", names_of(type.outputs[k].types)}, {"doc", type.outputs[k].doc}};
     if (follows_first_input(type, k)) output["same_as"] = type.inputs.front().name;
     outputs.push_back(std::move(output));
   }
-  return {{"id", type.id},         {"title", type.title},     {"family", type.family}, {"doc", type.doc},
-          {"source", type.source}, {"details", type.details}, {"version", type.version}, {"inputs", std::move(inputs)},
-          {"outputs", std::move(outputs)}};
+  return {{"id", type.id},           {"title", type.title},         {"family", type.family},
+          {"doc", type.doc},         {"source", type.source},       {"details", type.details},
+          {"version", type.version}, {"inputs", std::move(inputs)}, {"outputs", std::move(outputs)}};
 }
 
 Json wire_type_cards() {

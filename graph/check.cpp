@@ -24,8 +24,8 @@ std::vector<std::string> keys_of(const Map& map) {
 
 class Checker {
  public:
-  Checker(const Registry& registry, const Document& document, const std::map<std::string, Json>& parameters, Quality quality,
-          const Limits& limits)
+  Checker(const Registry& registry, const Document& document, const std::map<std::string, Json>& parameters,
+          Quality quality, const Limits& limits)
       : registry_(registry), document_(document), limits_(limits) {
     report_.plan.parameters = parameters;
     report_.plan.quality = quality;
@@ -57,8 +57,9 @@ class Checker {
     if (type == nullptr) {
       const std::vector<std::string> known = keys_of(registry_.types());
       const std::string near = nearest(entry.type, known);
-      Problem problem{"unknown-node-type", "there is no node type " + excerpt(entry.type) + did_you_mean(entry.type, known), id,
-                      "", pointer(id) + "/type"};
+      Problem problem{"unknown-node-type",
+                      "there is no node type " + excerpt(entry.type) + did_you_mean(entry.type, known), id, "",
+                      pointer(id) + "/type"};
       if (!near.empty()) problem.fix = {{{"op", "replace"}, {"path", problem.pointer}, {"value", near}}};
       add(std::move(problem));
     }
@@ -96,8 +97,9 @@ class Checker {
     std::vector<std::string> known;
     for (const OutputPort& output : type->outputs) known.push_back(output.name);
     add({"dangling-link",
-         "node " + link.node + " (" + type->title + ") has no output " + excerpt(link.output) + did_you_mean(link.output, known), id,
-         port, pointer(id, port)});
+         "node " + link.node + " (" + type->title + ") has no output " + excerpt(link.output) +
+             did_you_mean(link.output, known),
+         id, port, pointer(id, port)});
   }
 
   void check_reference(const std::string& id, const std::string& port, const ParameterReference& reference) {
@@ -113,7 +115,8 @@ class Checker {
     std::string path;
     for (std::size_t i = 0; i < std::min(cycle.size(), most_named); ++i) path += cycle[i] + " -> ";
     if (cycle.size() > most_named) path += "... -> ";
-    add({"graph-has-cycle", "the links form a cycle: " + path + cycle.front(), cycle.front(), "", pointer(cycle.front())});
+    add({"graph-has-cycle", "the links form a cycle: " + path + cycle.front(), cycle.front(), "",
+         pointer(cycle.front())});
   }
 
   /// Plans one node whose sources have all been looked at; skips it when any of them could not be planned.

@@ -1,7 +1,7 @@
 #pragma once
 
-// The graph document, format 1: what editor, REST and command line exchange. Reading is strict, and writing what was read
-// gives the same document again.
+// The graph document, format 1: what editor, REST and command line exchange. Reading is strict, and writing what was
+// read gives the same document again.
 
 #include <map>
 #include <string>
@@ -32,8 +32,8 @@ struct ParameterReference {
 /// One thing given to an input: a literal, a link, or a parameter.
 using InputItem = std::variant<Json, Link, ParameterReference>;
 
-/// What is given to an input. `list` when it was written as a list that holds links or parameters; a list of plain literals is
-/// one literal until the port it goes to is known.
+/// What is given to an input. `list` when it was written as a list that holds links or parameters; a list of plain
+/// literals is one literal until the port it goes to is known.
 struct InputEntry {
   std::vector<InputItem> items;
   bool list = false;

@@ -92,7 +92,8 @@ class DocumentReader {
     }
     if (json.size() > limits_.nodes) {
       add("limit-exceeded", "/graph/nodes",
-          "the graph has " + std::to_string(json.size()) + " nodes, at most " + std::to_string(limits_.nodes) + " are accepted");
+          "the graph has " + std::to_string(json.size()) + " nodes, at most " + std::to_string(limits_.nodes) +
+              " are accepted");
       return;
     }
     for (const auto& [id, value] : json.items()) {
@@ -101,7 +102,8 @@ class DocumentReader {
     }
     if (links_ > limits_.links) {
       add("limit-exceeded", "/graph/nodes",
-          "the graph has " + std::to_string(links_) + " links, at most " + std::to_string(limits_.links) + " are accepted");
+          "the graph has " + std::to_string(links_) + " links, at most " + std::to_string(limits_.links) +
+              " are accepted");
     }
   }
 
@@ -131,7 +133,8 @@ class DocumentReader {
     return node;
   }
 
-  InputEntry read_input(const std::string& node, const std::string& port, const Json& json, const std::string& pointer) {
+  InputEntry read_input(const std::string& node, const std::string& port, const Json& json,
+                        const std::string& pointer) {
     const bool list =
         json.is_array() && std::any_of(json.begin(), json.end(), [](const Json& item) { return item.is_object(); });
     InputEntry entry{{}, list};
@@ -150,8 +153,8 @@ class DocumentReader {
     const bool link = json.contains("from");
     const char* const member = link ? "from" : "parameter";
     if (json.size() != 1 || !json.contains(member) || !json[member].is_string()) {
-      add("type-mismatch", pointer, "got " + excerpt(json) + R"(, expected {"from": "node.output"} or {"parameter": "name"})",
-          node, port);
+      add("type-mismatch", pointer,
+          "got " + excerpt(json) + R"(, expected {"from": "node.output"} or {"parameter": "name"})", node, port);
       return json;
     }
     const auto& text = json[member].get_ref<const std::string&>();

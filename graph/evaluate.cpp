@@ -1,10 +1,9 @@
 #include "graph/evaluate.h"
 
-#include <tbb/task_group.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <tbb/task_group.h>
 
 #include "graph/run_node.h"
 
@@ -164,8 +163,8 @@ Value Evaluation::value(const Plan& plan, std::size_t node, std::size_t output) 
   return std::get<Value>(std::get<Argument>(planned.bypass->from));
 }
 
-Result<Evaluation> evaluate(const Plan& plan, const std::vector<std::size_t>& targets, Cache& cache, const Cancel& cancel,
-                            const Progress& progress) {
+Result<Evaluation> evaluate(const Plan& plan, const std::vector<std::size_t>& targets, Cache& cache,
+                            const Cancel& cancel, const Progress& progress) {
   return Evaluator(plan, cache, cancel, progress).run(targets);
 }
 

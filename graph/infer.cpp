@@ -62,7 +62,8 @@ class Inference {
     return found == node_.literals.end() ? "" : std::get<std::string>(found->second);
   }
 
-  /// Lists of one node share an axis: the consumed one of a wired primary input, else what `axis` says, else the node's id.
+  /// Lists of one node share an axis: the consumed one of a wired primary input, else what `axis` says, else the node's
+  /// id.
   void name_lists() {
     std::string name = text_literal("axis");
     if (name.empty()) name = node_.id;
@@ -86,15 +87,17 @@ class Inference {
     }
   }
 
-  std::optional<Problem> add_axes(Axes& axes, const Axes& more, const std::string& port, const std::string& other) const {
+  std::optional<Problem> add_axes(Axes& axes, const Axes& more, const std::string& port,
+                                  const std::string& other) const {
     for (const Axis& axis : more) {
       const Axis* known = find_axis(axes, axis.name);
       if (known == nullptr) {
         axes.push_back(axis);
       } else if (known->size != axis.size || known->closed != axis.closed) {
         return problem("axis-mismatch", port,
-                       "axis " + axis.name + " is " + describe(axis) + " at " + port + " but " + describe(*known) + " at " +
-                           other + "; the same name must have the same size and closure, different axes different names");
+                       "axis " + axis.name + " is " + describe(axis) + " at " + port + " but " + describe(*known) +
+                           " at " + other +
+                           "; the same name must have the same size and closure, different axes different names");
       }
     }
     return std::nullopt;
@@ -124,8 +127,8 @@ class Inference {
     const Axes& axes = first.shape.axes;
     if (axes.size() < wanted) {
       return problem("axis-mismatch", port_name(first),
-                     port_name(first) + " needs " + std::to_string(wanted) + (wanted == 1 ? " axis" : " axes") + ", it has " +
-                         names_of(axes));
+                     port_name(first) + " needs " + std::to_string(wanted) + (wanted == 1 ? " axis" : " axes") +
+                         ", it has " + names_of(axes));
     }
     std::vector<std::string> names;
     for (std::size_t k = 0; k < wanted; ++k) names.push_back(text_literal(node_.type->over[k]));
@@ -142,8 +145,9 @@ class Inference {
     for (std::size_t k = 0; k < wanted; ++k) {
       const Axis* axis = find_axis(axes, names[k]);
       if (axis == nullptr) {
-        return problem("axis-mismatch", node_.type->over[k],
-                       "there is no axis " + excerpt(names[k]) + " at " + port_name(first) + ", it has " + names_of(axes));
+        return problem(
+            "axis-mismatch", node_.type->over[k],
+            "there is no axis " + excerpt(names[k]) + " at " + port_name(first) + ", it has " + names_of(axes));
       }
       if (find_axis(node_.consumed, names[k]) != nullptr) {
         return problem("axis-mismatch", node_.type->over[k], "the axis " + names[k] + " is named twice");
@@ -179,7 +183,8 @@ class Inference {
 
   bool only_blocks_have(const std::string& axis) const {
     for (std::size_t port = 0; port < node_.inputs.size(); ++port) {
-      if (!node_.overload->input_is_block[port] && find_axis(node_.inputs[port].shape.axes, axis) != nullptr) return false;
+      if (!node_.overload->input_is_block[port] && find_axis(node_.inputs[port].shape.axes, axis) != nullptr)
+        return false;
     }
     return true;
   }
@@ -191,6 +196,7 @@ class Inference {
       const std::size_t meshes = is_mixed(input) ? 1 : std::max<std::size_t>(1, sample_count(input.shape.axes));
       total += input.shape.vertices / meshes;
     }
+    if (node_.type->vertex_factor) total *= node_.type->vertex_factor(node_.literals);
     return total;
   }
 
@@ -208,7 +214,9 @@ class Inference {
       WireShape shape{overload.outputs[output], node_.lifted, 0};
       for (const Axis& axis : node_.made[output]) {
         if (find_axis(shape.axes, axis.name) != nullptr) {
-          return problem("axis-mismatch", "", "this node makes the axis " + axis.name + ", which its inputs have already; give it another name");
+          return problem(
+              "axis-mismatch", "",
+              "this node makes the axis " + axis.name + ", which its inputs have already; give it another name");
         }
         shape.axes.push_back(axis);
       }

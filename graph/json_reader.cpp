@@ -31,7 +31,8 @@ class StrictReader : public nlohmann::json_sax<Json> {
     if (std::any_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; })) {
       return refuse("not-json", "a name holds a control character");
     }
-    if (stack_.back()->contains(name)) return refuse("not-json", "the name " + Json(name).dump() + " stands twice in one object");
+    if (stack_.back()->contains(name))
+      return refuse("not-json", "the name " + Json(name).dump() + " stands twice in one object");
     key_ = std::move(name);
     return true;
   }

@@ -7,8 +7,9 @@
 
 namespace dini {
 
-/// Reads JSON from outside, strictly: no duplicate keys, no NUL, no control characters in names, nothing after the end, depth,
-/// number of values and string lengths within the limits. The problem has code `not-json` or `limit-exceeded` and says where.
+/// Reads JSON from outside, strictly: no duplicate keys, no NUL, no control characters in names, nothing after the end,
+/// depth, number of values and string lengths within the limits. The problem has code `not-json` or `limit-exceeded`
+/// and says where.
 Result<Json> parse_json(std::string_view text, const Limits& limits);
 
 /// `token` made fit to stand in a JSON pointer: ~ becomes ~0, / becomes ~1.

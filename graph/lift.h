@@ -10,12 +10,11 @@
 //   std::optional<Failure>, or void, when it writes through BatchOut parameters
 // Runs are independent and spread over threads; which thread does what never shows in the result.
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <atomic>
 #include <limits>
 #include <mutex>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tuple>
 #include <variant>
 
@@ -86,7 +85,7 @@ constexpr bool is_attempt<Attempt<T>> = true;
 
 template <class A>
 constexpr bool takes_port =
-    ArgumentTraits<A>::kind != ArgumentKind::context && ArgumentTraits<A>::kind != ArgumentKind::out;
+    ArgumentTraits<A>::kind != ArgumentKind::context&& ArgumentTraits<A>::kind != ArgumentKind::out;
 
 /// A node function with its types: knows how to run itself over a call.
 template <class R, class... A>
@@ -161,14 +160,13 @@ class LiftedFunction {
   };
 
   template <class P>
-  using ReaderOf = typename std::conditional_t<ArgumentTraits<P>::kind == ArgumentKind::out, std::type_identity<OutReader<P>>,
-                                               std::type_identity<Reader<P>>>::type;
+  using ReaderOf = typename std::conditional_t<ArgumentTraits<P>::kind == ArgumentKind::out,
+                                               std::type_identity<OutReader<P>>, std::type_identity<Reader<P>>>::type;
 
   template <class Columns, std::size_t... I>
   void run(const Call& call, std::size_t begin, std::size_t end, Columns& columns, FirstFailure& first,
            std::index_sequence<I...>) const {
-    std::tuple<ReaderOf<std::remove_cvref_t<A>>...> readers{
-        ReaderOf<std::remove_cvref_t<A>>(call, port_of(I))...};
+    std::tuple<ReaderOf<std::remove_cvref_t<A>>...> readers{ReaderOf<std::remove_cvref_t<A>>(call, port_of(I))...};
     if constexpr (batched) {
       // A run ends where a parameter that is no batch changes.
       while (begin < end) {

@@ -12,9 +12,9 @@ struct Limits {
   std::size_t string_bytes = 64 * 1024;
   std::size_t nodes = 2'000;
   std::size_t links = 8'000;
-  std::size_t samples = 20'000'000;    ///< values on one wire
-  std::size_t vertices = 5'000'000;    ///< of one result
-  std::size_t triangles = 10'000'000;  ///< of one result
+  std::size_t samples = 20'000'000;                  ///< values on one wire
+  std::size_t vertices = 5'000'000;                  ///< of one result
+  std::size_t triangles = 10'000'000;                ///< of one result
   std::size_t request_bytes = std::size_t{4} << 30;  ///< predicted memory of one evaluation
   std::size_t cache_bytes = std::size_t{1} << 30;
   std::size_t interactive_milliseconds = 10'000;

@@ -109,9 +109,11 @@ LiteralOutcome read_literal(const Json& json, WireType type, const InputPort& po
   return mismatch(json, "a link to a " + std::string(name(type)));
 }
 
-std::string to_text(double value) { return Json(value == std::floor(value) && std::abs(value) < 1e15
-                                                    ? Json(static_cast<std::int64_t>(value))
-                                                    : Json(value)).dump(); }
+std::string to_text(double value) {
+  return Json(value == std::floor(value) && std::abs(value) < 1e15 ? Json(static_cast<std::int64_t>(value))
+                                                                   : Json(value))
+      .dump();
+}
 
 std::string range_text(std::optional<double> minimum, std::optional<double> maximum) {
   if (minimum && maximum) return to_text(*minimum) + " to " + to_text(*maximum);

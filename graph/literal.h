@@ -17,8 +17,8 @@ struct LiteralProblem {
 
 using LiteralOutcome = std::variant<Argument, LiteralProblem>;
 
-/// Reads a literal for a port as one wire type: numbers and integers within the hard range, finite triples for vectors and
-/// points, a choice among the port's words. Generators, circles, spheres and meshes have no literals.
+/// Reads a literal for a port as one wire type: numbers and integers within the hard range, finite triples for vectors
+/// and points, a choice among the port's words. Generators, circles, spheres and meshes have no literals.
 LiteralOutcome read_literal(const Json& json, WireType type, const InputPort& port);
 
 /// A number as text for people: the shortest that reads back, without an exponent where possible.

@@ -80,12 +80,15 @@ class NodeBuilder {
     return std::move(*this);
   }
 
-  /// Which text inputs name the axes that Block parameters consume; empty text means the last axes of the first block input.
+  /// Which text inputs name the axes that Block parameters consume; empty text means the last axes of the first block
+  /// input.
   NodeBuilder&& over(std::vector<std::string> ports) && { return set(type_.over, std::move(ports)); }
   /// The axes that outputs of type Made run over.
   NodeBuilder&& axes(AxisRule rule) && { return set(type_.axes, std::move(rule)); }
   /// A bound of the vertices of each mesh made, known before anything is computed.
   NodeBuilder&& vertices(VertexRule rule) && { return set(type_.vertices, std::move(rule)); }
+  /// The same for a node that refines the meshes it is given.
+  NodeBuilder&& vertex_factor(VertexFactor factor) && { return set(type_.vertex_factor, std::move(factor)); }
   NodeBuilder&& depends_on_quality() && { return set(type_.depends_on_quality, true); }
   NodeBuilder&& always_evaluated() && { return set(type_.always_evaluated, true); }
 

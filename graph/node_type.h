@@ -2,7 +2,8 @@
 
 // A node type: what a card shows and what the engine runs. Built by `node(...)` in graph/node_builder.h.
 //
-// If a function consumes axes (Block parameters) it sees all values along them; every other axis of its inputs is lifted.
+// If a function consumes axes (Block parameters) it sees all values along them; every other axis of its inputs is
+// lifted.
 
 #include <functional>
 #include <map>
@@ -42,6 +43,9 @@ using AxisRule = std::function<std::vector<Axes>(const Literals&, const std::str
 /// A bound of the vertices of one mesh that a node makes, from its literals and the consumed axes.
 using VertexRule = std::function<std::size_t(const Literals&, const Axes& consumed)>;
 
+/// By how much a node multiplies the vertices of its mesh inputs, from its literals.
+using VertexFactor = std::function<std::size_t(const Literals&)>;
+
 struct NodeType {
   std::string id;
   std::string title;
@@ -59,6 +63,7 @@ struct NodeType {
   std::vector<std::string> over;  ///< text inputs that name the consumed axes, in order
   AxisRule axes;
   VertexRule vertices;
+  VertexFactor vertex_factor;  ///< where there is no rule; 1 when absent
   bool depends_on_quality = false;
   bool always_evaluated = false;  ///< runs even when the asked output does not need it (checks)
 

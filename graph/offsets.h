@@ -7,8 +7,8 @@
 
 namespace dini {
 
-/// Where a value over `own` axes stands while a loop runs over `loop` axes: axes are matched by name, and an axis that the
-/// value lacks has stride 0, so the value is constant along it.
+/// Where a value over `own` axes stands while a loop runs over `loop` axes: axes are matched by name, and an axis that
+/// the value lacks has stride 0, so the value is constant along it.
 class Offsets {
  public:
   Offsets() = default;

@@ -7,8 +7,8 @@
 
 namespace dini {
 
-/// The nodes of a document so that each stands after those it links to; ties by id. Links to nodes that do not exist are ignored.
-/// Nodes on a cycle, and nodes behind one, are left out; `cycle` then names one cycle in order.
+/// The nodes of a document so that each stands after those it links to; ties by id. Links to nodes that do not exist
+/// are ignored. Nodes on a cycle, and nodes behind one, are left out; `cycle` then names one cycle in order.
 struct Order {
   std::vector<std::string> ids;
   std::vector<std::string> cycle;

@@ -103,8 +103,7 @@ class ParameterReader {
       return;
     }
     parameter_.default_value = json_["default"];
-    const LiteralOutcome outcome =
-        read_literal(parameter_.default_value, parameter_.type, parameter_port(parameter_));
+    const LiteralOutcome outcome = read_literal(parameter_.default_value, parameter_.type, parameter_port(parameter_));
     if (const auto* problem = std::get_if<LiteralProblem>(&outcome)) add("default", problem->detail, problem->code);
   }
 
@@ -133,7 +132,8 @@ Result<std::map<std::string, Json>> resolve_parameters(const Document& document,
   Problems problems;
   std::map<std::string, Json> values;
   for (const auto& [name, parameter] : document.parameters) values[name] = parameter.default_value;
-  if (!given.is_object()) return Problem{"type-mismatch", "parameters must be an object of values by name", "", "", "/parameters"};
+  if (!given.is_object())
+    return Problem{"type-mismatch", "parameters must be an object of values by name", "", "", "/parameters"};
   for (const auto& [name, value] : given.items()) {
     const std::string pointer = "/parameters/" + pointer_token(name);
     const auto parameter = document.parameters.find(name);
@@ -142,10 +142,10 @@ Result<std::map<std::string, Json>> resolve_parameters(const Document& document,
       problems.push_back({"unknown-parameter", "the graph has no parameter " + excerpt(name) + hint, "", "", pointer});
       continue;
     }
-    const LiteralOutcome outcome =
-        read_literal(value, parameter->second.type, parameter_port(parameter->second));
+    const LiteralOutcome outcome = read_literal(value, parameter->second.type, parameter_port(parameter->second));
     if (const auto* problem = std::get_if<LiteralProblem>(&outcome)) {
-      problems.push_back({problem->code, parameter->second.label.value_or(name) + ": " + problem->detail, "", "", pointer});
+      problems.push_back(
+          {problem->code, parameter->second.label.value_or(name) + ": " + problem->detail, "", "", pointer});
       continue;
     }
     values[name] = value;

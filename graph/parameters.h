@@ -11,8 +11,8 @@ namespace dini {
 /// Reads one entry of "parameters": a type, a default of that type within its own bounds, and what a form shows.
 Result<Parameter> read_parameter(const Json& json, const std::string& pointer);
 
-/// The value of every parameter: the given one where there is one, else the default. Unknown names, wrong types and values
-/// out of bounds are problems that point to /parameters/<name>.
+/// The value of every parameter: the given one where there is one, else the default. Unknown names, wrong types and
+/// values out of bounds are problems that point to /parameters/<name>.
 Result<std::map<std::string, Json>> resolve_parameters(const Document& document, const Json& given);
 
 /// The port that a parameter would be if it were an input: types, range and choices, for reading its values.

@@ -13,8 +13,9 @@ namespace dini {
 
 using Json = nlohmann::json;
 
-/// One thing that is wrong, with its place. `code` is a stable kebab-case word; `detail` is one sentence with the numbers
-/// and what would be accepted; `pointer` (RFC 6901) points into the request document; `fix` is a JSON Patch where one is known.
+/// One thing that is wrong, with its place. `code` is a stable kebab-case word; `detail` is one sentence with the
+/// numbers and what would be accepted; `pointer` (RFC 6901) points into the request document; `fix` is a JSON Patch
+/// where one is known.
 struct Problem {
   std::string code = {};
   std::string detail = {};

@@ -38,8 +38,10 @@ void complete_ports(NodeType& type) {
 void check_input(const NodeType& type, const InputPort& input) {
   if (input.name.empty() || input.doc.empty()) refuse(type, "an input lacks its name or its text");
   const InputSpec& spec = input.spec;
-  if (spec.minimum && spec.soft_minimum && *spec.soft_minimum < *spec.minimum) refuse(type, input.name + ": soft range");
-  if (spec.maximum && spec.soft_maximum && *spec.soft_maximum > *spec.maximum) refuse(type, input.name + ": soft range");
+  if (spec.minimum && spec.soft_minimum && *spec.soft_minimum < *spec.minimum)
+    refuse(type, input.name + ": soft range");
+  if (spec.maximum && spec.soft_maximum && *spec.soft_maximum > *spec.maximum)
+    refuse(type, input.name + ": soft range");
   if (spec.default_value.is_null()) return;
   const LiteralOutcome outcome = read_literal(spec.default_value, input.types.front(), input);
   if (std::holds_alternative<LiteralProblem>(outcome)) refuse(type, input.name + ": default outside its own range");
@@ -60,7 +62,8 @@ void Registry::add(NodeType type) {
   for (const Overload& overload : type.overloads) {
     if (overload.inputs.size() != type.inputs.size()) refuse(type, "the card does not describe every input");
     if (overload.outputs.size() != type.outputs.size()) refuse(type, "the card does not describe every output");
-    if (overload.consumed_axes > static_cast<int>(type.over.size())) refuse(type, "a consumed axis has no input to name it");
+    if (overload.consumed_axes > static_cast<int>(type.over.size()))
+      refuse(type, "a consumed axis has no input to name it");
     const bool makes = std::count(overload.output_makes_axes.begin(), overload.output_makes_axes.end(), true) > 0;
     if (makes != static_cast<bool>(type.axes)) refuse(type, "made axes and the axis rule do not agree");
   }

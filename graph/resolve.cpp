@@ -46,7 +46,8 @@ Json clamped(const Json& value, const InputSpec& spec) {
 
 class Resolver {
  public:
-  Resolver(const std::string& id, const NodeEntry& entry, const NodeType& type, const Document& document, const Plan& plan)
+  Resolver(const std::string& id, const NodeEntry& entry, const NodeType& type, const Document& document,
+           const Plan& plan)
       : id_(id), entry_(entry), type_(type), document_(document), plan_(plan) {}
 
   Resolved run() {
@@ -123,7 +124,8 @@ class Resolver {
     resolved.problems = early_;
     const std::string& port = type_.inputs.empty() ? id_ : type_.inputs.front().name;
     if (given_.empty() || given_.front().empty() || !given_.front().front().wire) {
-      resolved.problems.push_back(problem("required-input-missing", port, "a bypassed node needs a link at its first input"));
+      resolved.problems.push_back(
+          problem("required-input-missing", port, "a bypassed node needs a link at its first input"));
       return;
     }
     resolved.node.bypass = given_.front().front().wire;
@@ -164,8 +166,8 @@ class Resolver {
       return;
     }
     if (listed_[port] && !card.spec.takes_several) {
-      resolved.problems.push_back(
-          problem("type-mismatch", card.name, card.name + " takes one value, got a list of " + std::to_string(given.size())));
+      resolved.problems.push_back(problem(
+          "type-mismatch", card.name, card.name + " takes one value, got a list of " + std::to_string(given.size())));
       return;
     }
     for (const Given& item : given) {
@@ -204,8 +206,9 @@ class Resolver {
                                           card.name + " is written in the graph or given as a parameter (" +
                                               std::string(name(wanted)) + "); it takes no link"));
     } else if (!fits) {
-      resolved.problems.push_back(problem(
-          "type-mismatch", card.name, card.name + " takes " + names_of(card.types) + ", got a link to a " + std::string(name(type))));
+      resolved.problems.push_back(
+          problem("type-mismatch", card.name,
+                  card.name + " takes " + names_of(card.types) + ", got a link to a " + std::string(name(type))));
     } else {
       resolved.node.inputs[port].items.push_back(item);
     }
@@ -253,8 +256,9 @@ class Resolver {
       const std::string& port = type_.inputs[static_cast<std::size_t>(&input - resolved.node.inputs.data())].name;
       const std::string& other = type_.inputs[static_cast<std::size_t>(first - resolved.node.inputs.data())].name;
       resolved.problems.push_back(problem("axis-mismatch", port,
-                                          port + " lists " + std::to_string(input.list_axis->size) + " items but " + other + " lists " +
-                                              std::to_string(first->list_axis->size) + "; lists of one node pair up"));
+                                          port + " lists " + std::to_string(input.list_axis->size) + " items but " +
+                                              other + " lists " + std::to_string(first->list_axis->size) +
+                                              "; lists of one node pair up"));
     }
   }
 

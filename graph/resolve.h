@@ -13,8 +13,8 @@ struct Resolved {
   Problems problems;
 };
 
-/// Reads the inputs of one node: picks the overload that fits what is wired to it, reads literals, follows bypasses, applies
-/// defaults. Every source of the node is in `plan` already; port names, links and parameters exist.
+/// Reads the inputs of one node: picks the overload that fits what is wired to it, reads literals, follows bypasses,
+/// applies defaults. Every source of the node is in `plan` already; port names, links and parameters exist.
 Resolved resolve_node(const std::string& id, const NodeEntry& entry, const NodeType& type, const Document& document,
                       const Plan& plan);
 

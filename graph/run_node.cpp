@@ -65,7 +65,8 @@ class NodeRunner {
       if (const std::optional<std::size_t> bad = first_bad(result.columns[output])) {
         return problem("non-finite", "",
                        "output " + node_.type->outputs[output].name + " is not a finite " +
-                           std::string(name(node_.outputs[output].type)) + place_text(node_.outputs[output].axes, *bad));
+                           std::string(name(node_.outputs[output].type)) +
+                           place_text(node_.outputs[output].axes, *bad));
       }
     }
     return result;
@@ -96,7 +97,8 @@ class NodeRunner {
   std::optional<Problem> out_of_range(std::size_t port) const {
     const InputPort& card = node_.type->inputs[port];
     const auto* value = std::get_if<Value>(&call_.arguments[port]);
-    if (value == nullptr || value->type() != WireType::number || (!card.spec.minimum && !card.spec.maximum)) return std::nullopt;
+    if (value == nullptr || value->type() != WireType::number || (!card.spec.minimum && !card.spec.maximum))
+      return std::nullopt;
     const Column<double>& column = dini::column_of<double>(*value);
     const double least = card.spec.minimum.value_or(-HUGE_VAL);
     const double most = card.spec.maximum.value_or(HUGE_VAL);

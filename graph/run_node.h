@@ -11,8 +11,8 @@ namespace dini {
 /// Gives the column of a source that has been computed.
 using ColumnOf = std::function<const AnyColumn&(const Source&)>;
 
-/// Runs one planned node: gathers its arguments, holds wired numbers against the hard ranges, runs its function, and refuses
-/// results that are not finite. The problem names node, port and sample.
+/// Runs one planned node: gathers its arguments, holds wired numbers against the hard ranges, runs its function, and
+/// refuses results that are not finite. The problem names node, port and sample.
 Result<NodeResult> run_node(const PlannedNode& node, const ColumnOf& column_of, const Context& context);
 
 }  // namespace dini

@@ -4,26 +4,28 @@ namespace dini {
 
 void add_all_nodes(Registry& registry) {
   add_numbers(registry);
+  add_random(registry);
   add_elements(registry);
+  add_rounds(registry);
   add_generators(registry);
+  add_curvature(registry);
   add_transforms(registry);
+  add_operators(registry);
   add_fields(registry);
+  add_curves(registry);
   add_sampling(registry);
   add_surfaces(registry);
   add_meshes(registry);
+  add_mesh_tools(registry);
   add_answers(registry);
   add_export(registry);
 }
 
 Json family_titles() {
-  return {{{"name", "numbers"}, {"title", "Numbers"}},
-          {{"name", "elements"}, {"title", "Elements"}},
-          {{"name", "generators"}, {"title", "Generators"}},
-          {{"name", "transforms"}, {"title", "Transforms"}},
-          {{"name", "fields"}, {"title", "Fields"}},
-          {{"name", "sampling"}, {"title", "Sampling"}},
-          {{"name", "surfaces"}, {"title", "Surfaces"}},
-          {{"name", "meshes"}, {"title", "Meshes"}},
+  return {{{"name", "numbers"}, {"title", "Numbers"}},       {{"name", "elements"}, {"title", "Elements"}},
+          {{"name", "generators"}, {"title", "Generators"}}, {{"name", "transforms"}, {"title", "Transforms"}},
+          {{"name", "fields"}, {"title", "Fields"}},         {{"name", "sampling"}, {"title", "Sampling"}},
+          {{"name", "surfaces"}, {"title", "Surfaces"}},     {{"name", "meshes"}, {"title", "Meshes"}},
           {{"name", "answers"}, {"title", "Answers"}}};
 }
 

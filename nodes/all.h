@@ -8,13 +8,19 @@ namespace dini {
 void add_all_nodes(Registry& registry);
 
 void add_numbers(Registry& registry);
+void add_random(Registry& registry);
 void add_elements(Registry& registry);
+void add_rounds(Registry& registry);
 void add_generators(Registry& registry);
+void add_curvature(Registry& registry);
 void add_transforms(Registry& registry);
+void add_operators(Registry& registry);
 void add_fields(Registry& registry);
+void add_curves(Registry& registry);
 void add_sampling(Registry& registry);
 void add_surfaces(Registry& registry);
 void add_meshes(Registry& registry);
+void add_mesh_tools(Registry& registry);
 void add_answers(Registry& registry);
 void add_export(Registry& registry);
 

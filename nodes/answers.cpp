@@ -7,7 +7,8 @@ namespace dini {
 
 namespace {
 
-std::tuple<double, double, double, double, double, double, Point, Point> measured(const Context& context, const SharedMesh& model) {
+std::tuple<double, double, double, double, double, double, Point, Point> measured(const Context& context,
+                                                                                  const SharedMesh& model) {
   const Measures measures = measure(*model, context.cancel());
   return {measures.area,
           measures.volume,
@@ -35,7 +36,8 @@ void add_answers(Registry& registry) {
                    .title("Measure")
                    .family("answers")
                    .doc("Area, volume, counts and bounds of a mesh.")
-                   .details("The volume is enclosed only when the mesh is closed; it is signed, positive for outward faces. Vertices are "
+                   .details("The volume is enclosed only when the mesh is closed; it is signed, positive for outward "
+                            "faces. Vertices are "
                             "counted by position.")
                    .input("model", "The mesh.")
                    .output("area", "Sum of the triangles, in square meters.")

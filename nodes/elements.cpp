@@ -67,24 +67,27 @@ void add_elements(Registry& registry) {
                    .input("direction", "Where it runs, of any length.", defaults({0, 0, 1}))
                    .output("circle", "The line, as a circle through infinity."));
 
-  registry.add(node("point_pair", point_pair)
-                   .title("Point pair")
-                   .family("elements")
-                   .doc("A generator of boosts: a tangent vector at a point, null or split into two poles.")
-                   .source("Boosted Surfaces, eqs. (1), (4), fig. 8")
-                   .details("With split s the square of the pair is 2 s |direction|^2. A zero direction gives the generator of the "
-                            "identity.")
-                   .input("position", "Where the tangent sits.", defaults({0, 0, 0}).unit("m"))
-                   .input("direction", "The tangent; its length is the strength, in 1/m.", defaults({0, 0, 1}))
-                   .input("split", "0 null, above 0 real, below 0 imaginary.", defaults(0).hard(-1e9, 1e9).soft(-1, 1))
-                   .output("generator", "The point pair."));
+  registry.add(
+      node("point_pair", point_pair)
+          .title("Point pair")
+          .family("elements")
+          .doc("A generator of boosts: a tangent vector at a point, null or split into two poles.")
+          .source("Boosted Surfaces, eqs. (1), (4), fig. 8")
+          .details(
+              "With split s the square of the pair is 2 s |direction|^2. A zero direction gives the generator of the "
+              "identity.")
+          .input("position", "Where the tangent sits.", defaults({0, 0, 0}).unit("m"))
+          .input("direction", "The tangent; its length is the strength, in 1/m.", defaults({0, 0, 1}))
+          .input("split", "0 null, above 0 real, below 0 imaginary.", defaults(0).hard(-1e9, 1e9).soft(-1, 1))
+          .output("generator", "The point pair."));
 
   registry.add(node("point_pair_through", pair_through)
                    .title("Point pair through two points")
                    .family("elements")
                    .doc("The geometric product of two weighted points: a scalar and the point pair that joins them.")
                    .source("Boosted Surfaces, eqs. (19), (20)")
-                   .details("The weight replaces the no coefficient of a point. Coincident points of equal weight give the zero generator.")
+                   .details("The weight replaces the no coefficient of a point. Coincident points of equal weight give "
+                            "the zero generator.")
                    .input("a", "First point.", defaults({0, 0, 1}).unit("m"))
                    .input("weight_a", "Weight of its no coefficient.", defaults(1).hard(-1e9, 1e9).soft(-1, 1))
                    .input("b", "Second point.", defaults({0, 0, -1}).unit("m"))

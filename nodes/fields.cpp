@@ -3,6 +3,7 @@
 #include "nodes/all.h"
 #include "nodes/choices.h"
 #include "nodes/shapes.h"
+#include "nodes/sources.h"
 
 namespace dini {
 
@@ -13,7 +14,8 @@ bool is_direction(const Generator& generator) {
   return generator.no_e == Vector{} && generator.e_e == Vector{} && generator.no_ni == 0;
 }
 
-/// The generators of a warp that act; a zero generator does nothing wherever it sits.
+}  // namespace
+
 Attempt<std::vector<kernels::WarpSource>> sources_of(const Block<Generator, 1>& generators) {
   std::vector<kernels::WarpSource> sources;
   for (std::size_t i = 0; i < generators.size(); ++i) {
@@ -21,7 +23,8 @@ Attempt<std::vector<kernels::WarpSource>> sources_of(const Block<Generator, 1>& 
     if (generator == Generator{}) continue;
     const kernels::WarpSource source = kernels::warp_source(generator);
     if (is_direction(generator) || !is_finite(source.position)) {
-      return Failure{"degenerate", "generator " + std::to_string(i) + " sits nowhere, so no distance to it can be measured",
+      return Failure{"degenerate",
+                     "generator " + std::to_string(i) + " sits nowhere, so no distance to it can be measured",
                      "generators"};
     }
     sources.push_back(source);
@@ -29,14 +32,16 @@ Attempt<std::vector<kernels::WarpSource>> sources_of(const Block<Generator, 1>& 
   return sources;
 }
 
+namespace {
+
 std::optional<Failure> warp_point_batch(Batch<Point> shape, const Block<Generator, 1>& generators, const std::string&,
-                                        double strength, double power, double softening, Rule rule, kernels::WarpMethod method,
-                                        BatchOut<Point> out) {
+                                        double strength, double power, double softening, Rule rule,
+                                        kernels::WarpMethod method, BatchOut<Point> out) {
   const Attempt<std::vector<kernels::WarpSource>> sources = sources_of(generators);
   if (const auto* failure = std::get_if<Failure>(&sources)) return *failure;
   std::vector<double> storage;
-  kernels::warp_points(std::get<0>(sources), {strength, power, softening, rule, method}, spread(shape, out.size, storage),
-                       components(out), out.size);
+  kernels::warp_points(std::get<0>(sources), {strength, power, softening, rule, method},
+                       spread(shape, out.size, storage), components(out), out.size);
   return std::nullopt;
 }
 
@@ -47,8 +52,8 @@ Attempt<SharedMesh> warp_mesh(const Context& context, const SharedMesh& shape, c
   if (const auto* failure = std::get_if<Failure>(&sources)) return *failure;
   Column<Point> positions(shape->positions.size());
   for_chunks(context, positions.size(), [&](std::size_t begin, std::size_t end) {
-    kernels::warp_points(std::get<0>(sources), {strength, power, softening, rule, method}, components(shape->positions, begin),
-                         components(positions, begin), end - begin);
+    kernels::warp_points(std::get<0>(sources), {strength, power, softening, rule, method},
+                         components(shape->positions, begin), components(positions, begin), end - begin);
   });
   // A warp is not conformal, so normals are made anew from the warped faces.
   const SharedMesh warped = with_positions(context, *shape, std::move(positions), {});
@@ -61,25 +66,28 @@ Attempt<SharedMesh> warp_mesh(const Context& context, const SharedMesh& shape, c
 }  // namespace
 
 void add_fields(Registry& registry) {
-  registry.add(node("warp", warp_point_batch, warp_mesh)
-                   .title("Warp")
-                   .family("fields")
-                   .doc("Moves every point by all generators together, each weighted by its distance.")
-                   .source("Boosted Surfaces, eqs. (13), (16)")
-                   .details("Weight 1 / (d^power + softening), rotor exp(strength * weighted sum). A point at a generator stays. "
-                            "With power 2 and no softening the effect does not fade with distance and has a pole near each "
-                            "generator. A generator that sits nowhere (a pure direction) is an error.")
-                   .input("shape", "Points or meshes.")
-                   .input("generators", "Several links, or one family.", required().several())
-                   .input("over", "The axis to sum over; empty means the last of generators.", defaults("").names_axis())
-                   .input("strength", "Factor of the sum.", defaults(1).hard(-1e9, 1e9).soft(-2, 2))
-                   .input("power", "Power of the distance.", defaults(2).hard(0, 16).soft(0, 4))
-                   .input("softening", "Added to the power of the distance.", defaults(0).hard(0, 1e9).soft(0, 2))
-                   .input("rule", "The true exponential, or the paper's with the scalar part of the square only.", defaults("exact"))
-                   .input("method", "One rotor from the summed generators, or the sum of what each would do alone.",
-                          defaults("sum_generators"))
-                   .over({"over"})
-                   .output("shape", "The warped shape."));
+  registry.add(
+      node("warp", warp_point_batch, warp_mesh)
+          .title("Warp")
+          .family("fields")
+          .doc("Moves every point by all generators together, each weighted by its distance.")
+          .source("Boosted Surfaces, eqs. (13), (16)")
+          .details(
+              "Weight 1 / (d^power + softening), rotor exp(strength * weighted sum). A point at a generator stays. "
+              "With power 2 and no softening the effect does not fade with distance and has a pole near each "
+              "generator. A generator that sits nowhere (a pure direction) is an error.")
+          .input("shape", "Points or meshes.")
+          .input("generators", "Several links, or one family.", required().several())
+          .input("over", "The axis to sum over; empty means the last of generators.", defaults("").names_axis())
+          .input("strength", "Factor of the sum.", defaults(1).hard(-1e9, 1e9).soft(-2, 2))
+          .input("power", "Power of the distance.", defaults(2).hard(0, 16).soft(0, 4))
+          .input("softening", "Added to the power of the distance.", defaults(0).hard(0, 1e9).soft(0, 2))
+          .input("rule", "The true exponential, or the paper's with the scalar part of the square only.",
+                 defaults("exact"))
+          .input("method", "One rotor from the summed generators, or the sum of what each would do alone.",
+                 defaults("sum_generators"))
+          .over({"over"})
+          .output("shape", "The warped shape."));
 }
 
 }  // namespace dini

@@ -1,11 +1,10 @@
 #include "nodes/formula.h"
 
-#include <muParserBase.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <muParserBase.h>
 #include <string_view>
 
 #include "algebra/elementary.h"
@@ -47,16 +46,37 @@ struct TwoArguments {
   double (*function)(double, double);
 };
 
-constexpr OneArgument one_argument[] = {
-    {"sin", elementary::sin},     {"cos", elementary::cos},     {"tan", elementary::tan},     {"asin", elementary::asin},
-    {"acos", elementary::acos},   {"atan", elementary::atan},   {"sinh", elementary::sinh},   {"cosh", elementary::cosh},
-    {"tanh", elementary::tanh},   {"asinh", elementary::asinh}, {"acosh", elementary::acosh}, {"atanh", elementary::atanh},
-    {"exp", elementary::exp},     {"ln", elementary::log},      {"log", elementary::log},     {"log2", elementary::log2},
-    {"log10", elementary::log10}, {"sqrt", square_root},        {"cbrt", elementary::cbrt},   {"abs", absolute},
-    {"sign", sign},               {"floor", floor_of},          {"ceil", ceil_of},            {"round", round_of}};
+constexpr OneArgument one_argument[] = {{"sin", elementary::sin},
+                                        {"cos", elementary::cos},
+                                        {"tan", elementary::tan},
+                                        {"asin", elementary::asin},
+                                        {"acos", elementary::acos},
+                                        {"atan", elementary::atan},
+                                        {"sinh", elementary::sinh},
+                                        {"cosh", elementary::cosh},
+                                        {"tanh", elementary::tanh},
+                                        {"asinh", elementary::asinh},
+                                        {"acosh", elementary::acosh},
+                                        {"atanh", elementary::atanh},
+                                        {"exp", elementary::exp},
+                                        {"ln", elementary::log},
+                                        {"log", elementary::log},
+                                        {"log2", elementary::log2},
+                                        {"log10", elementary::log10},
+                                        {"sqrt", square_root},
+                                        {"cbrt", elementary::cbrt},
+                                        {"abs", absolute},
+                                        {"sign", sign},
+                                        {"floor", floor_of},
+                                        {"ceil", ceil_of},
+                                        {"round", round_of}};
 
-constexpr TwoArguments two_arguments[] = {{"atan2", elementary::atan2}, {"pow", elementary::pow}, {"hypot", elementary::hypot},
-                                          {"min", minimum},             {"max", maximum},         {"mod", modulo}};
+constexpr TwoArguments two_arguments[] = {{"atan2", elementary::atan2},
+                                          {"pow", elementary::pow},
+                                          {"hypot", elementary::hypot},
+                                          {"min", minimum},
+                                          {"max", maximum},
+                                          {"mod", modulo}};
 
 /// Reads a number for muParser, independent of the locale.
 int read_number(const char* text, int* position, double* value) {

@@ -14,16 +14,18 @@ std::size_t segments_for(const Context& context, std::int64_t wanted) {
   return context.quality() == Quality::draft ? std::min(segments, draft_segments) : segments;
 }
 
-SharedMesh sphere(const Context& context, const Point& center, double radius, std::int64_t segments, std::int64_t rings) {
+SharedMesh sphere(const Context& context, const Point& center, double radius, std::int64_t segments,
+                  std::int64_t rings) {
   return std::make_shared<const Mesh>(
       sphere_mesh(center, radius, segments_for(context, segments), segments_for(context, rings), context.cancel()));
 }
 
-Attempt<SharedMesh> torus(const Context& context, const Point& center, const Vector& axis, double major_radius, double minor_radius,
-                          std::int64_t segments, std::int64_t sides) {
+Attempt<SharedMesh> torus(const Context& context, const Point& center, const Vector& axis, double major_radius,
+                          double minor_radius, std::int64_t segments, std::int64_t sides) {
   if (axis == Vector{}) return Failure{"degenerate", "the axis of a torus must not be zero", "axis"};
-  return std::make_shared<const Mesh>(torus_mesh(center, axis, major_radius, minor_radius, segments_for(context, segments),
-                                                 segments_for(context, sides), context.cancel()));
+  return std::make_shared<const Mesh>(torus_mesh(center, axis, major_radius, minor_radius,
+                                                 segments_for(context, segments), segments_for(context, sides),
+                                                 context.cancel()));
 }
 
 SharedMesh merged(const Context& context, const Several<WireType::mesh>& meshes) {
@@ -49,32 +51,35 @@ std::size_t grid_vertices(const Literals& literals, const char* first, const cha
 }  // namespace
 
 void add_meshes(Registry& registry) {
-  registry.add(node("sphere_mesh", sphere)
-                   .title("Sphere mesh")
-                   .family("meshes")
-                   .doc("A sphere as a mesh with clean poles.")
-                   .input("center", "Its center.", defaults({0, 0, 0}).unit("m"))
-                   .input("radius", "Its radius.", defaults(1).hard(1e-9, 1e6).soft(0.1, 4).unit("m"))
-                   .input("segments", "Around the vertical axis.", defaults(96).hard(3, 8192).soft(8, 256))
-                   .input("rings", "From pole to pole.", defaults(48).hard(2, 8192).soft(4, 128))
-                   .vertices([](const Literals& literals, const Axes&) { return grid_vertices(literals, "segments", "rings"); })
-                   .depends_on_quality()
-                   .output("mesh", "The mesh."));
+  registry.add(
+      node("sphere_mesh", sphere)
+          .title("Sphere mesh")
+          .family("meshes")
+          .doc("A sphere as a mesh with clean poles.")
+          .input("center", "Its center.", defaults({0, 0, 0}).unit("m"))
+          .input("radius", "Its radius.", defaults(1).hard(1e-9, 1e6).soft(0.1, 4).unit("m"))
+          .input("segments", "Around the vertical axis.", defaults(96).hard(3, 8192).soft(8, 256))
+          .input("rings", "From pole to pole.", defaults(48).hard(2, 8192).soft(4, 128))
+          .vertices([](const Literals& literals, const Axes&) { return grid_vertices(literals, "segments", "rings"); })
+          .depends_on_quality()
+          .output("mesh", "The mesh."));
 
-  registry.add(node("torus_mesh", torus)
-                   .title("Torus mesh")
-                   .family("meshes")
-                   .doc("A torus as a mesh.")
-                   .details("A zero axis is an error.")
-                   .input("center", "Its center.", defaults({0, 0, 0}).unit("m"))
-                   .input("axis", "Direction of its axis, of any length.", defaults({0, 0, 1}))
-                   .input("major_radius", "From the center to the middle of the tube.", defaults(1).hard(1e-9, 1e6).soft(0.1, 4).unit("m"))
-                   .input("minor_radius", "Of the tube.", defaults(0.3).hard(1e-9, 1e6).soft(0.05, 1).unit("m"))
-                   .input("segments", "Around the axis.", defaults(128).hard(3, 8192).soft(8, 256))
-                   .input("sides", "Around the tube.", defaults(48).hard(3, 8192).soft(4, 128))
-                   .vertices([](const Literals& literals, const Axes&) { return grid_vertices(literals, "segments", "sides"); })
-                   .depends_on_quality()
-                   .output("mesh", "The mesh."));
+  registry.add(
+      node("torus_mesh", torus)
+          .title("Torus mesh")
+          .family("meshes")
+          .doc("A torus as a mesh.")
+          .details("A zero axis is an error.")
+          .input("center", "Its center.", defaults({0, 0, 0}).unit("m"))
+          .input("axis", "Direction of its axis, of any length.", defaults({0, 0, 1}))
+          .input("major_radius", "From the center to the middle of the tube.",
+                 defaults(1).hard(1e-9, 1e6).soft(0.1, 4).unit("m"))
+          .input("minor_radius", "Of the tube.", defaults(0.3).hard(1e-9, 1e6).soft(0.05, 1).unit("m"))
+          .input("segments", "Around the axis.", defaults(128).hard(3, 8192).soft(8, 256))
+          .input("sides", "Around the tube.", defaults(48).hard(3, 8192).soft(4, 128))
+          .vertices([](const Literals& literals, const Axes&) { return grid_vertices(literals, "segments", "sides"); })
+          .depends_on_quality()
+          .output("mesh", "The mesh."));
 
   registry.add(node("merge", merged)
                    .title("Merge")

@@ -39,20 +39,23 @@ void add_numbers(Registry& registry) {
                    .input("value", "The number.", defaults(0).soft(-10, 10))
                    .output("value", "The same number."));
 
-  registry.add(node("range", range_values)
-                   .title("Range")
-                   .family("numbers")
-                   .doc("Evenly spaced numbers along a new axis.")
-                   .details("An open range holds both ends; a closed one leaves the end value out, because it is the start again.")
-                   .input("from", "First value.", defaults(0).soft(-10, 10))
-                   .input("to", "Last value, or the value after the last on a closed axis.", defaults(1).soft(-10, 10))
-                   .input("count", "How many values.", defaults(32).hard(1, 10'000'000).soft(2, 256))
-                   .input("closed", "Whether the last value joins the first.", defaults(false))
-                   .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
-                   .axes(one_axis("count", "axis", "closed"))
-                   .output("values", "The numbers, over the new axis."));
+  registry.add(
+      node("range", range_values)
+          .title("Range")
+          .family("numbers")
+          .doc("Evenly spaced numbers along a new axis.")
+          .details(
+              "An open range holds both ends; a closed one leaves the end value out, because it is the start again.")
+          .input("from", "First value.", defaults(0).soft(-10, 10))
+          .input("to", "Last value, or the value after the last on a closed axis.", defaults(1).soft(-10, 10))
+          .input("count", "How many values.", defaults(32).hard(1, 10'000'000).soft(2, 256))
+          .input("closed", "Whether the last value joins the first.", defaults(false))
+          .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
+          .axes(one_axis("count", "axis", "closed"))
+          .output("values", "The numbers, over the new axis."));
 
-  registry.add(node("list", list_item<double>, list_item<Point>, list_item<Vector>, list_item<Generator>, list_item<Circle>)
+  registry.add(node("list", list_item<double>, list_item<Point>, list_item<Vector>, list_item<Generator>,
+                    list_item<Circle>, list_item<Sphere>)
                    .title("List")
                    .family("numbers")
                    .doc("Values given one by one, along a new axis.")
@@ -70,19 +73,21 @@ void add_numbers(Registry& registry) {
                    .input("z", "Along the third axis, up.", defaults(0).soft(-2, 2).unit("m"))
                    .output("vector", "The direction."));
 
-  registry.add(node("expression", expression_values)
-                   .title("Expression")
-                   .family("numbers")
-                   .doc("A formula over x, y, z and w, evaluated for every combination of their axes.")
-                   .details("Operators + - * / ^ < <= > >= == != && || ? :, constants pi and e, functions " +
-                            Formula::function_names() +
-                            ". Angles are in radians. The same result on every machine; a result that is not finite is an error.")
-                   .input("formula", "For example sin(2*pi*x) + y/2.", required())
-                   .input("x", "First variable.", defaults(0).soft(-10, 10))
-                   .input("y", "Second variable.", defaults(0).soft(-10, 10))
-                   .input("z", "Third variable.", defaults(0).soft(-10, 10))
-                   .input("w", "Fourth variable.", defaults(0).soft(-10, 10))
-                   .output("value", "The value of the formula."));
+  registry.add(
+      node("expression", expression_values)
+          .title("Expression")
+          .family("numbers")
+          .doc("A formula over x, y, z and w, evaluated for every combination of their axes.")
+          .details(
+              "Operators + - * / ^ < <= > >= == != && || ? :, constants pi and e, functions " +
+              Formula::function_names() +
+              ". Angles are in radians. The same result on every machine; a result that is not finite is an error.")
+          .input("formula", "For example sin(2*pi*x) + y/2.", required())
+          .input("x", "First variable.", defaults(0).soft(-10, 10))
+          .input("y", "Second variable.", defaults(0).soft(-10, 10))
+          .input("z", "Third variable.", defaults(0).soft(-10, 10))
+          .input("w", "Fourth variable.", defaults(0).soft(-10, 10))
+          .output("value", "The value of the formula."));
 }
 
 }  // namespace dini

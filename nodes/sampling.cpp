@@ -1,7 +1,8 @@
+#include "geometry/sampling.h"
+
 #include <algorithm>
 
 #include "algebra/extract.h"
-#include "geometry/sampling.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 
@@ -9,7 +10,8 @@ namespace dini {
 
 namespace {
 
-Attempt<Made<Point>> circle_samples(const Circle& shape, std::int64_t count, bool closed, double length, const std::string&) {
+Attempt<Made<Point>> circle_samples(const Circle& shape, std::int64_t count, bool closed, double length,
+                                    const std::string&) {
   const std::optional<CircleCoordinates> found = coordinates(shape);
   if (!found) return Failure{"degenerate", "there is no circle to sample", "shape"};
   const auto size = static_cast<std::size_t>(count);
@@ -21,8 +23,9 @@ Attempt<Made<Point>> circle_samples(const Circle& shape, std::int64_t count, boo
   return samples;
 }
 
-std::tuple<Made<Point>, Made<double>, Made<double>> grid_points(const Point& center, const Vector& u_vector, const Vector& v_vector,
-                                                                std::int64_t count_u, std::int64_t count_v, const std::string&,
+std::tuple<Made<Point>, Made<double>, Made<double>> grid_points(const Point& center, const Vector& u_vector,
+                                                                const Vector& v_vector, std::int64_t count_u,
+                                                                std::int64_t count_v, const std::string&,
                                                                 const std::string&) {
   const auto size_u = static_cast<std::size_t>(count_u);
   const auto size_v = static_cast<std::size_t>(count_v);
@@ -46,26 +49,28 @@ std::vector<Axes> grid_axes(const Literals& literals, const std::string&) {
 }  // namespace
 
 void add_sampling(Registry& registry) {
-  registry.add(node("sample", circle_samples)
-                   .title("Sample")
-                   .family("sampling")
-                   .doc("Points along a circle, or along a piece of a line, on a new axis.")
-                   .details("A circle starts at a fixed direction that depends on its normal. A line is sampled about its point "
-                            "nearest the origin.")
-                   .input("shape", "A circle or a line.")
-                   .input("count", "How many points.", defaults(64).hard(1, 10'000'000).soft(3, 256))
-                   .input("closed", "Whether the last point joins the first; a closed circle does not repeat its start.",
-                          defaults(true))
-                   .input("length", "Length of the piece of a line.", defaults(10).hard(0, 1e9).soft(0, 20).unit("m"))
-                   .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
-                   .axes(one_axis("count", "axis", "closed"))
-                   .output("points", "The points, over the new axis."));
+  registry.add(
+      node("sample", circle_samples)
+          .title("Sample")
+          .family("sampling")
+          .doc("Points along a circle, or along a piece of a line, on a new axis.")
+          .details("A circle starts at a fixed direction that depends on its normal. A line is sampled about its point "
+                   "nearest the origin.")
+          .input("shape", "A circle or a line.")
+          .input("count", "How many points.", defaults(64).hard(1, 10'000'000).soft(3, 256))
+          .input("closed", "Whether the last point joins the first; a closed circle does not repeat its start.",
+                 defaults(true))
+          .input("length", "Length of the piece of a line.", defaults(10).hard(0, 1e9).soft(0, 20).unit("m"))
+          .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
+          .axes(one_axis("count", "axis", "closed"))
+          .output("points", "The points, over the new axis."));
 
   registry.add(node("grid", grid_points)
                    .title("Grid")
                    .family("sampling")
                    .doc("Points of a flat parallelogram over two new axes, with their positions u and v from 0 to 1.")
-                   .details("It spans center - u_vector - v_vector to center + u_vector + v_vector. A count of 1 stands at the start.")
+                   .details("It spans center - u_vector - v_vector to center + u_vector + v_vector. A count of 1 "
+                            "stands at the start.")
                    .input("center", "The middle.", defaults({0, 0, 0}).unit("m"))
                    .input("u_vector", "Half the extent along u.", defaults({1, 0, 0}).unit("m"))
                    .input("v_vector", "Half the extent along v.", defaults({0, 1, 0}).unit("m"))

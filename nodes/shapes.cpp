@@ -1,16 +1,16 @@
 #include "nodes/shapes.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 namespace dini {
 
 namespace {
 
-/// Farther than this from the origin a vertex counts as at infinity: single precision still holds it with room to spare.
+/// Farther than this from the origin a vertex counts as at infinity: single precision still holds it with room to
+/// spare.
 constexpr double farthest = 1e9;
 
 bool within_reach(const Point& p) {
@@ -44,7 +44,8 @@ Mesh without_far_triangles(const Mesh& mesh) {
   std::size_t tile = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& triangle = mesh.triangles[t];
-    if (std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t v) { return within_reach(mesh.positions[v]); })) {
+    if (std::all_of(triangle.begin(), triangle.end(),
+                    [&](std::uint32_t v) { return within_reach(mesh.positions[v]); })) {
       std::array<std::uint32_t, 3> moved;
       for (std::size_t corner = 0; corner < 3; ++corner) {
         std::uint32_t& to = place[triangle[corner]];
@@ -89,7 +90,9 @@ kernels::ConstPoints spread(const Batch<Point>& points, std::size_t size, std::v
 
 kernels::ConstNumbers numbers(const Batch<double>& batch) { return {batch.components[0], batch.constant}; }
 
-kernels::Points components(const BatchOut<Point>& out) { return {out.components[0], out.components[1], out.components[2]}; }
+kernels::Points components(const BatchOut<Point>& out) {
+  return {out.components[0], out.components[1], out.components[2]};
+}
 
 kernels::ConstPoints components(const Column<Point>& column, std::size_t begin) {
   return {column.component(0) + begin, column.component(1) + begin, column.component(2) + begin};
@@ -125,9 +128,8 @@ SharedMesh with_positions(const Context& context, const Mesh& mesh, Column<Point
   for (std::size_t i = 0; i < moved->positions.size(); ++i) {
     if (within_reach(moved->positions[i])) continue;
     auto kept = std::make_shared<Mesh>(without_far_triangles(*moved));
-    context.warn({"at-infinity",
-                  std::to_string(moved->triangles.size() - kept->triangles.size()) +
-                      " triangles reach infinity and are left out"});
+    context.warn({"at-infinity", std::to_string(moved->triangles.size() - kept->triangles.size()) +
+                                     " triangles reach infinity and are left out"});
     return kept;
   }
   return moved;

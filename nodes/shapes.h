@@ -27,7 +27,8 @@ kernels::Points components(Column<Point>& column, std::size_t begin);
 std::optional<Failure> apply_to_points(const Versor& versor, const Batch<Point>& shape, const BatchOut<Point>& out);
 SharedMesh apply_to_mesh(const Context& context, const Versor& versor, const SharedMesh& mesh);
 
-/// The mesh with new positions: triangles with a corner at infinity or farther than any file can hold are left out with a warning.
+/// The mesh with new positions: triangles with a corner at infinity or farther than any file can hold are left out with
+/// a warning.
 SharedMesh with_positions(const Context& context, const Mesh& mesh, Column<Point> positions, Column<Vector> normals);
 
 }  // namespace dini

@@ -9,62 +9,49 @@
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 #include "nodes/choices.h"
+#include "nodes/finish_surface.h"
 #include "nodes/shapes.h"
 
 namespace dini {
 
 namespace {
 
-/// Triangles of one surface while a value is being dragged; the final answer has no such bound.
-constexpr std::size_t draft_triangles = 20'000;
 constexpr std::size_t draft_sides = 8;
 constexpr std::size_t draft_segments = 64;
 
-Attempt<SharedMesh> finish(const Context& context, const PointGrid& grid, AtInfinity at_infinity, double clip_radius,
-                           const Axis& rows) {
-  const std::size_t budget = context.quality() == Quality::draft ? draft_triangles : 0;
-  SurfaceResult result = surface(grid, {at_infinity, clip_radius, budget}, context.cancel());
-  if (result.first_clipped) {
-    const std::string place = rows.name + " = " + std::to_string((*result.first_clipped)[0]);
-    if (at_infinity == AtInfinity::fail) {
-      return Failure{"at-infinity", "the surface leaves the clip radius at " + place + "; choose clip, or a larger clip_radius",
-                     "at_infinity"};
-    }
-    context.warn({"at-infinity", "the surface reaches infinity first at " + place + "; " +
-                                     std::to_string(result.clipped_quads) + " quads were cut or left out"});
-  }
-  return std::make_shared<const Mesh>(std::move(result.mesh));
-}
-
-Attempt<SharedMesh> surface_of_points(const Context& context, const Block<Point, 2>& shape, std::int64_t, AtInfinity at_infinity,
-                                      double clip_radius, const std::string&, const std::string&) {
+Attempt<SharedMesh> surface_of_points(const Context& context, const Block<Point, 2>& shape, std::int64_t,
+                                      AtInfinity at_infinity, double clip_radius, const std::string&,
+                                      const std::string&) {
   const std::size_t rows = shape.size(0);
   const std::size_t columns = shape.size(1);
   Column<Point> points(rows * columns);
   for (std::size_t i = 0; i < rows; ++i) {
     for (std::size_t j = 0; j < columns; ++j) points.set(i * columns + j, shape(i, j));
   }
-  return finish(context, {points, rows, columns, shape.axis(0).closed, shape.axis(1).closed}, at_infinity, clip_radius,
-                shape.axis(0));
+  return finish_surface(context, {points, rows, columns, shape.axis(0).closed, shape.axis(1).closed}, at_infinity,
+                        clip_radius, shape.axis(0));
 }
 
 Attempt<SharedMesh> surface_of_circles(const Context& context, const Block<Circle, 1>& shape, std::int64_t segments,
-                                       AtInfinity at_infinity, double clip_radius, const std::string&, const std::string&) {
+                                       AtInfinity at_infinity, double clip_radius, const std::string&,
+                                       const std::string&) {
   std::vector<std::optional<CircleCoordinates>> circles;
   for (std::size_t i = 0; i < shape.size(); ++i) circles.push_back(coordinates(shape(i)));
   const auto columns = static_cast<std::size_t>(segments);
   const Column<Point> points = sample_circle_row(circles, columns, shape.axis().closed, clip_radius);
-  return finish(context, {points, circles.size(), columns, shape.axis().closed, true}, at_infinity, clip_radius, shape.axis());
+  return finish_surface(context, {points, circles.size(), columns, shape.axis().closed, true}, at_infinity, clip_radius,
+                        shape.axis());
 }
 
-SharedMesh tube_along(const Context& context, const Polyline& curve, double radius, std::int64_t sides, double clip_radius) {
+SharedMesh tube_along(const Context& context, const Polyline& curve, double radius, std::int64_t sides,
+                      double clip_radius) {
   const auto wanted = static_cast<std::size_t>(sides);
   const std::size_t used = context.quality() == Quality::draft ? std::min(wanted, draft_sides) : wanted;
   return std::make_shared<const Mesh>(tube(curve, {radius, used, clip_radius}, context.cancel()));
 }
 
-SharedMesh tube_of_points(const Context& context, const Block<Point, 1>& shape, double radius, std::int64_t, std::int64_t sides,
-                          double clip_radius, const std::string&) {
+SharedMesh tube_of_points(const Context& context, const Block<Point, 1>& shape, double radius, std::int64_t,
+                          std::int64_t sides, double clip_radius, const std::string&) {
   Polyline curve{Column<Point>(shape.size()), shape.axis().closed};
   for (std::size_t i = 0; i < shape.size(); ++i) curve.points.set(i, shape(i));
   return tube_along(context, curve, radius, sides, clip_radius);
@@ -89,10 +76,10 @@ Attempt<SharedMesh> tube_of_circle(const Context& context, const Circle& shape, 
   return tube_along(context, curve, radius, sides, clip_radius);
 }
 
-Attempt<SharedMesh> patch_mesh(const Context& context, const Generator& a, const Generator& b, const Generator& c, const Generator& d,
-                               const Point& center, const Vector& u_vector, const Vector& v_vector, double amount,
-                               std::int64_t count_u, std::int64_t count_v, Rule rule, AtInfinity at_infinity,
-                               double clip_radius) {
+Attempt<SharedMesh> patch_mesh(const Context& context, const Generator& a, const Generator& b, const Generator& c,
+                               const Generator& d, const Point& center, const Vector& u_vector, const Vector& v_vector,
+                               double amount, std::int64_t count_u, std::int64_t count_v, Rule rule,
+                               AtInfinity at_infinity, double clip_radius) {
   const auto rows = static_cast<std::size_t>(count_u);
   const auto columns = static_cast<std::size_t>(count_v);
   const Column<double> u = spaced(0, 1, rows, false);
@@ -106,18 +93,21 @@ Attempt<SharedMesh> patch_mesh(const Context& context, const Generator& a, const
     }
     const double along = u[i];
     kernels::transform_points_bilinear(corners, {&along, true}, {v.component(0), false}, {&amount, true}, rule,
-                                       components(std::as_const(points), i * columns), components(points, i * columns), columns);
+                                       components(std::as_const(points), i * columns), components(points, i * columns),
+                                       columns);
   }
-  return finish(context, {points, rows, columns, false, false}, at_infinity, clip_radius, {"u", rows, false});
+  return finish_surface(context, {points, rows, columns, false, false}, at_infinity, clip_radius, {"u", rows, false});
 }
 
 std::size_t surface_vertices(const Literals& literals, const Axes& consumed) {
-  const std::size_t across = consumed.size() == 2 ? consumed[1].size : static_cast<std::size_t>(integer_at(literals, "segments"));
+  const std::size_t across =
+      consumed.size() == 2 ? consumed[1].size : static_cast<std::size_t>(integer_at(literals, "segments"));
   return consumed[0].size * across;
 }
 
 std::size_t tube_vertices(const Literals& literals, const Axes& consumed) {
-  const std::size_t along = consumed.empty() ? static_cast<std::size_t>(integer_at(literals, "segments")) : consumed[0].size;
+  const std::size_t along =
+      consumed.empty() ? static_cast<std::size_t>(integer_at(literals, "segments")) : consumed[0].size;
   return (along + 2) * static_cast<std::size_t>(integer_at(literals, "sides"));
 }
 
@@ -130,24 +120,26 @@ InputSpec clip_radius_input(double value) { return defaults(value).hard(1e-3, 1e
 }  // namespace
 
 void add_surfaces(Registry& registry) {
-  registry.add(node("surface", surface_of_points, surface_of_circles)
-                   .title("Surface")
-                   .family("surfaces")
-                   .doc("A mesh through points over two axes, or through circles over one.")
-                   .details("Closed axes are welded. Rows that shrink to a point become clean poles. Where the surface passes through "
-                            "infinity it is cut at the clip radius, with a warning, or the node fails, as at_infinity says.")
-                   .input("shape", "Points over two axes, or circles over one.")
-                   .input("segments", "Points around each circle; points over two axes do not use it.",
-                          defaults(96).hard(3, 65536).soft(8, 256))
-                   .input("at_infinity", "What to do where the surface leaves the clip radius.", defaults("clip"))
-                   .input("clip_radius", "Distance from the origin that counts as infinity.", clip_radius_input(100))
-                   .input("over", "The axis of rows, or of circles; empty means the last that along leaves.",
-                          defaults("").names_axis())
-                   .input("along", "The axis along a row of points; empty means the last.", defaults("").names_axis())
-                   .over({"over", "along"})
-                   .vertices(surface_vertices)
-                   .depends_on_quality()
-                   .output("mesh", "The mesh; one for each value of the axes that are left."));
+  registry.add(
+      node("surface", surface_of_points, surface_of_circles)
+          .title("Surface")
+          .family("surfaces")
+          .doc("A mesh through points over two axes, or through circles over one.")
+          .details("Closed axes are welded. Rows that shrink to a point become clean poles. Where the surface passes "
+                   "through "
+                   "infinity it is cut at the clip radius, with a warning, or the node fails, as at_infinity says.")
+          .input("shape", "Points over two axes, or circles over one.")
+          .input("segments", "Points around each circle; points over two axes do not use it.",
+                 defaults(96).hard(3, 65536).soft(8, 256))
+          .input("at_infinity", "What to do where the surface leaves the clip radius.", defaults("clip"))
+          .input("clip_radius", "Distance from the origin that counts as infinity.", clip_radius_input(100))
+          .input("over", "The axis of rows, or of circles; empty means the last that along leaves.",
+                 defaults("").names_axis())
+          .input("along", "The axis along a row of points; empty means the last.", defaults("").names_axis())
+          .over({"over", "along"})
+          .vertices(surface_vertices)
+          .depends_on_quality()
+          .output("mesh", "The mesh; one for each value of the axes that are left."));
 
   registry.add(node("tube", tube_of_points, tube_of_circle)
                    .title("Tube")
@@ -166,28 +158,30 @@ void add_surfaces(Registry& registry) {
                    .depends_on_quality()
                    .output("mesh", "The mesh; one for each value of the axes that are left."));
 
-  registry.add(node("patch", patch_mesh)
-                   .title("Patch")
-                   .family("surfaces")
-                   .doc("A surface patch: every point of a flat parallelogram moved by the bilinear blend of four generators.")
-                   .source("Boosted Surfaces, eq. (15), fig. 11")
-                   .details("The parallelogram spans center - u_vector - v_vector to center + u_vector + v_vector.")
-                   .input("a", "Generator at u = 0, v = 0.")
-                   .input("b", "Generator at u = 1, v = 0.")
-                   .input("c", "Generator at u = 0, v = 1.")
-                   .input("d", "Generator at u = 1, v = 1.")
-                   .input("center", "The middle.", defaults({0, 0, 0}).unit("m"))
-                   .input("u_vector", "Half the extent along u.", defaults({1, 0, 0}).unit("m"))
-                   .input("v_vector", "Half the extent along v.", defaults({0, 1, 0}).unit("m"))
-                   .input("amount", "Factor of the blended generator.", defaults(1).soft(-2, 2))
-                   .input("count_u", "How many points along u.", defaults(96).hard(2, 65536).soft(8, 256))
-                   .input("count_v", "How many points along v.", defaults(96).hard(2, 65536).soft(8, 256))
-                   .input("rule", "The true exponential, or the paper's with the scalar part of the square only.", defaults("exact"))
-                   .input("at_infinity", "What to do where the surface leaves the clip radius.", defaults("clip"))
-                   .input("clip_radius", "Distance from the origin that counts as infinity.", clip_radius_input(100))
-                   .vertices(patch_vertices)
-                   .depends_on_quality()
-                   .output("mesh", "The mesh."));
+  registry.add(
+      node("patch", patch_mesh)
+          .title("Patch")
+          .family("surfaces")
+          .doc("A surface patch: every point of a flat parallelogram moved by the bilinear blend of four generators.")
+          .source("Boosted Surfaces, eq. (15), fig. 11")
+          .details("The parallelogram spans center - u_vector - v_vector to center + u_vector + v_vector.")
+          .input("a", "Generator at u = 0, v = 0.")
+          .input("b", "Generator at u = 1, v = 0.")
+          .input("c", "Generator at u = 0, v = 1.")
+          .input("d", "Generator at u = 1, v = 1.")
+          .input("center", "The middle.", defaults({0, 0, 0}).unit("m"))
+          .input("u_vector", "Half the extent along u.", defaults({1, 0, 0}).unit("m"))
+          .input("v_vector", "Half the extent along v.", defaults({0, 1, 0}).unit("m"))
+          .input("amount", "Factor of the blended generator.", defaults(1).soft(-2, 2))
+          .input("count_u", "How many points along u.", defaults(96).hard(2, 65536).soft(8, 256))
+          .input("count_v", "How many points along v.", defaults(96).hard(2, 65536).soft(8, 256))
+          .input("rule", "The true exponential, or the paper's with the scalar part of the square only.",
+                 defaults("exact"))
+          .input("at_infinity", "What to do where the surface leaves the clip radius.", defaults("clip"))
+          .input("clip_radius", "Distance from the origin that counts as infinity.", clip_radius_input(100))
+          .vertices(patch_vertices)
+          .depends_on_quality()
+          .output("mesh", "The mesh."));
 }
 
 }  // namespace dini

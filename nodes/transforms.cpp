@@ -1,43 +1,16 @@
-// Transforms take any geometry and give the same type back. Most are one versor made from their inputs; VersorNode turns such
-// a rule into the functions for every type of shape.
+// Transforms take any geometry and give the same type back.
 
 #include "algebra/construct.h"
 #include "algebra/extract.h"
-#include "graph/node_builder.h"
 #include "nodes/all.h"
 #include "nodes/choices.h"
-#include "nodes/shapes.h"
+#include "nodes/versor_node.h"
 
 namespace dini {
 
 namespace {
 
 constexpr double radians_per_degree = 3.14159265358979323846 / 180;
-
-/// The functions of a transform whose versor `make(parameters...)` gives, as a value or as a failure.
-template <auto make, class... Parameters>
-struct VersorNode {
-  static std::optional<Failure> points(Batch<Point> shape, const Parameters&... parameters, BatchOut<Point> out) {
-    const Attempt<Versor> versor = make(parameters...);
-    if (const auto* failure = std::get_if<Failure>(&versor)) return *failure;
-    return apply_to_points(std::get<Versor>(versor), shape, out);
-  }
-
-  template <class Element>
-  static Attempt<Element> element(const Element& shape, const Parameters&... parameters) {
-    const Attempt<Versor> versor = make(parameters...);
-    if (const auto* failure = std::get_if<Failure>(&versor)) return *failure;
-    return apply(std::get<Versor>(versor), shape);
-  }
-
-  static Attempt<SharedMesh> mesh(const Context& context, const SharedMesh& shape, const Parameters&... parameters) {
-    const Attempt<Versor> versor = make(parameters...);
-    if (const auto* failure = std::get_if<Failure>(&versor)) return *failure;
-    return apply_to_mesh(context, std::get<Versor>(versor), shape);
-  }
-
-  static NodeBuilder declare(const char* id) { return node(id, points, element<Circle>, element<Generator>, mesh); }
-};
 
 Attempt<Versor> translation(const Vector& by) { return translation_versor(by); }
 
@@ -59,8 +32,10 @@ Attempt<Versor> line_to_line(const Circle& from, const Circle& to, double amount
   return exponential(amount * *logarithm);
 }
 
-/// exp(amount * generator) on points. One kernel whether or not these run over axes, so that a point has the same image either way.
-void boost_points(Batch<Point> shape, Batch<Generator> generator, Batch<double> amount, Rule rule, BatchOut<Point> out) {
+/// exp(amount * generator) on points. One kernel whether or not these run over axes, so that a point has the same image
+/// either way.
+void boost_points(Batch<Point> shape, Batch<Generator> generator, Batch<double> amount, Rule rule,
+                  BatchOut<Point> out) {
   std::vector<double> storage;
   const kernels::ConstPoints in = spread(shape, out.size, storage);
   kernels::ConstGenerators generators{{}, generator.constant};
@@ -73,15 +48,16 @@ Element boost_element(const Element& shape, const Generator& generator, double a
   return apply(exponential(amount * generator, rule), shape);
 }
 
-SharedMesh boost_mesh(const Context& context, const SharedMesh& shape, const Generator& generator, double amount, Rule rule) {
+SharedMesh boost_mesh(const Context& context, const SharedMesh& shape, const Generator& generator, double amount,
+                      Rule rule) {
   return apply_to_mesh(context, exponential(amount * generator, rule), shape);
 }
 
 /// `boost` and `transform` are one function under the two names that people look for.
 NodeBuilder exponential_node(const char* id) {
-  return node(id, boost_points, boost_element<Circle>, boost_element<Generator>, boost_mesh)
+  return node(id, boost_points, boost_element<Circle>, boost_element<Sphere>, boost_element<Generator>, boost_mesh)
       .family("transforms")
-      .input("shape", "Points, circles, generators or meshes.")
+      .input("shape", "Points, circles, spheres, generators or meshes.")
       .input("generator", "The generator B of the rotor exp(amount B).")
       .input("amount", "How much of it.", defaults(1).soft(-2, 2))
       .input("rule", "The true exponential, or the paper's with the scalar part of the square only.", defaults("exact"))
@@ -91,12 +67,14 @@ NodeBuilder exponential_node(const char* id) {
 }  // namespace
 
 void add_transforms(Registry& registry) {
-  registry.add(exponential_node("boost")
-                   .title("Boost")
-                   .doc("Bends a shape with the boosting rotor of a point pair.")
-                   .source("Boosted Surfaces, eqs. (2), (5), (14)")
-                   .details("A null pair keeps its own point; the point at position - direction / (amount |direction|^2) goes to "
-                            "infinity. Points there become the point at infinity, circles through it become lines."));
+  registry.add(
+      exponential_node("boost")
+          .title("Boost")
+          .doc("Bends a shape with the boosting rotor of a point pair.")
+          .source("Boosted Surfaces, eqs. (2), (5), (14)")
+          .details(
+              "A null pair keeps its own point; the point at position - direction / (amount |direction|^2) goes to "
+              "infinity. Points there become the point at infinity, circles through it become lines."));
 
   registry.add(exponential_node("transform")
                    .title("Transform")
@@ -108,30 +86,31 @@ void add_transforms(Registry& registry) {
                    .family("transforms")
                    .doc("Turns a shape about a line while sliding it along the line.")
                    .source("Boosted Surfaces, section 3.1, fig. 5")
-                   .input("shape", "Points, circles, generators or meshes.")
+                   .input("shape", "Points, circles, spheres, generators or meshes.")
                    .input("axis", "The line to turn about.")
                    .input("angle", "The turn, right hand.", defaults(90).soft(-360, 360).unit("deg"))
                    .input("slide", "The way along the line.", defaults(0).soft(-4, 4).unit("m"))
                    .output("shape", "The twisted shape."));
 
-  registry.add(VersorNode<line_to_line, Circle, Circle, double>::declare("twist_between")
-                   .title("Twist between")
-                   .family("transforms")
-                   .doc("Applies a power of the screw motion that takes one line to another.")
-                   .source("Boosted Surfaces, eq. (11)")
-                   .details("The turn is the shorter one. Parallel lines: the shift between them. Opposite lines: a half turn "
-                            "about an axis chosen by a fixed rule.")
-                   .input("shape", "Points, circles, generators or meshes.")
-                   .input("from", "The line that is moved.")
-                   .input("to", "The line that it is moved to.")
-                   .input("amount", "0 nothing, 1 the whole way.", defaults(1).soft(0, 1))
-                   .output("shape", "The moved shape."));
+  registry.add(
+      VersorNode<line_to_line, Circle, Circle, double>::declare("twist_between")
+          .title("Twist between")
+          .family("transforms")
+          .doc("Applies a power of the screw motion that takes one line to another.")
+          .source("Boosted Surfaces, eq. (11)")
+          .details("The turn is the shorter one. Parallel lines: the shift between them. Opposite lines: a half turn "
+                   "about an axis chosen by a fixed rule.")
+          .input("shape", "Points, circles, spheres, generators or meshes.")
+          .input("from", "The line that is moved.")
+          .input("to", "The line that it is moved to.")
+          .input("amount", "0 nothing, 1 the whole way.", defaults(1).soft(0, 1))
+          .output("shape", "The moved shape."));
 
   registry.add(VersorNode<translation, Vector>::declare("translate")
                    .title("Translate")
                    .family("transforms")
                    .doc("Moves a shape.")
-                   .input("shape", "Points, circles, generators or meshes.")
+                   .input("shape", "Points, circles, spheres, generators or meshes.")
                    .input("vector", "By how much.", defaults({0, 0, 0}).unit("m"))
                    .output("shape", "The moved shape."));
 
@@ -139,7 +118,7 @@ void add_transforms(Registry& registry) {
                    .title("Rotate")
                    .family("transforms")
                    .doc("Turns a shape about a line.")
-                   .input("shape", "Points, circles, generators or meshes.")
+                   .input("shape", "Points, circles, spheres, generators or meshes.")
                    .input("axis", "The line to turn about.")
                    .input("angle", "The turn, right hand.", defaults(90).soft(-360, 360).unit("deg"))
                    .output("shape", "The turned shape."));
@@ -148,7 +127,7 @@ void add_transforms(Registry& registry) {
                    .title("Scale")
                    .family("transforms")
                    .doc("Scales a shape about a point.")
-                   .input("shape", "Points, circles, generators or meshes.")
+                   .input("shape", "Points, circles, spheres, generators or meshes.")
                    .input("center", "The point that stays.", defaults({0, 0, 0}).unit("m"))
                    .input("factor", "The factor; it must be positive.", defaults(1).hard(1e-9, 1e9).soft(0.1, 4))
                    .output("shape", "The scaled shape."));

@@ -10,8 +10,8 @@ namespace dini::server {
 /// A request that computes: its deadline, and everything that may stop it before.
 class Computation {
  public:
-  /// `milliseconds` is what the client allows; the deadline counts from the request's first byte and never passes the limit.
-  /// The request with the same `Supersede-Key` before this one is stopped.
+  /// `milliseconds` is what the client allows; the deadline counts from the request's first byte and never passes the
+  /// limit. The request with the same `Supersede-Key` before this one is stopped.
   Computation(Call& call, std::optional<std::int64_t> milliseconds);
 
   const Cancel& cancel() const { return cancel_; }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <variant>
 
 #include "server/computation.h"
 #include "server/handlers.h"
@@ -62,12 +63,13 @@ void set_content(Reply& reply, std::string_view type, const Evaluated& evaluated
   }
 }
 
-/// Reads and checks a request, unless the very same bytes were read and checked before.
-Result<std::shared_ptr<const KnownRequest>> read_request(Call& call) {
+/// Reads and checks a request, unless the very same bytes were read and checked before. Else the answer that says why
+/// not.
+std::variant<std::shared_ptr<const KnownRequest>, Reply> read_request(Call& call) {
   const std::string key = call.header("Content-Type") + "\n" + call.request.body;
   if (auto known = call.application.known.find(key)) return known;
   auto json = read_json(call);
-  if (!json) return json.problems();
+  if (!json) return problem_reply(json.problems(), call.exchange);
   RequestBody body(*std::move(json), {"graph", "parameters", "output", "quality", "deadline_ms"});
   KnownRequest read;
   const EvaluateRequest request{
@@ -77,9 +79,12 @@ Result<std::shared_ptr<const KnownRequest>> read_request(Call& call) {
       .quality = body.choice("quality", {"final", "draft"}) == "draft" ? Quality::draft : Quality::final};
   read.deadline_milliseconds = body.positive_integer("deadline_ms");
   read.output = request.output;
-  if (!body.problems().empty()) return body.problems();
+  if (!body.problems().empty()) return problem_reply(body.problems(), call.exchange);
   auto prepared = call.engine().prepare(request);
-  if (!prepared) return prepared.problems();
+  if (!prepared) {
+    const Json verdict = call.engine().validate(request.graph, request.parameters);
+    return problem_reply(prepared.problems(), call.exchange, verdict.value("blocked", Json::array()));
+  }
   read.prepared = *std::move(prepared);
   return call.application.known.insert(key, std::move(read));
 }
@@ -94,13 +99,16 @@ Reply evaluate(Call& call) {
                 .detail = "Available are model/gltf-binary, application/json and multipart/form-data."},
         call.exchange);
   }
-  const auto request = read_request(call);
-  if (!request) return problem_reply(request.problems(), call.exchange);
-  const Prepared& prepared = *(*request)->prepared;
-  Computation computation(call, (*request)->deadline_milliseconds);
+  auto read = read_request(call);
+  if (auto* refused = std::get_if<Reply>(&read)) return std::move(*refused);
+  const KnownRequest& request = *std::get<0>(read);
+  const Prepared& prepared = *request.prepared;
+  Computation computation(call, request.deadline_milliseconds);
   const std::string& tag = Engine::entity_tag(prepared);
-  // One tag for the result in all its forms; clients keep it and ask again, so an unchanged graph costs nothing.
-  Reply reply{.headers = {{"ETag", tag}, {"Cache-Control", "no-cache"}, {"Vary", "Accept"}}};
+  // One tag for the result in all its forms; clients keep it and ask again, so an unchanged graph costs nothing. It is
+  // strong for the model only: reports hold times, so their bytes differ from one answer to the next.
+  const std::string shown = *type == model_type ? tag : "W/" + tag;
+  Reply reply{.headers = {{"ETag", shown}, {"Cache-Control", "no-cache"}, {"Vary", "Accept"}}};
   if (names_tag(call.header("If-None-Match"), tag)) {
     reply.status = 304;
     return reply;
@@ -113,7 +121,7 @@ Reply evaluate(Call& call) {
   }();
   if (!evaluated) return problem_reply(evaluated.problems(), call.exchange);
   for (const auto& [step, took] : evaluated->milliseconds) call.exchange.timings.emplace_back(step, took);
-  set_content(reply, *type, *evaluated, tag, file_name((*request)->output));
+  set_content(reply, *type, *evaluated, tag, file_name(request.output));
   return reply;
 }
 

@@ -33,17 +33,17 @@ Result<Examples> Examples::load(const std::filesystem::path& folder, const Engin
     auto graph = parse_json(*text, engine.limits());
     if (!graph) return bad_example(path, graph.problems().front().detail);
     if (const std::string wrong = first_error(engine, *graph); !wrong.empty()) return bad_example(path, wrong);
-    examples.graphs_.emplace(path.stem().string(), *std::move(graph));
+    examples.graphs_.emplace(path.stem().string(), OrderedJson::parse(*text));
   }
   if (error) return bad_example(folder, error.message());
   return examples;
 }
 
-Json Examples::list() const {
-  Json list = Json::array();
+Examples::OrderedJson Examples::list() const {
+  OrderedJson list = OrderedJson::array();
   for (const auto& [id, graph] : graphs_) {
-    Json example = {{"id", id}, {"title", id}, {"graph", graph}};
-    const Json meta = graph.value("meta", Json::object());
+    OrderedJson example = {{"id", id}, {"title", id}, {"graph", graph}};
+    const OrderedJson meta = graph.value("meta", OrderedJson::object());
     for (const auto* member : {"title", "description", "figure"}) {
       if (meta.contains(member)) example[member] = meta.at(member);
     }
@@ -52,7 +52,7 @@ Json Examples::list() const {
   return {{"examples", std::move(list)}};
 }
 
-const Json* Examples::find(std::string_view id) const {
+const Examples::OrderedJson* Examples::find(std::string_view id) const {
   const auto found = graphs_.find(id);
   return found != graphs_.end() ? &found->second : nullptr;
 }

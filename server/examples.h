@@ -12,6 +12,9 @@ namespace dini::server {
 /// The built-in graphs, read once and checked by the engine: an example that is wrong keeps the server from starting.
 class Examples {
  public:
+  /// Members stay in the order of the file: a form shows the parameters as their author arranged them.
+  using OrderedJson = nlohmann::ordered_json;
+
   /// No examples.
   Examples() = default;
 
@@ -19,13 +22,13 @@ class Examples {
   static Result<Examples> load(const std::filesystem::path& folder, const Engine& engine);
 
   /// {"examples": [{"id", "title", "description", "figure", "graph"}]}, ordered by id.
-  Json list() const;
+  OrderedJson list() const;
 
   /// The document itself, or nothing.
-  const Json* find(std::string_view id) const;
+  const OrderedJson* find(std::string_view id) const;
 
  private:
-  std::map<std::string, Json, std::less<>> graphs_;
+  std::map<std::string, OrderedJson, std::less<>> graphs_;
 };
 
 }  // namespace dini::server

@@ -1,9 +1,9 @@
 #include "server/files.h"
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 
 namespace dini::server {
 
@@ -14,7 +14,7 @@ Result<std::string> read_file(const std::filesystem::path& path) {
   // Opening a folder works; reading from it throws.
   if (std::filesystem::is_directory(path, error)) errno = EISDIR;
   if (errno != 0 || !file.is_open())
-    return Problem{.code = "io", .detail = path.string() + ": " + std::strerror(errno)};
+    return Problem{.code = "io", .detail = path.string() + ": " + std::generic_category().message(errno)};
   std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   if (file.bad()) return Problem{.code = "io", .detail = path.string() + ": cannot be read"};
   return bytes;

@@ -109,7 +109,8 @@ Guard::Guard(const Settings& settings, std::size_t body_limit, Application appli
     add_common_headers(reply, *current_exchange);
     response.status = current_exchange->status = reply.status;
     for (const auto& [name, value] : reply.headers) response.set_header(name, value);
-    if (!reply.type.empty()) response.set_content(std::move(reply.body), reply.type);
+    if (!reply.type.empty()) response.set_header("Content-Type", reply.type);
+    response.body = std::move(reply.body);
     return HandlerResponse::Handled;
   });
   set_post_routing_handler([this](const httplib::Request&, httplib::Response& response) {
@@ -246,7 +247,7 @@ bool Guard::answer_one(const Socket& socket, std::string& buffer) {
 
 Result<RequestHead> Guard::read_head(const Socket& socket, std::string& buffer) const {
   const auto deadline = Clock::now() + settings_.head_deadline;
-  std::array<char, read_bytes> bytes;
+  std::array<char, read_bytes> bytes{};
   while (end_of_head(buffer) == std::string::npos) {
     const std::size_t room = std::min(bytes.size(), settings_.head_bytes - buffer.size());
     const std::size_t count = socket.read(bytes.data(), room, deadline);
@@ -263,7 +264,7 @@ Result<RequestHead> Guard::read_head(const Socket& socket, std::string& buffer) 
 
 bool Guard::read_body(const Socket& socket, std::string& buffer, std::size_t size) const {
   const auto deadline = Clock::now() + settings_.body_deadline;
-  std::array<char, read_bytes> bytes;
+  std::array<char, read_bytes> bytes{};
   while (buffer.size() < size) {
     const std::size_t count = socket.read(bytes.data(), std::min(bytes.size(), size - buffer.size() + 1), deadline);
     if (count == 0) return false;
@@ -314,7 +315,7 @@ void Guard::turn_away(int descriptor) {
       problem_reply(Problem{.code = "busy", .detail = "Every connection is taken; try again in a moment."}, exchange);
   add_common_headers(reply, exchange);
   const std::string bytes = closing_answer(reply);
-  std::array<char, read_bytes> unread;
+  std::array<char, read_bytes> unread{};
   ::recv(descriptor, unread.data(), unread.size(), MSG_DONTWAIT);
   ::send(descriptor, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
   ::shutdown(descriptor, SHUT_WR);

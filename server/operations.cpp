@@ -40,18 +40,18 @@ Reply nodes(Call& call) {
 }
 
 Reply example_list(Call& call) {
-  const std::string body = dump(call.application.examples.list());
+  const std::string body = call.application.examples.list().dump();
   return tagged_json(call, body, "\"" + content_hash(body) + "\"");
 }
 
 Reply example(Call& call) {
-  const Json* graph = call.application.examples.find(call.argument);
+  const auto* graph = call.application.examples.find(call.argument);
   if (graph == nullptr) {
     return problem_reply(
         Problem{.code = "not-found", .detail = "There is no example of that name; GET /v1/examples lists them."},
         call.exchange);
   }
-  const std::string body = dump(*graph);
+  const std::string body = graph->dump();
   return tagged_json(call, body, "\"" + content_hash(body) + "\"");
 }
 

@@ -58,7 +58,7 @@ std::string RequestBody::text(std::string_view name, bool required) {
 
 std::string RequestBody::choice(std::string_view name, std::initializer_list<std::string_view> choices) {
   if (find(name, false) == nullptr) return std::string(*choices.begin());
-  const std::string value = text(name, false);
+  std::string value = text(name, false);
   if (body_.at(std::string(name)).is_string() && std::ranges::find(choices, value) == choices.end()) {
     problems_.push_back({.code = "not-in-choices",
                          .detail = "'" + cut(value, 64) + "' is none of " + quoted_list(choices) + ".",

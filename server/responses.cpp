@@ -84,7 +84,7 @@ constexpr std::string_view content_security_policy =
 constexpr std::size_t detail_bytes = 200;
 
 std::string server_timing(const Exchange& exchange) {
-  std::array<char, 64> number;
+  std::array<char, 64> number{};
   std::string text;
   for (const auto& [name, milliseconds] : exchange.timings) {
     std::snprintf(number.data(), number.size(), ";dur=%.3f, ", milliseconds);
@@ -103,7 +103,7 @@ int status_of(std::string_view code) {
 
 std::string_view reason_of(int status) { return title_of(status).reason; }
 
-Reply problem_reply(const Problems& problems, const Exchange& exchange) {
+Reply problem_reply(const Problems& problems, const Exchange& exchange, const Json& blocked) {
   const Problem& first = problems.front();
   const int status = status_of(first.code);
   Reply reply = json_reply({{"type", "/problems/" + first.code},
@@ -111,7 +111,8 @@ Reply problem_reply(const Problems& problems, const Exchange& exchange) {
                             {"status", status},
                             {"detail", cut(first.detail, detail_bytes)},
                             {"instance", exchange.id},
-                            {"errors", to_json(problems)}},
+                            {"errors", to_json(problems)},
+                            {"blocked", blocked}},
                            status);
   reply.type = "application/problem+json";
   reply.headers.emplace_back("Cache-Control", "no-store");
@@ -140,7 +141,7 @@ void add_common_headers(Reply& reply, const Exchange& exchange) {
 
 std::string closing_answer(const Reply& reply) {
   std::string text = "HTTP/1.1 " + std::to_string(reply.status) + " " + std::string(reason_of(reply.status)) + "\r\n";
-  for (const auto& [name, value] : reply.headers) text += name + ": " + value + "\r\n";
+  for (const auto& [name, value] : reply.headers) text.append(name).append(": ").append(value).append("\r\n");
   text += "Content-Type: " + reply.type + "\r\nContent-Length: " + std::to_string(reply.body.size()) +
           "\r\nConnection: close\r\n\r\n";
   return text + reply.body;

@@ -16,8 +16,9 @@ int status_of(std::string_view code);
 /// The reason phrase of every status that `status_of` gives.
 std::string_view reason_of(int status);
 
-/// An RFC 9457 answer. The first problem decides status, type and detail; all of them are listed.
-Reply problem_reply(const Problems& problems, const Exchange& exchange);
+/// An RFC 9457 answer. The first problem decides status, type and detail; all of them are listed. `blocked` names the
+/// nodes that are well in themselves but stand behind one that is not.
+Reply problem_reply(const Problems& problems, const Exchange& exchange, const Json& blocked = Json::array());
 Reply problem_reply(Problem problem, const Exchange& exchange);
 
 /// A JSON answer. Bytes that are not UTF-8 are replaced, never thrown about.

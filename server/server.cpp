@@ -32,8 +32,8 @@ void log_access(const Access& access, const Exchange& exchange) {
 struct Server::State {
   State(const Engine& engine, const Settings& chosen, Page page, Examples examples)
       : settings(chosen),
-        application{engine, settings, std::move(page), std::move(examples), Gate(slots(settings), queue(settings)),
-                    {},     {}, {}},
+        application{engine, settings, std::move(page), std::move(examples), Gate(slots(settings), queue(settings)), {},
+                    {},     {}},
         guard(
             settings, engine.limits().body_bytes,
             [this](const httplib::Request& request, Exchange& exchange) {

@@ -60,7 +60,7 @@ bool Socket::write(std::string_view bytes, Clock::time_point deadline) const {
 void Socket::linger() const {
   ::shutdown(descriptor_, SHUT_WR);
   const auto deadline = Clock::now() + linger_time;
-  std::array<char, 4096> swallowed;
+  std::array<char, 4096> swallowed{};
   while (Clock::now() < deadline && read(swallowed.data(), swallowed.size(), deadline) > 0) continue;
 }
 

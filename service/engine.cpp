@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "gltf/glb_container.h"
 #include "graph/cache.h"
 #include "graph/card.h"
 #include "graph/check.h"
@@ -10,7 +11,6 @@
 #include "graph/nearest.h"
 #include "graph/parameters.h"
 #include "graph/value_json.h"
-#include "gltf/glb_container.h"
 #include "nodes/all.h"
 #include "service/prepared.h"
 #include "service/report.h"
@@ -26,7 +26,10 @@ constexpr std::size_t inspected_values = 2'000'000;
 Json catalogue_of(const Registry& registry) {
   Json nodes = Json::array();
   for (const auto& [id, type] : registry.types()) nodes.push_back(card(type));
-  return {{"engine", engine_version}, {"types", wire_type_cards()}, {"families", family_titles()}, {"nodes", std::move(nodes)}};
+  return {{"engine", engine_version},
+          {"types", wire_type_cards()},
+          {"families", family_titles()},
+          {"nodes", std::move(nodes)}};
 }
 
 /// The node to export: the one asked for, else the only one that makes a file.
@@ -39,13 +42,14 @@ Result<std::size_t> find_output(const Plan& plan, const std::string& asked) {
   for (const std::string& id : exports) known += (known.empty() ? "" : ", ") + id;
   if (asked.empty()) {
     if (exports.size() == 1) return plan.index.at(exports.front());
-    return Problem{"unknown-output",
-                   exports.empty() ? "the graph has no export node" : "the graph has several outputs, choose one of " + known, "", "",
-                   "/output"};
+    return Problem{
+        "unknown-output",
+        exports.empty() ? "the graph has no export node" : "the graph has several outputs, choose one of " + known, "",
+        "", "/output"};
   }
   if (std::find(exports.begin(), exports.end(), asked) == exports.end()) {
     return Problem{"unknown-output",
-                   "\"" + asked + "\" is no export node of the graph" + did_you_mean(asked, exports) + 
+                   "\"" + asked + "\" is no export node of the graph" + did_you_mean(asked, exports) +
                        (exports.empty() ? "" : "; there is " + known),
                    "", "", "/output"};
   }
@@ -66,8 +70,8 @@ Result<std::shared_ptr<Prepared>> check_graph(const Registry& registry, const Li
   return prepared;
 }
 
-/// What the bytes of an answer depend on: the output's content, the checks that must pass, the parameters written into the
-/// file, and the engine.
+/// What the bytes of an answer depend on: the output's content, the checks that must pass, the parameters written into
+/// the file, and the engine.
 Digest entity_digest(const Prepared& prepared) {
   DigestBuilder digest;
   digest.text(engine_version);
@@ -146,7 +150,8 @@ Result<Evaluated> Engine::evaluate(const Prepared& prepared, const Cancel& cance
     if (!evaluation) return evaluation.problems();
     const Value value = evaluation->value(prepared.plan, prepared.output, 0);
     if (value.column.index() != static_cast<std::size_t>(WireType::asset) || sample_count(value.axes) != 1) {
-      return Problem{"axis-mismatch", "the output must be one file, it has axes", prepared.plan.nodes[prepared.output].id};
+      return Problem{"axis-mismatch", "the output must be one file, it has axes",
+                     prepared.plan.nodes[prepared.output].id};
     }
     const SharedAsset asset = column_of<SharedAsset>(value)[0];
     const auto run = evaluation->runs.find(prepared.output);
@@ -173,8 +178,8 @@ Result<Json> Engine::inspect(const InspectRequest& request, const Cancel& cancel
   if (found == plan.index.end()) {
     std::vector<std::string> known;
     for (const auto& [id, node] : plan.index) known.push_back(id);
-    return Problem{"unknown-node", "the graph has no node \"" + request.node + "\"" + did_you_mean(request.node, known), request.node,
-                   "", "/node"};
+    return Problem{"unknown-node", "the graph has no node \"" + request.node + "\"" + did_you_mean(request.node, known),
+                   request.node, "", "/node"};
   }
   const PlannedNode& node = plan.nodes[found->second];
   std::size_t output = 0;
@@ -183,9 +188,10 @@ Result<Json> Engine::inspect(const InspectRequest& request, const Cancel& cancel
     if (port == nullptr) {
       std::vector<std::string> known;
       for (const OutputPort& one : node.type->outputs) known.push_back(one.name);
-      return Problem{"unknown-port",
-                     node.type->title + " has no output \"" + request.output + "\"" + did_you_mean(request.output, known),
-                     request.node, request.output, "/output"};
+      return Problem{
+          "unknown-port",
+          node.type->title + " has no output \"" + request.output + "\"" + did_you_mean(request.output, known),
+          request.node, request.output, "/output"};
     }
     output = static_cast<std::size_t>(port - node.type->outputs.data());
   }

@@ -1,7 +1,7 @@
 #pragma once
 
-// The engine: one request answered, whoever asks. The server and the command line are two thin faces over this class, so a
-// graph gives the same bytes and the same problems through both.
+// The engine: one request answered, whoever asks. The server and the command line are two thin faces over this class,
+// so a graph gives the same bytes and the same problems through both.
 
 #include <functional>
 #include <map>
@@ -40,9 +40,9 @@ class Prepared;
 
 /// A finished evaluation.
 struct Evaluated {
-  std::shared_ptr<const std::string> glb;       ///< the finished file, extras included
-  std::map<std::string, double> milliseconds;   ///< by step: prepare, evaluate, encode
-  std::function<Json()> report;                 ///< writes times, sizes, checks, warnings per node; see docs/http.md
+  std::shared_ptr<const std::string> glb;      ///< the finished file, extras included
+  std::map<std::string, double> milliseconds;  ///< by step: prepare, evaluate, encode
+  std::function<Json()> report;                ///< writes times, sizes, checks, warnings per node; see docs/http.md
 };
 
 class Engine {
@@ -63,8 +63,8 @@ class Engine {
   Result<std::shared_ptr<const Prepared>> prepare(const EvaluateRequest& request) const;
   static const std::string& entity_tag(const Prepared& prepared);
 
-  /// Evaluates and encodes. Identical concurrent calls compute once. Problems with the codes `deadline`, `superseded` and
-  /// `client-gone` mean that `cancel` stopped the work.
+  /// Evaluates and encodes. Identical concurrent calls compute once. Problems with the codes `deadline`, `superseded`
+  /// and `client-gone` mean that `cancel` stopped the work.
   Result<Evaluated> evaluate(const Prepared& prepared, const Cancel& cancel) const;
 
   /// The value on any wire, in full double precision.
@@ -74,7 +74,6 @@ class Engine {
   struct State;
   std::unique_ptr<State> state_;
 };
-
 
 /// A problem list as JSON: [{"code", "detail", "node", "port", "pointer", "fix"}], absent members left out.
 Json to_json(const Problems& problems);

@@ -39,8 +39,8 @@ Json file_extras(const Plan& plan, std::size_t output) {
   return {{"engine", engine_version}, {"graph", to_hex(node.fingerprint)}, {"parameters", std::move(parameters)}};
 }
 
-Json evaluation_report(const Prepared& prepared, const Evaluation& evaluation, const Asset& asset, const std::string& glb,
-                       const std::map<std::string, double>& milliseconds) {
+Json evaluation_report(const Prepared& prepared, const Evaluation& evaluation, const Asset& asset,
+                       const std::string& glb, const std::map<std::string, double>& milliseconds) {
   const Plan& plan = prepared.plan;
   Json nodes = Json::object();
   Json warnings = Json::array();
@@ -82,12 +82,13 @@ Json validation_report(const CheckReport& report, const Problems& problems) {
     }
   }
   const Cost& cost = report.plan.cost;
-  return {{"valid", problems.empty()},
-          {"errors", to_json(problems)},
-          {"blocked", report.blocked},
-          {"wires", std::move(wires)},
-          {"cost",
-           {{"samples", cost.samples}, {"vertices", cost.vertices}, {"triangles", cost.triangles}, {"bytes", cost.bytes}}}};
+  return {
+      {"valid", problems.empty()},
+      {"errors", to_json(problems)},
+      {"blocked", report.blocked},
+      {"wires", std::move(wires)},
+      {"cost",
+       {{"samples", cost.samples}, {"vertices", cost.vertices}, {"triangles", cost.triangles}, {"bytes", cost.bytes}}}};
 }
 
 }  // namespace dini

@@ -9,9 +9,10 @@ namespace dini {
 /// What every file says about itself: engine, content hash of the graph, and the parameters that shaped it.
 Json file_extras(const Plan& plan, std::size_t output);
 
-/// The report of an evaluation: times, what was cached, types and axes, the file, checks and warnings; see docs/http.md.
-Json evaluation_report(const Prepared& prepared, const Evaluation& evaluation, const Asset& asset, const std::string& glb,
-                       const std::map<std::string, double>& milliseconds);
+/// The report of an evaluation: times, what was cached, types and axes, the file, checks and warnings; see
+/// docs/http.md.
+Json evaluation_report(const Prepared& prepared, const Evaluation& evaluation, const Asset& asset,
+                       const std::string& glb, const std::map<std::string, double>& milliseconds);
 
 /// The answer of a validation: whether the graph is well, its problems, its wires and its cost.
 Json validation_report(const CheckReport& report, const Problems& problems);

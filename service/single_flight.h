@@ -14,8 +14,8 @@ namespace dini {
 
 /// Lets identical concurrent work run once: the first caller with a key computes, the others wait for its result.
 ///
-/// A waiter gives up when its own `cancel` stops. When the caller that computes is stopped while others wait, one of those
-/// computes anew, so nobody's answer depends on somebody else's patience.
+/// A waiter gives up when its own `cancel` stops. When the caller that computes is stopped while others wait, one of
+/// those computes anew, so nobody's answer depends on somebody else's patience.
 template <class Answer>
 class SingleFlight {
  public:

@@ -8,8 +8,8 @@
 
 namespace dini::shapes {
 
-/// A wavy height field over [0, 2]^2: `rows` x `columns` vertices, unit normals, texture coordinates. `waves` multiplies
-/// the number of waves.
+/// A wavy height field over [0, 2]^2: `rows` x `columns` vertices, unit normals, texture coordinates. `waves`
+/// multiplies the number of waves.
 Mesh wavy_field(std::size_t rows, std::size_t columns, double waves = 1);
 
 /// A torus about the z axis, radii 1 and 0.4, welded both ways, with exact normals.

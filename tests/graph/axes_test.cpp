@@ -49,7 +49,8 @@ TEST_CASE("equal axis names pair up, whatever their order") {
 
 TEST_CASE("an axis of the same name with another size or closure is an error that names both ports") {
   const auto problem = [&](const Json& second) {
-    const CheckReport report = support::checked(registry, document({{"r", ramp(2, "k")}, {"t", second}, {"s", sum(from("r"), from("t"))}}));
+    const CheckReport report =
+        support::checked(registry, document({{"r", ramp(2, "k")}, {"t", second}, {"s", sum(from("r"), from("t"))}}));
     REQUIRE(report.problems.size() == 1);
     return report.problems[0];
   };
@@ -71,15 +72,17 @@ TEST_CASE("a list makes an axis called after its node, or as it says") {
 }
 
 TEST_CASE("lists of one node share their axis and pair up") {
-  const Json graph = document({{"t", {{"type", "total"}, {"inputs", {{"values", {1, 2, 3}}, {"weights", {1, 10, 100}}}}}}});
+  const Json graph =
+      document({{"t", {{"type", "total"}, {"inputs", {{"values", {1, 2, 3}}, {"weights", {1, 10, 100}}}}}}});
   CHECK(support::numbers(registry, graph, "t") == std::vector<double>{321});
   const Json uneven = document({{"t", {{"type", "total"}, {"inputs", {{"values", {1, 2, 3}}, {"weights", {1, 10}}}}}}});
-  CHECK(support::codes(support::checked(registry, uneven).problems) == std::multiset<std::string>{"axis-mismatch t.weights"});
+  CHECK(support::codes(support::checked(registry, uneven).problems) ==
+        std::multiset<std::string>{"axis-mismatch t.weights"});
 }
 
 TEST_CASE("weights in a list pair up with the axis of a wired family") {
-  const Json graph =
-      document({{"r", ramp(3)}, {"t", {{"type", "total"}, {"inputs", {{"values", from("r")}, {"weights", {1, 10, 100}}}}}}});
+  const Json graph = document(
+      {{"r", ramp(3)}, {"t", {{"type", "total"}, {"inputs", {{"values", from("r")}, {"weights", {1, 10, 100}}}}}}});
   CHECK(support::numbers(registry, graph, "t") == std::vector<double>{210});
 }
 
@@ -87,7 +90,8 @@ TEST_CASE("a consumed axis is the last one, or the one that is named") {
   const auto total = [&](Json inputs) {
     inputs["values"] = from("s");
     const Json node = {{"type", "total"}, {"inputs", inputs}};
-    return support::numbers(registry, document({{"r", ramp(2)}, {"t", ramp(3)}, {"s", sum(from("r"), from("t"))}, {"x", node}}), "x");
+    return support::numbers(
+        registry, document({{"r", ramp(2)}, {"t", ramp(3)}, {"s", sum(from("r"), from("t"))}, {"x", node}}), "x");
   };
   CHECK(total(Json::object()) == std::vector<double>{3, 6});
   CHECK(total({{"over", "r"}}) == std::vector<double>{1, 3, 5});
@@ -95,8 +99,8 @@ TEST_CASE("a consumed axis is the last one, or the one that is named") {
 
 TEST_CASE("consuming an axis that is not there is an error that lists those that are") {
   const auto problem = [&](Json inputs) {
-    const CheckReport report =
-        support::checked(registry, document({{"r", ramp(2)}, {"x", {{"type", "total"}, {"inputs", std::move(inputs)}}}}));
+    const CheckReport report = support::checked(
+        registry, document({{"r", ramp(2)}, {"x", {{"type", "total"}, {"inputs", std::move(inputs)}}}}));
     REQUIRE(report.problems.size() == 1);
     return report.problems[0].detail;
   };
@@ -105,10 +109,11 @@ TEST_CASE("consuming an axis that is not there is an error that lists those that
 }
 
 TEST_CASE("batched functions see the same values as single ones") {
-  const Json graph = document({{"r", ramp(5000)},
-                               {"t", ramp(3)},
-                               {"rt", sum(from("t"), from("r"))},
-                               {"d", {{"type", "doubled"}, {"inputs", {{"value", from("rt")}, {"offset", from("t")}}}}}});
+  const Json graph =
+      document({{"r", ramp(5000)},
+                {"t", ramp(3)},
+                {"rt", sum(from("t"), from("r"))},
+                {"d", {{"type", "doubled"}, {"inputs", {{"value", from("rt")}, {"offset", from("t")}}}}}});
   const std::vector<double> values = support::numbers(registry, graph, "d");
   REQUIRE(values.size() == 15000);
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -118,9 +123,10 @@ TEST_CASE("batched functions see the same values as single ones") {
 }
 
 TEST_CASE("a batched parameter may run along an inner axis") {
-  const Json graph = document({{"r", ramp(3)},
-                               {"t", ramp(2)},
-                               {"rt", sum(from("r"), from("t"))},
-                               {"d", {{"type", "doubled"}, {"inputs", {{"value", from("rt")}, {"offset", from("t")}}}}}});
+  const Json graph =
+      document({{"r", ramp(3)},
+                {"t", ramp(2)},
+                {"rt", sum(from("r"), from("t"))},
+                {"d", {{"type", "doubled"}, {"inputs", {{"value", from("rt")}, {"offset", from("t")}}}}}});
   CHECK(support::numbers(registry, graph, "d") == std::vector<double>{0, 3, 2, 5, 4, 7});
 }

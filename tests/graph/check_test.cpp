@@ -32,11 +32,11 @@ TEST_CASE("a check reports every root problem at once and blocks what stands beh
                                {"k", toy_node("constant", Json::object())},
                                {"l", toy_node("sum", {{"a", {{"parameter", "p"}}}})}});
   const CheckReport report = checked(registry, graph);
-  CHECK(codes(report.problems) ==
-        std::multiset<std::string>{"unknown-node-type a", "unknown-port b.valeu", "type-mismatch c.value",
-                                   "out-of-range d.value", "required-input-missing e.a", "dangling-link f.a",
-                                   "dangling-link g.a", "type-mismatch i.count", "type-mismatch j.point",
-                                   "unknown-parameter l.a"});
+  CHECK(codes(report.problems) == std::multiset<std::string>{"unknown-node-type a", "unknown-port b.valeu",
+                                                             "type-mismatch c.value", "out-of-range d.value",
+                                                             "required-input-missing e.a", "dangling-link f.a",
+                                                             "dangling-link g.a", "type-mismatch i.count",
+                                                             "type-mismatch j.point", "unknown-parameter l.a"});
   CHECK(report.blocked == std::vector<std::string>{"h"});
 }
 
@@ -50,7 +50,9 @@ TEST_CASE("problems say what would be accepted and carry a fix where one is know
   CHECK(type.detail == R"(there is no node type "rampp"; did you mean "ramp"?)");
   CHECK(type.fix == Json::parse(R"([{"op": "replace", "path": "/graph/nodes/n/type", "value": "ramp"}])"));
   const Problem port = only(toy_node("ramp", {{"cuont", 4}}));
-  CHECK(port.fix == Json::parse(R"([{"op": "move", "from": "/graph/nodes/n/inputs/cuont", "path": "/graph/nodes/n/inputs/count"}])"));
+  CHECK(
+      port.fix ==
+      Json::parse(R"([{"op": "move", "from": "/graph/nodes/n/inputs/cuont", "path": "/graph/nodes/n/inputs/count"}])"));
   const Problem range = only(toy_node("constant", {{"value", -200}}));
   CHECK(range.detail == "value: got -200, accepted is -100 to 1000000");
   CHECK(range.fix == Json::parse(R"([{"op": "replace", "path": "/graph/nodes/n/inputs/value", "value": -100}])"));
@@ -71,7 +73,8 @@ TEST_CASE("a cycle is named in order and everything behind it is blocked") {
 
 TEST_CASE("a wire cannot carry a literal-only value") {
   const CheckReport report =
-      checked(registry, document({{"n", toy_node("constant", {{"value", 3}})}, {"r", toy_node("ramp", {{"count", from("n")}})}}));
+      checked(registry,
+              document({{"n", toy_node("constant", {{"value", 3}})}, {"r", toy_node("ramp", {{"count", from("n")}})}}));
   CHECK(codes(report.problems) == std::multiset<std::string>{"type-mismatch r.count"});
 }
 
@@ -87,7 +90,8 @@ TEST_CASE("too many samples are refused before anything is computed, at the node
 }
 
 TEST_CASE("parameters stand for literals of their type") {
-  Json graph = document({{"s", toy_node("sum", {{"a", {{"parameter", "p"}}}})}, {"r", toy_node("ramp", {{"count", {{"parameter", "n"}}}})}});
+  Json graph = document({{"s", toy_node("sum", {{"a", {{"parameter", "p"}}}})},
+                         {"r", toy_node("ramp", {{"count", {{"parameter", "n"}}}})}});
   graph["parameters"] = {{"p", {{"type", "number"}, {"default", 2.5}, {"max", 3}}},
                          {"n", {{"type", "integer"}, {"default", 4}}},
                          {"unused", {{"type", "boolean"}, {"default", true}}}};

@@ -1,6 +1,7 @@
+#include "graph/document.h"
+
 #include <catch2/catch.hpp>
 
-#include "graph/document.h"
 #include "graph/json_reader.h"
 #include "tests/support/graphs.h"
 
@@ -48,30 +49,36 @@ TEST_CASE("writing what was read gives the same document") {
 }
 
 TEST_CASE("unknown members anywhere are errors with the nearest known name") {
-  CHECK(pointers(Json::parse(R"({"format": 1, "nods": {}, "nodes": {}})")) == std::multiset<std::string>{"unknown-member /graph/nods"});
+  CHECK(pointers(Json::parse(R"({"format": 1, "nods": {}, "nodes": {}})")) ==
+        std::multiset<std::string>{"unknown-member /graph/nods"});
   CHECK(pointers(Json::parse(R"({"format": 1, "nodes": {"a": {"type": "number", "input": {}}}})")) ==
         std::multiset<std::string>{"unknown-member /graph/nodes/a/input"});
-  CHECK(pointers(Json::parse(R"({"format": 1, "nodes": {}, "parameters": {"p": {"type": "number", "default": 1, "maximum": 2}}})")) ==
+  CHECK(pointers(Json::parse(
+            R"({"format": 1, "nodes": {}, "parameters": {"p": {"type": "number", "default": 1, "maximum": 2}}})")) ==
         std::multiset<std::string>{"unknown-member /graph/parameters/p/maximum"});
-  CHECK(pointers(Json::parse(R"({"format": 1, "nodes": {"a": {"type": "number", "inputs": {"value": {"form": "b"}}}}})")) ==
+  CHECK(pointers(
+            Json::parse(R"({"format": 1, "nodes": {"a": {"type": "number", "inputs": {"value": {"form": "b"}}}}})")) ==
         std::multiset<std::string>{"type-mismatch /graph/nodes/a/inputs/value"});
-  CHECK(pointers(Json::parse(R"({"format": 1, "nodes": {"a": {"type": "number", "inputs": {"value": {"from": "b", "x": 1}}}}})")) ==
+  CHECK(pointers(Json::parse(
+            R"({"format": 1, "nodes": {"a": {"type": "number", "inputs": {"value": {"from": "b", "x": 1}}}}})")) ==
         std::multiset<std::string>{"type-mismatch /graph/nodes/a/inputs/value"});
 }
 
 TEST_CASE("ids, formats and parameter defaults are checked") {
-  CHECK(pointers(Json::parse(R"({"format": 2, "nodes": {"1a": {"type": "number"}, "a.b": {"type": "number"}, "": {"type": "x"}}})")) ==
-        std::multiset<std::string>{"invalid-id /graph/nodes/", "invalid-id /graph/nodes/1a", "invalid-id /graph/nodes/a.b",
-                                   "unsupported-format /graph/format"});
+  CHECK(pointers(Json::parse(
+            R"({"format": 2, "nodes": {"1a": {"type": "number"}, "a.b": {"type": "number"}, "": {"type": "x"}}})")) ==
+        std::multiset<std::string>{"invalid-id /graph/nodes/", "invalid-id /graph/nodes/1a",
+                                   "invalid-id /graph/nodes/a.b", "unsupported-format /graph/format"});
   CHECK(pointers(Json::parse(R"({"nodes": []})")) ==
         std::multiset<std::string>{"required-member-missing /graph", "type-mismatch /graph/nodes"});
   CHECK(pointers(Json::parse(R"({"format": 1, "nodes": {}, "parameters": {
     "a": {"type": "number", "default": 5, "max": 4},
     "b": {"type": "choice", "default": "x", "choices": ["y"]},
     "c": {"type": "mesh", "default": 1},
-    "d": {"type": "number"}}})")) ==
-        std::multiset<std::string>{"out-of-range /graph/parameters/a/default", "not-in-choices /graph/parameters/b/default",
-                                   "required-member-missing /graph/parameters/d", "type-mismatch /graph/parameters/c/type"});
+    "d": {"type": "number"}}})")) == std::multiset<std::string>{"out-of-range /graph/parameters/a/default",
+                                                                "not-in-choices /graph/parameters/b/default",
+                                                                "required-member-missing /graph/parameters/d",
+                                                                "type-mismatch /graph/parameters/c/type"});
   CHECK(pointers(Json(3)) == std::multiset<std::string>{"type-mismatch /graph"});
 }
 
@@ -88,8 +95,8 @@ TEST_CASE("the reader refuses what is not strict JSON") {
   };
   CHECK(code(R"({"a": [1, -2.5e3, "x", true, null]})") == "read");
   for (const std::string_view text :
-       {R"({"a": 1, "a": 2})", R"({"a": )", R"([1] [2])", R"([NaN])", R"([Infinity])", R"([1e400])", R"([01])", R"([1.])",
-        R"([1,])", "// x\n1", "\xEF\xBB\xBF[1]", "[\"\xFF\"]", "", "{\"a\\u0001b\": 1}", "['a']"}) {
+       {R"({"a": 1, "a": 2})", R"({"a": )", R"([1] [2])", R"([NaN])", R"([Infinity])", R"([1e400])", R"([01])",
+        R"([1.])", R"([1,])", "// x\n1", "\xEF\xBB\xBF[1]", "[\"\xFF\"]", "", "{\"a\\u0001b\": 1}", "['a']"}) {
     CAPTURE(text);
     CHECK(code(text) == "not-json");
   }

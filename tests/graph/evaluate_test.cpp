@@ -53,7 +53,8 @@ TEST_CASE("64 diamonds in a chain take time proportional to their number") {
 TEST_CASE("a chain as long as a graph may be does not exhaust the stack") {
   Json nodes = {{"n0", value_node("constant", 0)}};
   for (int i = 1; i < 2000; ++i) {
-    nodes["n" + std::to_string(i)] = {{"type", "sum"}, {"inputs", {{"a", from("n" + std::to_string(i - 1))}, {"b", 1}}}};
+    nodes["n" + std::to_string(i)] = {{"type", "sum"},
+                                      {"inputs", {{"a", from("n" + std::to_string(i - 1))}, {"b", 1}}}};
   }
   CHECK(support::numbers(registry, document(nodes), "n1999") == std::vector<double>{1999});
 }
@@ -68,19 +69,22 @@ TEST_CASE("failures name the node, the port and the sample; independent failures
   CHECK(support::codes(problems) == std::multiset<std::string>{"degenerate root.value", "non-finite inverse"});
   CHECK(std::any_of(problems.begin(), problems.end(),
                     [](const Problem& p) { return p.detail == "no root of a negative number at r = 0"; }));
-  CHECK(std::any_of(problems.begin(), problems.end(), [](const Problem& p) { return p.detail.ends_with("number at r = 4"); }));
+  CHECK(std::any_of(problems.begin(), problems.end(),
+                    [](const Problem& p) { return p.detail.ends_with("number at r = 4"); }));
 }
 
 TEST_CASE("hard ranges hold for wired numbers too") {
-  const Problems problems =
-      failures(document({{"s", {{"type", "sum"}, {"inputs", {{"a", -90}, {"b", -90}}}}}, {"c", value_node("constant", from("s"))}}), {"c"});
+  const Problems problems = failures(document({{"s", {{"type", "sum"}, {"inputs", {{"a", -90}, {"b", -90}}}}},
+                                               {"c", value_node("constant", from("s"))}}),
+                                     {"c"});
   REQUIRE(support::codes(problems) == std::multiset<std::string>{"out-of-range c.value"});
   CHECK(problems[0].detail == "value: got -180, accepted is -100 to 1000000");
 }
 
 TEST_CASE("a cancelled evaluation ends with the reason") {
   const CheckReport report = support::checked(registry, document({{"e", value_node("endless", 1)}}));
-  for (const auto& [reason, code] : {std::pair{StopReason::superseded, "superseded"}, {StopReason::client_gone, "client-gone"}}) {
+  for (const auto& [reason, code] :
+       {std::pair{StopReason::superseded, "superseded"}, {StopReason::client_gone, "client-gone"}}) {
     Cache cache(1 << 20);
     const Cancel cancel;
     std::thread stopper([&, why = reason] { cancel.stop(why); });
@@ -104,7 +108,8 @@ TEST_CASE("the cache forgets the least recently used results first and stays wit
   CHECK(cache.find({0}) != nullptr);
   CHECK(cache.find({1}) == nullptr);
   CHECK(cache.bytes() <= 1500);
-  const auto large = std::make_shared<NodeResult>(NodeResult{{SharedColumn<double>(std::make_shared<Column<double>>(1000))}, {}});
+  const auto large =
+      std::make_shared<NodeResult>(NodeResult{{SharedColumn<double>(std::make_shared<Column<double>>(1000))}, {}});
   cache.insert({9}, large);
   CHECK(cache.find({9}) == nullptr);
   CHECK(cache.find({0}) != nullptr);

@@ -37,7 +37,9 @@ TEST_CASE("literals, defaults written out, and how axes pair up do count as they
   const Digest plain = key(two_ramps("a", "b", 3, ""), "s");
   CHECK(key(two_ramps("a", "b", 4, ""), "s") != plain);
   CHECK(key(two_ramps("a", "b", 3, "a"), "s") != plain);  // paired instead of combined
-  const auto constant = [](const Json& inputs) { return document({{"c", {{"type", "constant"}, {"inputs", inputs}}}}); };
+  const auto constant = [](const Json& inputs) {
+    return document({{"c", {{"type", "constant"}, {"inputs", inputs}}}});
+  };
   CHECK(key(constant({{"value", 1}}), "c") == key(constant(Json::object()), "c"));
   CHECK(key(constant({{"value", 1}}), "c") == key(constant({{"value", 1.0}}), "c"));
   CHECK(key(constant({{"value", 2}}), "c") != key(constant({{"value", 1}}), "c"));

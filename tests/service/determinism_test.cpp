@@ -86,7 +86,7 @@ TEST_CASE("a warm cache is used") {
     const Result<Evaluated> answer = answered(engine, request_for(graph, {{"amount", amount}}));
     require_none(answer ? Problems{} : answer.problems());
     std::set<std::string> nodes;
-    for (const auto& [id, node] : answer->report["nodes"].items()) {
+    for (const auto& [id, node] : answer->report()["nodes"].items()) {
       if (node["cached"] == true) nodes.insert(id);
     }
     return nodes;
@@ -111,7 +111,7 @@ TEST_CASE("eight identical requests at once are computed once and all answered")
         const Result<Evaluated> answer = answered(engine, request_for(graph));
         if (!answer) return;
         files[i] = answer->glb;
-        reports[i] = answer->report;
+        reports[i] = answer->report();
       });
     }
   }

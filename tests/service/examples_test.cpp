@@ -69,9 +69,9 @@ TEST_CASE("every example is drawn, the draft coarser than the final answer, with
       const Result<Evaluated> answer =
           answered(engine(), {.graph = graph, .parameters = Json::object(), .output = "", .quality = quality});
       require_none(answer ? Problems{} : answer.problems());
-      CHECK(answer->report["warnings"] == Json::array());
-      CHECK(answer->report["model"]["bytes"] == answer->glb->size());
-      triangles[quality == Quality::final] = answer->report["model"]["triangles"];
+      CHECK(answer->report()["warnings"] == Json::array());
+      CHECK(answer->report()["model"]["bytes"] == answer->glb->size());
+      triangles[quality == Quality::final] = answer->report()["model"]["triangles"];
       CHECK(read_glb(*answer->glb));
     }
     CHECK(triangles[0] > 1000);
@@ -150,7 +150,7 @@ TEST_CASE("the boosted ring of figure 4 lies on its horn torus within the announ
     const Result<Evaluated> answer = answered(
         engine(), {.graph = graph, .parameters = {{"height", height}}, .output = "", .quality = Quality::final});
     require_none(answer ? Problems{} : answer.problems());
-    const double bound = answer->report["model"]["position_error"];
+    const double bound = answer->report()["model"]["position_error"];
     CHECK(bound < 1e-3);
     const std::optional<Scene> scene = read_glb(*answer->glb);
     REQUIRE(scene);

@@ -60,35 +60,64 @@ inline double endless(const Context& context, double value) {
 inline Registry registry() {
   Registry nodes;
   const auto value_node = [](NodeBuilder builder) -> NodeType {
-    return std::move(builder).title("Toy").family("toys").doc("A toy.").input("value", "A number.", defaults(1).hard(-100, 1e6)).output("value", "A number.");
+    return std::move(builder)
+        .title("Toy")
+        .family("toys")
+        .doc("A toy.")
+        .input("value", "A number.", defaults(1).hard(-100, 1e6))
+        .output("value", "A number.");
   };
   nodes.add(value_node(node("constant", constant)));
   nodes.add(value_node(node("count_runs", count_runs)));
   nodes.add(value_node(node("root", root)));
   nodes.add(value_node(node("reciprocal", reciprocal)));
   nodes.add(value_node(node("endless", endless)));
-  nodes.add(node("sum", sum).title("Sum").family("toys").doc("Adds.").input("a", "First.").input("b", "Second.", defaults(10)).output("value", "The sum."));
+  nodes.add(node("sum", sum)
+                .title("Sum")
+                .family("toys")
+                .doc("Adds.")
+                .input("a", "First.")
+                .input("b", "Second.", defaults(10))
+                .output("value", "The sum."));
   nodes.add(node("ramp", ramp)
-                .title("Ramp").family("toys").doc("0, 1, 2, ...")
+                .title("Ramp")
+                .family("toys")
+                .doc("0, 1, 2, ...")
                 .input("count", "How many.", defaults(3).hard(1, 1'000'000'000))
                 .input("closed", "Whether it closes.", defaults(false))
                 .input("axis", "Name.", defaults("").names_axis())
                 .axes(one_axis("count", "axis", "closed"))
                 .output("values", "The numbers."));
   nodes.add(node("total", total)
-                .title("Total").family("toys").doc("Sums along an axis.")
+                .title("Total")
+                .family("toys")
+                .doc("Sums along an axis.")
                 .input("values", "Numbers.", required().several())
                 .input("weights", "Weights.", defaults(1).several())
                 .input("over", "The axis.", defaults("").names_axis())
                 .over({"over"})
                 .output("value", "The sum."));
   nodes.add(node("list", same<double>, same<Point>)
-                .title("List").family("toys").doc("Items.")
+                .title("List")
+                .family("toys")
+                .doc("Items.")
                 .input("items", "Items.", required().several())
                 .input("axis", "Name.", defaults("").names_axis())
                 .output("items", "Items."));
-  nodes.add(node("shifted", shifted).title("Shifted").family("toys").doc("Moves.").input("point", "P.").input("by", "V.", defaults({0, 0, 1})).output("point", "P."));
-  nodes.add(node("doubled", doubled).title("Doubled").family("toys").doc("Twice.").input("value", "N.").input("offset", "N.", defaults(0)).output("value", "N."));
+  nodes.add(node("shifted", shifted)
+                .title("Shifted")
+                .family("toys")
+                .doc("Moves.")
+                .input("point", "P.")
+                .input("by", "V.", defaults({0, 0, 1}))
+                .output("point", "P."));
+  nodes.add(node("doubled", doubled)
+                .title("Doubled")
+                .family("toys")
+                .doc("Twice.")
+                .input("value", "N.")
+                .input("offset", "N.", defaults(0))
+                .output("value", "N."));
   return nodes;
 }
 

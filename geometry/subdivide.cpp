@@ -1,0 +1,93 @@
+#include "geometry/subdivide.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace dini {
+
+namespace {
+
+/// The vertices of a mesh while middles of edges are added to them.
+class Middles {
+ public:
+  explicit Middles(const Mesh& mesh) : mesh_(mesh), next_(static_cast<std::uint32_t>(mesh.positions.size())) {}
+
+  std::uint32_t between(std::uint32_t a, std::uint32_t b) {
+    const auto [low, high] = std::minmax(a, b);
+    const auto [found, fresh] = vertex_of_.try_emplace((std::uint64_t{low} << 32) | high, next_);
+    if (fresh) {
+      edges_.push_back({low, high});
+      ++next_;
+    }
+    return found->second;
+  }
+
+  /// The old vertices followed by the middles.
+  void write(Mesh& finer) const {
+    finer.positions = extended(mesh_.positions, [](const Point& a, const Point& b) {
+      return to_point(0.5 * to_vector(a) + 0.5 * to_vector(b));
+    });
+    if (!mesh_.normals.empty()) {
+      finer.normals = extended(mesh_.normals, [](const Vector& a, const Vector& b) {
+        const Vector middle = normalized(a + b);
+        return middle == Vector{} ? a : middle;
+      });
+    }
+    finer.uvs = extended(mesh_.uvs);
+    finer.colors = extended(mesh_.colors);
+  }
+
+ private:
+  template <class T, class Middle>
+  Column<T> extended(const Column<T>& items, Middle middle) const {
+    Column<T> all(items.size() + edges_.size());
+    for (std::size_t i = 0; i < items.size(); ++i) all.set(i, items[i]);
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      all.set(items.size() + i, middle(items[edges_[i][0]], items[edges_[i][1]]));
+    }
+    return all;
+  }
+
+  template <class Number, std::size_t N>
+  std::vector<std::array<Number, N>> extended(std::vector<std::array<Number, N>> items) const {
+    if (items.empty()) return {};
+    for (const auto& [a, b] : edges_) {
+      std::array<Number, N> middle;
+      for (std::size_t k = 0; k < N; ++k) middle[k] = (items[a][k] + items[b][k]) / 2;
+      items.push_back(middle);
+    }
+    return items;
+  }
+
+  const Mesh& mesh_;
+  std::uint32_t next_;
+  std::vector<std::array<std::uint32_t, 2>> edges_;
+  std::unordered_map<std::uint64_t, std::uint32_t> vertex_of_;  ///< by edge; only looked up
+};
+
+Mesh finer_by_one(const Mesh& mesh) {
+  Middles middles(mesh);
+  Mesh finer;
+  finer.color = mesh.color;
+  finer.triangles.reserve(4 * mesh.triangles.size());
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const std::uint32_t ab = middles.between(a, b), bc = middles.between(b, c), ca = middles.between(c, a);
+    finer.triangles.push_back({a, ab, ca});
+    finer.triangles.push_back({ab, b, bc});
+    finer.triangles.push_back({ca, bc, c});
+    finer.triangles.push_back({ab, bc, ca});
+  }
+  for (const std::size_t end : mesh.tile_ends) finer.tile_ends.push_back(4 * end);
+  middles.write(finer);
+  return finer;
+}
+
+}  // namespace
+
+Mesh subdivide(const Mesh& mesh, std::size_t levels, const Cancel& cancel) {
+  Mesh result = mesh;
+  for (std::size_t level = 0; level < levels && !cancel.stopped(); ++level) result = finer_by_one(result);
+  return result;
+}
+
+}  // namespace dini

@@ -1,0 +1,158 @@
+// Generators that give a flat surface the curvature that is asked for.
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "algebra/construct.h"
+#include "geometry/sampling.h"
+#include "graph/node_builder.h"
+#include "nodes/all.h"
+#include "nodes/choices.h"
+#include "nodes/finish_surface.h"
+#include "nodes/shapes.h"
+
+namespace dini {
+
+/// Curvatures as asked, or eq. 18 to the letter.
+enum class CurvatureMethod { exact, paper };
+
+template <>
+struct ChoiceNames<CurvatureMethod> {
+  static constexpr std::array<std::string_view, 2> names = {"exact", "paper"};
+};
+
+namespace {
+
+/// Curvatures along two directions of a plane, and where they are asked for.
+struct CurvatureSource {
+  Point position;
+  double along_u = 0, along_v = 0;
+};
+
+/// The generator that bends the plane at `source.position + u + v`, u and v being vectors in the plane.
+///
+/// The boost that curves a line must sit on that line. So what curves along u follows the point along v, and the other
+/// way around; a boost that followed along u would sit at the point itself and do nothing. Eq. 18 has it the other way
+/// around.
+Generator bending(const CurvatureSource& source, const Vector& normal, const Vector& u, const Vector& v,
+                  CurvatureMethod method) {
+  const Vector position = to_vector(source.position);
+  const Generator beside_u = null_pair(to_point(position + u), normal);
+  const Generator beside_v = null_pair(to_point(position + v), normal);
+  if (method == CurvatureMethod::paper) return source.along_u * beside_u + source.along_v * beside_v;
+  return (-0.5 * source.along_u) * beside_v + (-0.5 * source.along_v) * beside_u;
+}
+
+Attempt<Generator> curvature_generator(const Point& position, const Vector& normal, const Vector& u_direction,
+                                       double curvature_u, double curvature_v, double u, double v,
+                                       CurvatureMethod method) {
+  if (normal == Vector{}) return Failure{"degenerate", "the normal must not be zero", "normal"};
+  const Vector up = normalized(normal);
+  Vector ahead = normalized(u_direction);
+  ahead = normalized(ahead - dot(ahead, up) * up);
+  if (ahead == Vector{}) ahead = any_perpendicular(up);
+  return bending({position, curvature_u, curvature_v}, up, u * ahead, v * cross(up, ahead), method);
+}
+
+/// Weights 0 to 1 whose first and second derivative vanish at both ends, so that near a corner only that corner counts.
+double smooth_step(double t) { return t * t * t * (10 + t * (6 * t - 15)); }
+
+Attempt<SharedMesh> curvature_patch(const Context& context, double u_a, double v_a, double u_b, double v_b, double u_c,
+                                    double v_c, double u_d, double v_d, const Point& center, const Vector& u_vector,
+                                    const Vector& v_vector, double amount, std::int64_t count_u, std::int64_t count_v,
+                                    CurvatureMethod method, Rule rule, AtInfinity at_infinity, double clip_radius) {
+  const Vector normal = normalized(cross(u_vector, v_vector));
+  const auto corner = [&](double u, double v) { return to_point(to_vector(center) + u * u_vector + v * v_vector); };
+  const std::array<CurvatureSource, 4> corners = {
+      {{corner(-1, -1), u_a, v_a}, {corner(1, -1), u_b, v_b}, {corner(-1, 1), u_c, v_c}, {corner(1, 1), u_d, v_d}}};
+  const auto rows = static_cast<std::size_t>(count_u), columns = static_cast<std::size_t>(count_v);
+  const Column<double> us = spaced(0, 1, rows, false), vs = spaced(0, 1, columns, false);
+  Column<Point> points(rows * columns);
+  for_chunks(context, points.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const double u = us[i / columns], v = vs[i % columns];
+      const bool smooth = method == CurvatureMethod::exact;
+      const double along = smooth ? smooth_step(u) : u, across = smooth ? smooth_step(v) : v;
+      Generator sum;
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        const double at_u = k % 2 == 0 ? 0 : 1, at_v = k < 2 ? 0 : 1;
+        const double weight = (at_u == 0 ? 1 - along : along) * (at_v == 0 ? 1 - across : across);
+        sum = sum +
+              weight * bending(corners[k], normal, (2 * (u - at_u)) * u_vector, (2 * (v - at_v)) * v_vector, method);
+      }
+      const auto moved = apply(exponential(amount * sum, rule), corner(2 * u - 1, 2 * v - 1));
+      points.set(i, moved.value_or(Point::at_infinity()));
+    }
+  });
+  return finish_surface(context, {points, rows, columns, false, false}, at_infinity, clip_radius, {"u", rows, false});
+}
+
+InputSpec curvature_input(double value) { return defaults(value).hard(-1e9, 1e9).soft(-2, 2).unit("1/m"); }
+
+std::size_t patch_vertices(const Literals& literals, const Axes&) {
+  return static_cast<std::size_t>(integer_at(literals, "count_u") * integer_at(literals, "count_v"));
+}
+
+}  // namespace
+
+void add_curvature(Registry& registry) {
+  registry.add(node("curvature", curvature_generator)
+                   .title("Curvature")
+                   .family("generators")
+                   .doc("The generator that bends a line or a plane at a point to the curvatures asked for.")
+                   .source("Boosted Surfaces, eqs. (17), (18), figs. 13, 14")
+                   .details("With u = v = 0 it is eq. (17): -(curvature_u + curvature_v)/2 times the unit null pair; a "
+                            "line through the point "
+                            "becomes a circle of that curvature, bent away from the normal. For a surface, give each "
+                            "point of the plane "
+                            "its u and v: the curvature at u = v = 0 is then curvature_u along u and curvature_v along "
+                            "v. The paper's "
+                            "eq. (18) lacks the factor -1/2 and exchanges u and v. A zero normal is an "
+                            "error. A u_direction along the normal is replaced by a fixed perpendicular.")
+                   .input("position", "Where the curvatures hold.", defaults({0, 0, 0}).unit("m"))
+                   .input("normal", "Normal of the plane, or of the line; of any length.", defaults({0, 0, 1}))
+                   .input("u_direction", "Where u runs in the plane; v runs to its left.", defaults({1, 0, 0}))
+                   .input("curvature_u", "Curvature along u.", curvature_input(1))
+                   .input("curvature_v", "Curvature along v.", curvature_input(0))
+                   .input("u", "Place of the bent point along u.", defaults(0).hard(-1e9, 1e9).soft(-2, 2).unit("m"))
+                   .input("v", "Place of the bent point along v.", defaults(0).hard(-1e9, 1e9).soft(-2, 2).unit("m"))
+                   .input("method", "Curvatures as asked, or eq. (18) to the letter.", defaults("exact"))
+                   .output("generator", "The generator; boost the point with amount 1."));
+
+  registry.add(node("curvature_patch", curvature_patch)
+                   .title("Curvature patch")
+                   .family("surfaces")
+                   .doc("A surface patch from the curvatures along u and along v at its four corners.")
+                   .source("Boosted Surfaces, section 5.1, fig. 15")
+                   .details("The corners stay where they are and keep their tangent plane. The exact method blends so "
+                            "smoothly that the "
+                            "curvatures at each corner are the ones asked for, along both edges; the paper's blends "
+                            "eq. (18) bilinearly. "
+                            "Vectors that span no plane give an empty mesh.")
+                   .input("curvature_u_a", "Along u at u = 0, v = 0.", curvature_input(1))
+                   .input("curvature_v_a", "Along v at u = 0, v = 0.", curvature_input(1))
+                   .input("curvature_u_b", "Along u at u = 1, v = 0.", curvature_input(1))
+                   .input("curvature_v_b", "Along v at u = 1, v = 0.", curvature_input(1))
+                   .input("curvature_u_c", "Along u at u = 0, v = 1.", curvature_input(1))
+                   .input("curvature_v_c", "Along v at u = 0, v = 1.", curvature_input(1))
+                   .input("curvature_u_d", "Along u at u = 1, v = 1.", curvature_input(1))
+                   .input("curvature_v_d", "Along v at u = 1, v = 1.", curvature_input(1))
+                   .input("center", "The middle.", defaults({0, 0, 0}).unit("m"))
+                   .input("u_vector", "Half the extent along u.", defaults({1, 0, 0}).unit("m"))
+                   .input("v_vector", "Half the extent along v.", defaults({0, 1, 0}).unit("m"))
+                   .input("amount", "Factor of the blended generator.", defaults(1).soft(-2, 2))
+                   .input("count_u", "How many points along u.", defaults(96).hard(2, 65536).soft(8, 256))
+                   .input("count_v", "How many points along v.", defaults(96).hard(2, 65536).soft(8, 256))
+                   .input("method", "Curvatures as asked, or eq. (18) to the letter.", defaults("exact"))
+                   .input("rule", "The true exponential, or the paper's with the scalar part of the square only.",
+                          defaults("exact"))
+                   .input("at_infinity", "What to do where the surface leaves the clip radius.", defaults("clip"))
+                   .input("clip_radius", "Distance from the origin that counts as infinity.",
+                          defaults(100).hard(1e-3, 1e6).soft(1, 1000).unit("m"))
+                   .vertices(patch_vertices)
+                   .depends_on_quality()
+                   .output("mesh", "The mesh."));
+}
+
+}  // namespace dini

@@ -1,0 +1,131 @@
+// Meshes made, refined and colored.
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/box.h"
+#include "geometry/curvature.h"
+#include "geometry/palette.h"
+#include "geometry/subdivide.h"
+#include "graph/node_builder.h"
+#include "nodes/all.h"
+
+namespace dini {
+
+enum class CurvatureKind { gauss, mean };
+
+template <>
+struct ChoiceNames<CurvatureKind> {
+  static constexpr std::array<std::string_view, 2> names = {"gauss", "mean"};
+};
+
+template <>
+struct ChoiceNames<Palette> {
+  static constexpr std::array<std::string_view, 3> names = {"diverging", "sequential", "cyclic"};
+};
+
+namespace {
+
+Attempt<SharedMesh> box(const Context& context, const Point& center, const Vector& size, std::int64_t segments) {
+  if (!(size.x > 0) || !(size.y > 0) || !(size.z > 0)) {
+    return Failure{"degenerate", "the edges of a box must have positive lengths", "size"};
+  }
+  return std::make_shared<const Mesh>(box_mesh(center, size, static_cast<std::size_t>(segments), context.cancel()));
+}
+
+SharedMesh subdivided(const Context& context, const SharedMesh& shape, std::int64_t levels) {
+  return std::make_shared<const Mesh>(subdivide(*shape, static_cast<std::size_t>(levels), context.cancel()));
+}
+
+std::tuple<SharedMesh, double, double> colored_by_curvature(const Context& context, const SharedMesh& shape,
+                                                            CurvatureKind kind, double range, Palette palette) {
+  const Curvatures estimated = estimate_curvatures(*shape, context.cancel());
+  const std::vector<double>& values = kind == CurvatureKind::gauss ? estimated.gauss : estimated.mean;
+  if (values.empty()) return {shape, 0.0, 0.0};
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const double bound = range > 0 ? range : std::max(-*least, *most);
+  auto copy = std::make_shared<Mesh>(*shape);
+  copy->colors.clear();
+  for (const double value : values)
+    copy->colors.push_back(palette_color(palette, bound > 0 ? 0.5 + 0.5 * value / bound : 0.5));
+  return {copy, *least, *most};
+}
+
+SharedMesh colored_by_number(const SharedMesh& shape, double value, double minimum, double maximum, Palette palette) {
+  const double place = minimum == maximum ? 0.5 : (value - minimum) / (maximum - minimum);
+  const std::array<float, 4> color = palette_color(palette, place);
+  auto copy = std::make_shared<Mesh>(*shape);
+  copy->colors.clear();
+  std::copy(color.begin(), color.end(), copy->color.begin());
+  return copy;
+}
+
+std::size_t box_vertices(const Literals& literals, const Axes&) {
+  const auto points = static_cast<std::size_t>(integer_at(literals, "segments") + 1);
+  return 6 * points * points;
+}
+
+std::size_t subdivided_factor(const Literals& literals) {
+  return std::size_t{1} << static_cast<std::size_t>(2 * integer_at(literals, "levels"));
+}
+
+}  // namespace
+
+void add_mesh_tools(Registry& registry) {
+  registry.add(
+      node("box_mesh", box)
+          .title("Box mesh")
+          .family("meshes")
+          .doc("A box as a mesh with flat faces.")
+          .details("Edges that are not positive are an error. Faces have vertices of their own along common edges.")
+          .input("center", "Its center.", defaults({0, 0, 0}).unit("m"))
+          .input("size", "Lengths of its edges.", defaults({1, 1, 1}).unit("m"))
+          .input("segments", "Quads along each edge; more of them bend better.", defaults(16).hard(1, 512).soft(1, 128))
+          .vertices(box_vertices)
+          .output("mesh", "The mesh."));
+
+  registry.add(
+      node("subdivide", subdivided)
+          .title("Subdivide")
+          .family("meshes")
+          .doc("Cuts every triangle of a mesh into four, so that it can bend.")
+          .details("The shape stays the same. Normals, texture coordinates and colors are averaged along edges.")
+          .input("shape", "The mesh.")
+          .input("levels", "How many times; each makes four triangles of one.", defaults(1).hard(0, 6).soft(0, 4))
+          .vertex_factor(subdivided_factor)
+          .output("shape", "The finer mesh."));
+
+  registry.add(node("curvature_color", colored_by_curvature)
+                   .title("Curvature color")
+                   .family("meshes")
+                   .doc("Colors a mesh by its Gauss or mean curvature, and tells the extremes.")
+                   .source("Rusinkiewicz, Estimating curvatures and their derivatives on triangle meshes (2004)")
+                   .details("Curvatures are estimated from the triangles around each vertex; the error falls with the "
+                            "square of their size, "
+                            "at borders with the size. The middle of the palette is zero curvature. The mean curvature "
+                            "of a sphere with "
+                            "outward faces is +1/radius. A mesh without vertices has the extremes 0.")
+                   .input("shape", "The mesh.")
+                   .input("kind", "Product or mean of the principal curvatures.", defaults("gauss"))
+                   .input("range", "Curvature at the ends of the palette; 0 means the largest magnitude found.",
+                          defaults(0).hard(0, 1e9).soft(0, 10))
+                   .input("palette", "The colors.", defaults("diverging"))
+                   .output("shape", "The colored mesh.")
+                   .output("minimum", "Least curvature, in 1/m for mean and 1/m^2 for Gauss.")
+                   .output("maximum", "Greatest curvature."));
+
+  registry.add(node("color_by", colored_by_number)
+                   .title("Color by number")
+                   .family("meshes")
+                   .doc("Gives each mesh of a family the color of a number on a palette.")
+                   .details("Numbers outside the range take the nearer end, or go around on the cyclic palette. With "
+                            "equal ends every number takes the middle.")
+                   .input("shape", "The mesh.")
+                   .input("value", "The number.")
+                   .input("minimum", "Number at the start of the palette.", defaults(0).soft(-10, 10))
+                   .input("maximum", "Number at its end.", defaults(1).soft(-10, 10))
+                   .input("palette", "The colors.", defaults("cyclic"))
+                   .output("shape", "The colored mesh."));
+}
+
+}  // namespace dini

@@ -1,0 +1,162 @@
+// Transforms that the paper builds from special operators: loxodromes, products of points, Hopf fibres, ratios of
+// spheres.
+
+#include <cmath>
+
+#include "algebra/construct.h"
+#include "algebra/elementary.h"
+#include "algebra/extract.h"
+#include "algebra/frame.h"
+#include "nodes/all.h"
+#include "nodes/choices.h"
+#include "nodes/versor_node.h"
+
+namespace dini {
+
+/// The paper's composition of a boost and a twist, or true fibres of the Hopf fibration.
+enum class HopfMethod { exact, paper };
+
+template <>
+struct ChoiceNames<HopfMethod> {
+  static constexpr std::array<std::string_view, 2> names = {"exact", "paper"};
+};
+
+namespace {
+
+Attempt<Versor> loxodrome(const Vector& a, double lambda, const Vector& b, double gamma, double amount, Rule rule) {
+  return exponential(amount * Generator{lambda * a, {}, 0, gamma * b}, rule);
+}
+
+Attempt<Versor> product_of_points(const Point& a, double weight_a, const Point& b, double weight_b, double amount) {
+  const PointProduct product = point_product(a, weight_a, b, weight_b);
+  const Generator bivector = amount * product.generator;
+  if (product.scalar == 0 && bivector == Generator{}) {
+    return Failure{"degenerate", "the product of these points is zero", "amount"};
+  }
+  return versor_from(product.scalar, bivector);
+}
+
+double product(const Sphere& a, const Sphere& b) { return dot(a.e, b.e) - a.no * b.ni - a.ni * b.no; }
+
+/// A square root of to/from, to the power `amount`: its plane is that of the two vectors.
+Attempt<Versor> sphere_to_sphere(const Sphere& from, const Sphere& to, double amount) {
+  const double square = product(from, from) * product(to, to);
+  if (!(product(from, from) > 0) || !(product(to, to) > 0)) {
+    return Failure{"degenerate", "a sphere of radius zero has no inverse, so there is no ratio", "from"};
+  }
+  // The nearer of the two orientations of the second sphere.
+  const double sign = product(from, to) < 0 ? -1.0 : 1.0;
+  const double scale = sign / std::sqrt(square);
+  const double cosine = scale * product(from, to);
+  const Generator wedge = scale * Generator{to.no * from.e - from.no * to.e, cross(to.e, from.e),
+                                            to.no * from.ni - to.ni * from.no, from.ni * to.e - to.ni * from.e};
+  const double squared_sine = cosine * cosine - 1;
+  const double sine = std::sqrt(std::abs(squared_sine));
+  double angle_per_sine = 1;
+  if (sine > 1e-8) {
+    angle_per_sine = (squared_sine < 0 ? elementary::atan2(sine, cosine) : elementary::asinh(sine)) / sine;
+  }
+  return exponential((0.5 * amount * angle_per_sine) * wedge);
+}
+
+/// The true fibre at `tilt` turns (a quarter is the axis) over the direction `outward`, for a base circle about the
+/// origin: center -r tan(tilt) outward, radius r / cos(tilt), multiplied by cos(tilt) so that the axis itself comes out
+/// as a line.
+Circle fibre(const CircleCoordinates& base, const Vector& outward, double tilt) {
+  const auto [sine, cosine] = elementary::sincos_turns(tilt);
+  const Vector normal = cosine * base.normal - sine * cross(base.normal, outward);
+  const double r = base.radius;
+  const Generator dual{cosine * normal, (-r * sine) * cross(outward, normal), 0, (0.5 * r * r * cosine) * normal};
+  return {seen_from(dual, -to_vector(base.center))};
+}
+
+Attempt<Circle> hopf_fibre(const Circle& shape, double theta, double latitude, HopfMethod method) {
+  const std::optional<CircleCoordinates> base = coordinates(shape);
+  if (!base || base->line || base->radius == 0) {
+    return Failure{"degenerate", "the base must be a circle with a radius, so that it has an axis", "shape"};
+  }
+  const Vector start = any_perpendicular(base->normal);
+  const auto [sine, cosine] = elementary::sincos_turns(theta);
+  const Vector outward = cosine * start + sine * cross(base->normal, start);
+  if (method == HopfMethod::exact) return fibre(*base, outward, 0.25 * latitude);
+  const Generator tangent = null_pair(base->center, outward / base->radius);
+  const Circle straight = apply(exponential(tangent), shape);
+  const std::optional<Versor> motor = motor_between(straight, line_from(base->center, base->normal));
+  const std::optional<Generator> twist = motor ? motor_logarithm(*motor) : std::nullopt;
+  if (!twist) return Failure{"degenerate", "the boosted base is no line", "shape"};
+  return apply(compose(exponential(latitude * *twist), exponential(latitude * tangent)), shape);
+}
+
+}  // namespace
+
+void add_operators(Registry& registry) {
+  registry.add(
+      VersorNode<loxodrome, Vector, double, Vector, double, double, Rule>::declare("loxodrome")
+          .title("Loxodrome")
+          .family("transforms")
+          .doc("A boost at the origin and a translation in one exponential: exp(amount (lambda no^a + gamma b^ni)).")
+          .source("Boosted Surfaces, section 3, fig. 3")
+          .details(
+              "The generator is simple, and both rules agree, only when a and b are parallel. Zero vectors leave out "
+              "their part; all zero is the identity.")
+          .input("shape", "Points, circles, spheres, generators or meshes.")
+          .input("a", "Direction of the boost.", defaults({1, 0, 0}))
+          .input("lambda", "Strength of the boost.", defaults(1).hard(-1e6, 1e6).soft(-4, 4).unit("1/m"))
+          .input("b", "Direction of the translation.", defaults({0, 1, 0}))
+          .input("gamma", "Strength of the translation.", defaults(1).hard(-1e6, 1e6).soft(-4, 4).unit("m"))
+          .input("amount", "How far along the loxodrome.", defaults(1).soft(-4, 4))
+          .input("rule", "The true exponential, or the paper's with the scalar part of the square only.",
+                 defaults("exact"))
+          .output("shape", "The transformed shape."));
+
+  registry.add(
+      VersorNode<product_of_points, Point, double, Point, double, double>::declare("product")
+          .title("Product of points")
+          .family("transforms")
+          .doc("Applies the geometric product of two weighted points, with its bivector part scaled by an amount.")
+          .source("Boosted Surfaces, eq. (20), fig. 16")
+          .details("K = <ab>_0 + amount <ab>_2; each weight replaces the no coefficient of its point. Where K ~K = 0 "
+                   "everything "
+                   "collapses to one point. K = 0 is an error.")
+          .input("shape", "Points, circles, spheres, generators or meshes.")
+          .input("a", "First point.", defaults({0, 0, 1}).unit("m"))
+          .input("weight_a", "Weight of its no coefficient.", defaults(1).hard(-1e6, 1e6).soft(-1, 1))
+          .input("b", "Second point.", defaults({0, 0, -1}).unit("m"))
+          .input("weight_b", "Weight of its no coefficient.", defaults(1).hard(-1e6, 1e6).soft(-1, 1))
+          .input("amount", "Factor of the bivector part.", defaults(0.5).hard(-1e6, 1e6).soft(-1, 1))
+          .output("shape", "The transformed shape."));
+
+  registry.add(VersorNode<sphere_to_sphere, Sphere, Sphere, double>::declare("boost_between")
+                   .title("Boost between")
+                   .family("transforms")
+                   .doc("Applies a power of the simple rotor that takes one sphere or plane to another.")
+                   .source("Colapinto, Composing Surfaces with Conformal Rotors, AACA 27 (2017)")
+                   .details("Orientation does not count: the nearer of the two ways is taken. Equal spheres give the "
+                            "identity, parallel "
+                            "planes a translation. A sphere of radius zero is an error.")
+                   .input("shape", "Points, circles, spheres, generators or meshes.")
+                   .input("from", "The sphere that is moved.")
+                   .input("to", "The sphere that it is moved to.")
+                   .input("amount", "0 nothing, 1 the whole way.", defaults(1).hard(-1e6, 1e6).soft(0, 1))
+                   .output("shape", "The moved shape."));
+
+  registry.add(node("hopf", hopf_fibre)
+                   .title("Hopf fibre")
+                   .family("transforms")
+                   .doc("A base circle boosted towards a line and twisted towards its axis: one fibre of a bundle of "
+                        "linked circles.")
+                   .source("Boosted Surfaces, eqs. (9), (10), (11), (12), figs. 6, 7")
+                   .details("For a base of radius 1 the squared radius less the squared distance of the center is 1 "
+                            "for every fibre of the "
+                            "exact method, as in the Hopf fibration, and 1 - latitude^2/4 for the paper's. Latitude 0 "
+                            "is the base, 1 its "
+                            "axis. A line, or a circle of radius zero, is an error.")
+                   .input("shape", "The base circle.")
+                   .input("theta", "Longitude; 1 is once around.", defaults(0).soft(0, 1).unit("turn"))
+                   .input("latitude", "From the base circle to its axis: the paper's 1/2 + phi/pi.",
+                          defaults(0.5).hard(0, 1).soft(0, 1))
+                   .input("method", "True Hopf fibres, or the paper's boost and twist.", defaults("exact"))
+                   .output("circle", "The fibre."));
+}
+
+}  // namespace dini

@@ -1,0 +1,73 @@
+#include <cstdint>
+
+#include "graph/node_builder.h"
+#include "nodes/all.h"
+
+namespace dini {
+
+namespace {
+
+/// SplitMix64 (Steele, Lea, Flood 2014) by counter: the n-th number of a stream from its seed alone.
+std::uint64_t mixed(std::uint64_t seed, std::uint64_t counter) {
+  std::uint64_t z = seed + (counter + 1) * 0x9E3779B97F4A7C15u;
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+  return z ^ (z >> 31);
+}
+
+/// In [0, 1), a multiple of 2^-53.
+double unit_number(std::uint64_t seed, std::uint64_t counter) {
+  constexpr double spacing = 1.0 / 9007199254740992.0;
+  return static_cast<double>(mixed(seed, counter) >> 11) * spacing;
+}
+
+std::tuple<Made<double>, Made<Point>> random_samples(std::int64_t count, std::int64_t seed, double from, double to,
+                                                     const Point& minimum, const Point& maximum, const std::string&) {
+  const auto size = static_cast<std::size_t>(count);
+  // Neighboring seeds must not give shifted copies of one stream.
+  const std::uint64_t stream = mixed(static_cast<std::uint64_t>(seed), 0);
+  const auto between = [](double a, double b, double share) { return (1 - share) * a + share * b; };
+  Column<double> values(size);
+  Column<Point> points(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    // Four numbers per sample, so that a longer family starts with the shorter one.
+    const std::uint64_t first = 4 * static_cast<std::uint64_t>(i);
+    values.set(i, between(from, to, unit_number(stream, first)));
+    points.set(i, {between(minimum.x, maximum.x, unit_number(stream, first + 1)),
+                   between(minimum.y, maximum.y, unit_number(stream, first + 2)),
+                   between(minimum.z, maximum.z, unit_number(stream, first + 3))});
+  }
+  return {Made<double>{std::move(values)}, Made<Point>{std::move(points)}};
+}
+
+std::vector<Axes> sample_axes(const Literals& literals, const std::string& node_id) {
+  const std::string& given = text_at(literals, "axis");
+  const Axis axis{given.empty() ? node_id : given, static_cast<std::size_t>(integer_at(literals, "count")), false};
+  return {{axis}, {axis}};
+}
+
+}  // namespace
+
+void add_random(Registry& registry) {
+  registry.add(
+      node("random", random_samples)
+          .title("Random")
+          .family("numbers")
+          .doc("Evenly distributed numbers, and points in a box, along a new axis; the same for the same seed.")
+          .source("Steele, Lea and Flood, Fast splittable pseudorandom number generators (2014)")
+          .details("The same on every machine. A larger count keeps the samples of a smaller one. When from equals to, "
+                   "every "
+                   "value is that number; a flat box gives points in its plane.")
+          .input("count", "How many.", defaults(32).hard(1, 10'000'000).soft(1, 256))
+          .input("seed", "Another seed, other samples.", defaults(1).hard(0, 9'007'199'254'740'991).soft(0, 100))
+          .input("from", "Least number.", defaults(0).soft(-10, 10))
+          .input("to", "Bound of the numbers; it is not reached.", defaults(1).soft(-10, 10))
+          .input("minimum", "One corner of the box of the points.", defaults({-1, -1, -1}).unit("m"))
+          .input("maximum", "The opposite corner.", defaults({1, 1, 1}).unit("m"))
+          .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
+          .axes(sample_axes)
+          .output("values", "The numbers, over the new axis.")
+          .output("points", "The points, over the same axis."));
+}
+
+}  // namespace dini

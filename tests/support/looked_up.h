@@ -1,0 +1,45 @@
+#pragma once
+
+// The example graphs, and what the engine finds on their wires.
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+
+#include "service/engine.h"
+
+namespace dini::support {
+
+/// One of the example graphs; the build says where they are.
+inline Json example(const std::string& name) {
+  std::ifstream file(std::string(DINI_EXAMPLES) + "/" + name + ".json");
+  REQUIRE(file);
+  return Json::parse(file);
+}
+
+/// What `inspect` answers for "node" or "node.output"; a problem fails the test.
+inline Json looked_up(const Json& graph, const std::string& place, const Json& parameters = Json::object(),
+                      bool full = false) {
+  static const Engine engine;
+  const Cancel cancel;
+  const std::size_t dot = place.find('.');
+  const std::string output = dot == std::string::npos ? "" : place.substr(dot + 1);
+  const Result<Json> answer = engine.inspect({graph, parameters, place.substr(0, dot), output, full}, cancel);
+  if (!answer) FAIL(to_json(answer.problems()).dump());
+  return *answer;
+}
+
+/// Numbers, triples and lists of them, to a tolerance relative to the expected size, at least one.
+inline void require_near(const Json& value, const Json& expected, double tolerance) {
+  INFO("got " << value.dump() << ", expected " << expected.dump());
+  if (expected.is_array()) {
+    REQUIRE(value.size() == expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) require_near(value[i], expected[i], tolerance);
+    return;
+  }
+  REQUIRE(value.is_number());
+  const double wanted = expected.get<double>();
+  REQUIRE(std::abs(value.get<double>() - wanted) <= tolerance * std::max(1.0, std::abs(wanted)));
+}
+
+}  // namespace dini::support
