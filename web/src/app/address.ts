@@ -8,6 +8,11 @@ export function exampleInAddress(): string | null {
   return new URLSearchParams(location.hash.slice(1)).get("example");
 }
 
+/** True for "?view=picture": the model alone on a plain ground, drawn smoothly, as the pictures of the examples are made. */
+export function wantsPicture(): boolean {
+  return new URLSearchParams(location.search).get("view") === "picture";
+}
+
 /** Keeps address and open example equal, both ways. */
 export function keepAddress(session: Session): void {
   let written: string | null = null;
