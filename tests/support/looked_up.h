@@ -1,48 +1,14 @@
 #pragma once
 
-// What an engine finds on the wires of a graph, as plain numbers.
+// The example graphs, and what the engine finds on their wires.
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <fstream>
 
 #include "service/engine.h"
 
 namespace dini::support {
-
-inline const Engine& engine() {
-  static const Engine one;
-  return one;
-}
-
-/// The answer of `inspect`; a problem fails the test.
-inline Json looked_up(const Json& graph, const std::string& node, const std::string& output = "", const Json& parameters = Json::object(),
-                      bool full = false) {
-  const Cancel cancel;
-  const Result<Json> answer = engine().inspect({graph, parameters, node, output, full}, cancel);
-  if (!answer.has_value()) FAIL(to_json(answer.error()).dump());
-  return *answer;
-}
-
-/// The code of the first problem that keeps a wire from having a value, or nothing.
-inline std::string problem_of(const Json& graph, const std::string& node, const Json& parameters = Json::object()) {
-  const Cancel cancel;
-  const Result<Json> answer = engine().inspect({graph, parameters, node, "", false}, cancel);
-  return answer.has_value() ? "" : to_json(answer.error())[0]["code"].get<std::string>();
-}
-
-inline Json only_value(const Json& graph, const std::string& node, const std::string& output = "") {
-  const Json answer = looked_up(graph, node, output);
-  REQUIRE(answer["values"].size() == 1);
-  return answer["values"][0];
-}
-
-/// A document of one node called "it", and the nodes that it refers to.
-inline Json graph_of(const std::string& type, Json inputs, Json others = Json::object()) {
-  others["it"] = {{"type", type}, {"inputs", std::move(inputs)}};
-  return {{"format", 1}, {"nodes", std::move(others)}};
-}
-inline Json made(const std::string& type, Json inputs) { return {{"type", type}, {"inputs", std::move(inputs)}}; }
-inline Json from(const std::string& wire) { return {{"from", wire}}; }
 
 /// One of the example graphs; the build says where they are.
 inline Json example(const std::string& name) {
@@ -51,9 +17,20 @@ inline Json example(const std::string& name) {
   return Json::parse(file);
 }
 
-inline Vector vector_at(const Json& triple) { return {triple[0], triple[1], triple[2]}; }
+/// What `inspect` answers for "node" or "node.output"; a problem fails the test.
+inline Json looked_up(const Json& graph, const std::string& place, const Json& parameters = Json::object(),
+                      bool full = false) {
+  static const Engine engine;
+  const Cancel cancel;
+  const std::size_t dot = place.find('.');
+  const std::string output = dot == std::string::npos ? "" : place.substr(dot + 1);
+  const Result<Json> answer = engine.inspect({graph, parameters, place.substr(0, dot), output, full}, cancel);
+  if (!answer) FAIL(to_json(answer.problems()).dump());
+  return *answer;
+}
 
-inline void require_near(const Json& value, const Json& expected, double tolerance = 1e-12) {
+/// Numbers, triples and lists of them, to a tolerance relative to the expected size, at least one.
+inline void require_near(const Json& value, const Json& expected, double tolerance) {
   INFO("got " << value.dump() << ", expected " << expected.dump());
   if (expected.is_array()) {
     REQUIRE(value.size() == expected.size());
