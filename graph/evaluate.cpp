@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <iterator>
 #include <tbb/task_group.h>
 
 #include "graph/run_node.h"
@@ -47,11 +48,10 @@ class Evaluator {
 
   Result<Evaluation> run(const std::vector<std::size_t>& targets) {
     find_needed(targets);
-    for (const std::size_t node : to_run_) {
-      if (jobs_.at(node).waiting_for == 0) ready_.push_back(node);
-    }
-    // A copy: jobs that become ready while others run are started by the last job they waited for.
-    const std::vector<std::size_t> first = ready_;
+    // Found before any is started: jobs that become ready later are started by the last job they waited for.
+    std::vector<std::size_t> first;
+    std::copy_if(to_run_.begin(), to_run_.end(), std::back_inserter(first),
+                 [this](std::size_t node) { return jobs_.at(node).waiting_for == 0; });
     for (const std::size_t node : first) start(node);
     tasks_.wait();
     if (cancel_.stopped()) return stopped_problem(cancel_.reason());
@@ -72,10 +72,11 @@ class Evaluator {
     while (!stack.empty()) {
       const std::size_t node = stack.back();
       stack.pop_back();
-      if (jobs_.contains(node) || plan_.nodes[node].bypass) {
-        if (plan_.nodes[node].bypass) push_bypassed(node, stack);
+      if (plan_.nodes[node].bypass) {
+        push_bypassed(node, stack);
         continue;
       }
+      if (jobs_.contains(node)) continue;
       Job& job = jobs_[node];
       if (auto result = cache_.find(plan_.nodes[node].fingerprint)) {
         job.run = {0, true, std::move(result)};
@@ -147,7 +148,6 @@ class Evaluator {
   const Progress& progress_;
   std::map<std::size_t, Job> jobs_;
   std::vector<std::size_t> to_run_;
-  std::vector<std::size_t> ready_;
   std::atomic<std::size_t> done_ = 0;
   tbb::task_group tasks_;
 };

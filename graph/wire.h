@@ -36,7 +36,7 @@ struct Asset {
   std::string bytes;
   std::size_t vertices = 0;
   std::size_t triangles = 0;
-  double position_error = 0;  ///< Bound of the error per coordinate that the encoding added, in meters.
+  double position_error = 0;  ///< Bound of the distance by which the encoding moved any point, in meters.
 };
 
 using SharedAsset = std::shared_ptr<const Asset>;

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "algebra/extract.h"
 #include "geometry/circle_grid.h"
 #include "gltf/glb_writer.h"
@@ -9,8 +11,9 @@ namespace dini {
 namespace {
 
 constexpr std::size_t circle_segments = 256;
-constexpr double line_extent = 20;  ///< meters of a line that are drawn
-constexpr int draft_speed = 9;
+constexpr double line_extent = 20;                    ///< meters of a line that are drawn
+constexpr int draft_speed = 7;                        ///< At least: faster levels gain little time and double the size.
+constexpr double root_of_three = 1.7320508075688772;  ///< From an error per axis to a distance.
 constexpr Color curve_color = {0.95, 0.69, 0.13, 1};
 constexpr Color point_color = {0.95, 1.0, 0.44, 1};
 
@@ -74,14 +77,15 @@ Attempt<SharedAsset> export_glb(const Context& context,
   EncodeOptions options;
   options.position_bits = static_cast<int>(position_bits);
   options.normal_bits = static_cast<int>(normal_bits);
-  options.speed = context.quality() == Quality::draft ? draft_speed : static_cast<int>(speed);
+  options.speed = static_cast<int>(speed);
+  if (context.quality() == Quality::draft) options.speed = std::max(options.speed, draft_speed);
   options.normals = normals;
   EncodeResult<EncodedScene> encoded = encode_scene(scene_of(model.values), options, context.cancel());
   if (const auto* error = std::get_if<EncodeError>(&encoded)) return failure_of(*error);
   EncodedScene& scene = std::get<EncodedScene>(encoded);
   for (const std::string& part : scene.empty_parts) context.warn({"empty", part + " has nothing to draw", "model"});
-  return std::make_shared<const Asset>(
-      Asset{"model/gltf-binary", std::move(scene.glb), scene.vertices, scene.triangles, scene.position_error});
+  return std::make_shared<const Asset>(Asset{"model/gltf-binary", std::move(scene.glb), scene.vertices, scene.triangles,
+                                             root_of_three * scene.position_error});
 }
 
 }  // namespace

@@ -51,14 +51,13 @@ std::tuple<SharedMesh, double, double> colored_by_curvature(const Context& conte
   return {copy, *least, *most};
 }
 
-Attempt<SharedMesh> colored_by_number(const SharedMesh& shape, double value, double minimum, double maximum,
-                                      Palette palette) {
-  if (minimum == maximum) return Failure{"degenerate", "minimum and maximum must differ", "maximum"};
-  const std::array<float, 4> color = palette_color(palette, (value - minimum) / (maximum - minimum));
+SharedMesh colored_by_number(const SharedMesh& shape, double value, double minimum, double maximum, Palette palette) {
+  const double place = minimum == maximum ? 0.5 : (value - minimum) / (maximum - minimum);
+  const std::array<float, 4> color = palette_color(palette, place);
   auto copy = std::make_shared<Mesh>(*shape);
   copy->colors.clear();
   std::copy(color.begin(), color.end(), copy->color.begin());
-  return SharedMesh(copy);
+  return copy;
 }
 
 std::size_t box_vertices(const Literals& literals, const Axes&) {
@@ -119,8 +118,8 @@ void add_mesh_tools(Registry& registry) {
                    .title("Color by number")
                    .family("meshes")
                    .doc("Gives each mesh of a family the color of a number on a palette.")
-                   .details("Numbers outside the range take the nearer end, or go around on the cyclic palette. An "
-                            "empty range is an error.")
+                   .details("Numbers outside the range take the nearer end, or go around on the cyclic palette. With "
+                            "equal ends every number takes the middle.")
                    .input("shape", "The mesh.")
                    .input("value", "The number.")
                    .input("minimum", "Number at the start of the palette.", defaults(0).soft(-10, 10))

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cmath>
+
 #include "algebra/extract.h"
 #include "geometry/circle_grid.h"
 #include "geometry/sampling.h"
@@ -60,11 +63,13 @@ Attempt<SharedMesh> tube_of_circle(const Context& context, const Circle& shape, 
   if (!found) return Failure{"degenerate", "there is no circle to put a tube around", "shape"};
   const auto wanted = static_cast<std::size_t>(segments);
   const std::size_t used = context.quality() == Quality::draft ? std::min(wanted, draft_segments) : wanted;
-  Polyline curve{Column<Point>(found->line ? 3 : used), !found->line};
+  Polyline curve{Column<Point>(found->line ? 2 : used), !found->line};
   if (found->line) {
-    // The ends lie beyond the clip radius unless the line meets the origin; its middle is the point nearest the origin.
-    for (std::size_t i = 0; i < 3; ++i)
-      curve.points.set(i, point_at(*found, 0.5 * static_cast<double>(i) - 0.5, 2 * clip_radius));
+    // The chord of the clip sphere, a hair shorter so that round-off leaves its ends inside.
+    const double distance = std::min(length(to_vector(found->point)), clip_radius);
+    const double chord = 2 * (1 - 1e-9) * std::sqrt((clip_radius - distance) * (clip_radius + distance));
+    curve.points.set(0, point_at(*found, -0.5, chord));
+    curve.points.set(1, point_at(*found, 0.5, chord));
   } else {
     curve.points = sample_circle_row({found}, used, false, clip_radius);
   }

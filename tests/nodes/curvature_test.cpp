@@ -74,7 +74,7 @@ TEST_CASE("A zero normal is an error, a u_direction along the normal is replaced
 }
 
 TEST_CASE("A curvature patch has the curvatures asked for at its corners") {
-  const std::size_t count = 401;
+  const std::size_t count = 801;
   const Json patch = make("curvature_patch", {{"curvature_u_a", 1.5},
                                               {"curvature_v_a", -0.7},
                                               {"curvature_u_b", -1},

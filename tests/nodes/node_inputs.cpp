@@ -66,7 +66,7 @@ class Source {
 
   std::string point() {
     if (rank_ == 0) {
-      add("place", "point", {{"position", {0.4, -0.3, 0.6}}});
+      add("place", "point", {{"position", {0.4 + mark(), -0.3, 0.6 + mark() * mark()}}});
     } else if (rank_ == 1) {
       add("ring", "circle", {{"normal", {0.2, 0.1, 1}}});
       add("place", "sample", {{"shape", from(prefix_ + "ring")}, {"count", 5}, {"axis", "rows"}});
@@ -81,6 +81,13 @@ class Source {
     add("straight", "line",
         {{"point", {0.3, 0.4, 0}}, {"direction", {0.2 * static_cast<double>(prefix_.size()), 0.5, 1}}});
     return add("line", "translate", {{"shape", from(prefix_ + "straight")}, {"vector", from(shift())}});
+  }
+
+  /// A number that differs from port to port, for nodes that take no two equal points.
+  double mark() const {
+    int sum = 0;
+    for (const char letter : prefix_) sum += letter;
+    return 0.07 * (sum % 13);
   }
 
   Json& nodes_;

@@ -1,193 +1,243 @@
-// What must hold of the figures of the paper, looked up in the example graphs as a user would.
+// The reference numbers of the paper's constructions (tests/data/boosted_surfaces.json), reached through graph
+// documents.
 
-#include <filesystem>
+#include <catch2/catch.hpp>
 
-#include "algebra/vector.h"
-#include "tests/support/looked_up.h"
+#include "tests/support/close.h"
+#include "tests/support/reference.h"
+#include "tests/support/requests.h"
 
 using namespace dini;
 using namespace dini::support;
 
 namespace {
 
-double at(const Json& answer, std::size_t index) { return answer["values"][index].get<double>(); }
-
-Vector triple(const Json& value) { return {value[0], value[1], value[2]}; }
-
-/// How often two closed curves wind around each other: the Gauss integral over polygons, a whole number up to
-/// round-off.
-double linking(const std::vector<Vector>& a, const std::vector<Vector>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const Vector da = a[(i + 1) % a.size()] - a[i], pa = 0.5 * (a[i] + a[(i + 1) % a.size()]);
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const Vector db = b[(j + 1) % b.size()] - b[j], r = pa - 0.5 * (b[j] + b[(j + 1) % b.size()]);
-      sum += dot(cross(da, db), r) / std::pow(length(r), 3);
-    }
-  }
-  return sum / (16 * std::atan(1.0));
+const Engine& engine() {
+  static const Engine one;
+  return one;
 }
 
-std::vector<Vector> polygon(const Json& circle) {
-  const Vector normal = triple(circle["normal"]), ahead = any_perpendicular(normal), left = cross(normal, ahead);
-  std::vector<Vector> points;
-  for (int i = 0; i < 240; ++i) {
-    const double angle = i * (std::atan(1.0) * 8 / 240);
-    points.push_back(triple(circle["center"]) +
-                     circle["radius"].get<double>() * (std::cos(angle) * ahead + std::sin(angle) * left));
+Vector vector_of(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
+
+Json value_at(const Json& nodes, const std::string& place) { return inspected(engine(), document(nodes), place).at(0); }
+
+void require_near(const Json& value, const Json& expected) { require_close(vector_of(value), vector_of(expected)); }
+
+Json pair(const Json& at, const Json& direction, const Json& split = 0) {
+  return make("point_pair", {{"position", at}, {"direction", direction}, {"split", split}});
+}
+Json pair(const Json& item) { return pair(item["at"], item["dir"]); }
+
+Json point(const Json& at) { return make("point", {{"position", at}}); }
+
+Json boost(const Json& amount, const std::string& rule = "exact") {
+  return make("boost",
+              {{"shape", from("shape")}, {"generator", from("generator")}, {"amount", amount}, {"rule", rule}});
+}
+
+/// The image of item["point"] under exp(amount * node "generator"), by both rules.
+void require_both_rules(Json nodes, const Json& item, const Json& amount) {
+  nodes["shape"] = point(item["point"]);
+  for (const auto& [rule, expected] : {std::pair{"exact", "exact_exp"}, {"paper", "paper_rule"}}) {
+    if (!item.contains(expected)) continue;
+    nodes["image"] = boost(amount, rule);
+    require_near(value_at(nodes, "image"), item[expected]);
   }
-  return points;
+}
+
+void require_circle(const Json& value, const Json& item, bool oriented) {
+  require_near(value["center"], item.contains("centre") ? item["centre"] : item["circle_centre"]);
+  CHECK(value["radius"].get<double>() == Approx(item["radius"].get<double>()).epsilon(1e-12));
+  const Vector normal = vector_of(item["normal_up_to_sign"]), found = vector_of(value["normal"]);
+  require_close(found, (oriented || dot(found, normal) > 0 ? 1.0 : -1.0) * normal);
 }
 
 }  // namespace
 
-TEST_CASE("every example graph evaluates, and says for which figure it stands") {
-  for (const auto& file : std::filesystem::directory_iterator(DINI_EXAMPLES)) {
-    CAPTURE(file.path().string());
-    const Json graph = example(file.path().stem().string());
-    CHECK_FALSE(graph["meta"]["title"].get<std::string>().empty());
-    CHECK(looked_up(graph, "out")["type"] == "asset");
+TEST_CASE("figure 1 in a graph: the boosted circle grows into a line and turns inside out") {
+  for (const Json& item : reference()["a"]["items"]) {
+    const Json nodes = {
+        {"shape", make("circle")}, {"generator", pair({0, 0, 0}, {1, 0, 0})}, {"image", boost(item["lambda"])}};
+    const Json image = value_at(nodes, "image.shape");
+    if (item.contains("centre")) {
+      require_circle(image, item, true);
+    } else {
+      CHECK(image["line"] == true);
+      require_near(image["point"], {0.5, 0, 0});
+      require_near(image["direction"], {0, 1, 0});
+    }
   }
 }
 
-TEST_CASE("Fig. 1: the circle boosted in its plane has its center at l/(l^2-1) and is a line at 1, reversed beyond") {
-  const Json graph = example("fig01_boosted_in_plane");
-  const Json k = looked_up(graph, "k"), circles = looked_up(graph, "boosted");
-  bool line_seen = false;
-  for (std::size_t i = 0; i < k["values"].size(); ++i) {
-    const double l = at(k, i);
-    const Json& circle = circles["values"][i];
-    if (circle.contains("line")) {
-      line_seen = true;
-      CHECK(l == 1);
-      require_near(circle["point"], {0.5, 0, 0}, 1e-15);
+TEST_CASE("points under one null pair in a graph") {
+  for (const Json& item : reference()["b"]["items"]) {
+    for (const std::string rule : {"exact", "paper"}) {
+      const Json nodes = {{"shape", point(item["point"])},
+                          {"generator", pair(item["tau_position"], item["tau_direction"])},
+                          {"image", boost(item["k"], rule)}};
+      require_near(value_at(nodes, "image"), item["result"]);
+    }
+  }
+}
+
+TEST_CASE("figure 10 in a graph: blends of two null pairs") {
+  for (const Json& item : reference()["c"]["items"]) {
+    const Json nodes = {{"a", pair(item["tau1"])},
+                        {"b", pair(item["tau2"])},
+                        {"generator", make("interpolate", {{"a", from("a")}, {"b", from("b")}, {"u", item["t"]}})}};
+    require_both_rules(nodes, item, item["s"]);
+  }
+  for (const Json& item : reference()["o"]["items"]) {
+    const Json nodes = {{"a", pair({0, 0, 0}, {0, 1, 0})},
+                        {"b", pair({1, 0, 0}, {0, 0, 1})},
+                        {"generator", make("interpolate", {{"a", from("a")}, {"b", from("b")}, {"u", item["t"]}})},
+                        {"shape", point({item["t"], 0, 0})},
+                        {"image", boost(item["s"])}};
+    require_near(value_at(nodes, "image"), item["exact_exp"]);
+  }
+}
+
+TEST_CASE("figure 11 in a graph: bilinear blends of four point pairs") {
+  const Json& corners = reference()["d"]["corners"];  // around the square: (0,0) (1,0) (1,1) (0,1)
+  Json nodes = {{"a", pair(corners[0])}, {"b", pair(corners[1])}, {"c", pair(corners[3])}, {"d", pair(corners[2])}};
+  for (const Json& item : reference()["d"]["items"]) {
+    nodes["generator"] = make(
+        "interpolate",
+        {{"a", from("a")}, {"b", from("b")}, {"c", from("c")}, {"d", from("d")}, {"u", item["u"]}, {"v", item["v"]}});
+    require_both_rules(nodes, item, item["s"]);
+  }
+}
+
+TEST_CASE("figure 9 in a graph: warps by several point pairs, with both weights, rules and methods") {
+  const auto warped = [](const Json& generators, const Json& item, double softening, const std::string& rule,
+                         const std::string& method) {
+    Json nodes = {{"p", point(item["point"])}};
+    Json links = Json::array();
+    for (const Json& generator : generators) {
+      const std::string id = "g" + std::to_string(links.size());
+      nodes[id] = pair(generator);
+      links.push_back(from(id));
+    }
+    nodes["image"] = make("warp", {{"shape", from("p")},
+                                   {"generators", links},
+                                   {"strength", item["s"]},
+                                   {"softening", softening},
+                                   {"rule", rule},
+                                   {"method", method}});
+    return value_at(nodes, "image");
+  };
+  for (const auto& [name, softening] : {std::pair{"e_bare", 0.0}, {"e_softened", 1.0}}) {
+    for (const Json& item : reference()[name]["items"]) {
+      const Json& generators = reference()[name]["generators"];
+      require_near(warped(generators, item, softening, "exact", "sum_generators"), item["exact_exp"]);
+      require_near(warped(generators, item, softening, "paper", "sum_generators"), item["paper_rule"]);
+    }
+  }
+  for (const Json& item : reference()["l"]["items"]) {
+    const Json& generators = reference()["l"]["generators"];
+    require_near(warped(generators, item, 0, "exact", "sum_generators"), item["exact_exp"]);
+    require_near(warped(generators, item, 0, "paper", "sum_generators"), item["sum_then_one_rotor"]);
+    require_near(warped(generators, item, 0, "exact", "sum_displacements"), item["sum_of_displacements"]);
+    require_near(warped(generators, item, 0, "paper", "sum_displacements"), item["sum_of_displacements"]);
+  }
+}
+
+TEST_CASE("figure 13 in a graph: a line bends to a circle of the given curvature") {
+  for (const Json& item : reference()["f"]["items"]) {
+    const Json nodes = {{"shape", make("line", {{"point", {1, 2, 3}}, {"direction", {0, 0, 1}}})},
+                        {"generator", pair({1, 2, 3}, {1, 0, 0})},
+                        {"image", boost(-0.5 * item["kappa"].get<double>())}};
+    require_circle(value_at(nodes, "image"), item, true);
+  }
+}
+
+TEST_CASE("figure 14 in a graph: local curvature from two point pairs") {
+  for (const Json& item : reference()["g"]["items"]) {
+    for (const std::string rule : {"exact", "paper"}) {
+      const Json nodes = {
+          {"u", pair({item["u"], 0, 0}, {0, 1, 0})},
+          {"v", pair({0, 0, item["v"]}, {0, 1, 0})},
+          {"generator", make("add", {{"generators", {from("u"), from("v")}}, {"weights", {item["ku"], item["kv"]}}})},
+          {"shape", point(item["point"])},
+          {"image", boost(item["s"], rule)}};
+      require_near(value_at(nodes, "image"), item["result"]);
+    }
+  }
+}
+
+TEST_CASE("figures 6 and 7 in a graph: fibers by boost and twist between lines") {
+  for (const Json& item : reference()["i"]["items"]) {
+    const double k = item["phi"].get<double>() + 0.5;
+    const Json nodes = {
+        {"shape", make("circle", {{"normal", {0, 1, 0}}})},
+        {"pole", make("line", {{"direction", {0, -1, 0}}})},
+        {"x", make("expression", {{"formula", "cos(pi * x)"}, {"x", item["theta"]}})},
+        {"z", make("expression", {{"formula", "sin(pi * x)"}, {"x", item["theta"]}})},
+        {"outward", make("vector", {{"x", from("x")}, {"z", from("z")}})},
+        {"generator", make("point_pair", {{"direction", from("outward")}})},
+        {"limit", boost(1)},
+        {"boosted", boost(k)},
+        {"image", make("twist_between",
+                       {{"shape", from("boosted")}, {"from", from("limit")}, {"to", from("pole")}, {"amount", k}})}};
+    require_circle(value_at(nodes, "image"), item, false);
+  }
+}
+
+TEST_CASE("figures 4 and 5 in a graph: boosted helices") {
+  for (const Json& item : reference()["j"]["items"]) {
+    const Json nodes = {{"shape", point(item["helix_point"])},
+                        {"generator", pair(item["generator_at"], item["generator_dir_times_j"])},
+                        {"image", boost(1)}};
+    require_near(value_at(nodes, "image"), item["result"]);
+  }
+}
+
+TEST_CASE("figure 8 in a graph: flat points and split pairs") {
+  for (const Json& item : reference()["k"]["items"]) {
+    Json nodes = {{"shape", point(item["point"])}};
+    if (item.contains("exp_plus")) {
+      nodes["generator"] = make("flat_point", {{"position", {1, 2, 3}}});
+      nodes["image"] = boost(-0.5);
+      require_near(value_at(nodes, "image"), item["exp_plus"]);
       continue;
     }
-    // The condition of both numbers near the line is that of 1/(l^2-1).
-    const double tolerance = 1e-14 / std::abs(l * l - 1);
-    require_near(circle["center"], {l / (l * l - 1), 0, 0}, tolerance);
-    require_near(circle["radius"], 1 / std::abs(l * l - 1), tolerance);
-    require_near(circle["normal"], {0, 0, l < 1 ? 1 : -1}, 1e-14);
-  }
-  CHECK(line_seen);
-}
-
-TEST_CASE("Fig. 2: the circle boosted along its normal has its center at l/(1+l^2) and the radius 1/(1+l^2)") {
-  const Json graph = example("fig02_boosted_circle");
-  const Json k = looked_up(graph, "k"), circles = looked_up(graph, "boosted");
-  for (std::size_t i = 0; i < k["values"].size(); ++i) {
-    const double l = at(k, i);
-    require_near(circles["values"][i]["center"], {0, 0, l / (1 + l * l)}, 1e-14);
-    require_near(circles["values"][i]["radius"], 1 / (1 + l * l), 1e-14);
-  }
-}
-
-TEST_CASE(
-    "Fig. 3: both rules give the same loxodromes when the directions are parallel, and others when they are not") {
-  const Json graph = example("fig03_loxodromes");
-  const auto farthest = [&](double angle) {
-    const Json exact = looked_up(graph, "carried", {{"angle", angle}, {"reach", 0.7}, {"rule", "exact"}});
-    const Json paper = looked_up(graph, "carried", {{"angle", angle}, {"reach", 0.7}, {"rule", "paper"}});
-    double most = 0;
-    for (std::size_t i = 0; i < exact["values"].size(); ++i) {
-      most = std::max(most, length(triple(exact["values"][i]) - triple(paper["values"][i])));
+    for (const auto& [name, sign] : {std::pair{"B=no^t + d (t^ni)", -1.0}, {"B=no^t - d (t^ni)", 1.0}}) {
+      nodes["generator"] = pair(item["position"], item["direction"], sign * item["d"].get<double>());
+      nodes["image"] = boost(item["s"]);
+      require_near(value_at(nodes, "image"), item[name]["result"]);
     }
-    return most;
+  }
+}
+
+TEST_CASE("figure 3 in a graph: loxodromes") {
+  for (const Json& item : reference()["n"]["items"]) {
+    const Json nodes = {{"a", pair({0, 0, 0}, item["a"])},
+                        {"b", make("direction", {{"direction", item["b"]}})},
+                        {"generator", make("add", {{"generators", {from("a"), from("b")}},
+                                                   {"weights", {item["lambda"], item["gamma"]}}})}};
+    require_both_rules(nodes, item, 1);
+  }
+}
+
+TEST_CASE("eq. 11 in a graph: powers of the twist between two lines") {
+  const auto line = [](Json at, Json direction) {
+    return make("line", {{"point", std::move(at)}, {"direction", std::move(direction)}});
   };
-  CHECK(farthest(0) < 1e-11);
-  CHECK(farthest(180) < 1e-11);
-  CHECK(farthest(90) > 0.1);
-}
-
-TEST_CASE("Fig. 4: the boosted ring lies on a horn torus, and its Gauss curvature is cos(th)/(a r)") {
-  const Json graph = example("fig04_boosted_ring");
-  const double h = 1.5, a = (1 + h * h) / 2;
-  const Json circles = looked_up(graph, "boosted");
-  double least = 1e9, most = -1e9;
-  for (const Json& circle : circles["values"]) {
-    const double r = circle["radius"], height = circle["center"][2].get<double>() - h;
-    CHECK(std::abs(std::hypot(r - a, height) - a) < 1e-12);
-    const double curvature = (r - a) / a / (a * r);
-    least = std::min(least, curvature);
-    most = std::max(most, curvature);
-  }
-  // Least squares over triangles: second order inside, first order at the two borders, where the extremes are.
-  CHECK(std::abs(looked_up(graph, "paint.minimum")["values"][0].get<double>() - least) < 0.02 * std::abs(least));
-  CHECK(std::abs(looked_up(graph, "paint.maximum")["values"][0].get<double>() - most) < 0.02);
-}
-
-TEST_CASE("The exact pseudosphere has the Gauss curvature -1 everywhere") {
-  const Json graph = example("exact_pseudosphere");
-  const Json u = looked_up(graph, "u"), circles = looked_up(graph, "tractrix");
-  for (std::size_t i = 0; i < u["values"].size(); ++i) {
-    require_near(circles["values"][i]["radius"], 1 / std::cosh(at(u, i)), 1e-14);
-    require_near(circles["values"][i]["center"], {0, 0, at(u, i) - std::tanh(at(u, i))}, 1e-14);
-  }
-  CHECK(looked_up(graph, "paint.minimum")["values"][0].get<double>() > -1.1);
-  CHECK(looked_up(graph, "paint.maximum")["values"][0].get<double>() < -0.9);
-}
-
-TEST_CASE("The exact surface of Dini has the Gauss curvature -1/(1+b^2) everywhere") {
-  const Json graph = example("exact_dini");
-  for (const double climb : {0.1, 0.2, 0.5}) {
-    CAPTURE(climb);
-    const double curvature = -1 / (1 + climb * climb);
-    CHECK(looked_up(graph, "paint.minimum", {{"climb", climb}})["values"][0].get<double>() > 1.1 * curvature);
-    CHECK(looked_up(graph, "paint.maximum", {{"climb", climb}})["values"][0].get<double>() < 0.9 * curvature);
-  }
-}
-
-TEST_CASE(
-    "Fig. 7: every pair of fibres links once, and the squared radius less that of the center is 1 only when exact") {
-  const Json graph = example("fig07_hopf_fibres");
-  const std::string method = GENERATE(as<std::string>{}, "paper", "exact");
-  const Json chosen = {{"method", method}, {"fibres", 5}};
-  const Json circles = looked_up(graph, "fibres", chosen), latitudes = looked_up(graph, "latitude", chosen);
-  REQUIRE(circles["values"].size() == 15);
-  const bool theta_first = circles["axes"][0]["name"] == "theta";
-  std::vector<std::vector<Vector>> fibres;
-  for (std::size_t i = 0; i < 15; ++i) {
-    const double k = at(latitudes, theta_first ? i % 3 : i / 5);
-    const Json& circle = circles["values"][i];
-    const double r = circle["radius"], c = length(triple(circle["center"]));
-    require_near(r * r - c * c, method == "exact" ? 1 : 1 - k * k / 4, 1e-12);
-    fibres.push_back(polygon(circle));
-  }
-  for (std::size_t i = 0; i < fibres.size(); ++i) {
-    for (std::size_t j = i + 1; j < fibres.size(); ++j) {
-      CAPTURE(method, i, j);
-      CHECK(std::abs(std::abs(linking(fibres[i], fibres[j])) - 1) < 0.05);
+  for (const Json& item : reference()["m"]["items"]) {
+    const std::string name = item["case"];
+    Json nodes = {
+        {"p", point(item["point"])}, {"from", line({0.5, 0, 0}, {0, 1, 0})}, {"to", line({0, 0, 0}, {0, 0, 1})}};
+    if (name.starts_with("motor2")) {
+      nodes["from"] = line({1, 2, 3}, {1, 1, 0});
+      nodes["to"] = line({-1, 0, 0.5}, {0.2, -1, 0.7});
+    } else if (name.starts_with("motor_p")) {
+      nodes["from"] = line({0, 0, 0}, {0, 0, 1});
+      nodes["to"] = line({2, 0, 0}, {0, 0, 1});
     }
-  }
-}
-
-TEST_CASE("Fig. 13: the line becomes a circle of radius 1/kappa through the point, and comes back") {
-  const Json graph = example("fig13_line_to_circle");
-  const Json kappa = looked_up(graph, "kappa"), circles = looked_up(graph, "circles");
-  for (std::size_t i = 1; i < kappa["values"].size(); ++i) {
-    require_near(circles["values"][i]["radius"], 1 / at(kappa, i), 1e-14);
-    require_near(circles["values"][i]["center"], {1 / at(kappa, i), 0, 0}, 1e-14);
-  }
-  CHECK(circles["values"][0]["line"] == true);
-  const Json back = looked_up(graph, "back")["values"][0];
-  REQUIRE(back["line"] == true);
-  require_near(back["point"], {0, 0, 0}, 1e-14);
-  require_near(back["direction"], {0, 1, 0}, 1e-14);
-}
-
-TEST_CASE("Fig. 16: the family of weights is on its closed form") {
-  const Json graph = example("fig16_product_of_points");
-  const Json weights = looked_up(graph, "weights"), amounts = looked_up(graph, "part"),
-             circles = looked_up(graph, "carried");
-  REQUIRE(circles["axes"][0]["name"] == "w");
-  const std::size_t size = amounts["values"].size();
-  for (std::size_t i = 0; i < weights["values"].size(); ++i) {
-    for (std::size_t j = 0; j < size; ++j) {
-      const double w = at(weights, i), l = at(amounts, j), m = 2 * l / (1 + w), over = 1 + w * w * m * m;
-      const Json& circle = circles["values"][i * size + j];
-      require_near(circle["center"], {0, 0, 2 * l / over}, 1e-13);
-      // Near a pole the radius is a root of a difference: half the digits.
-      require_near(circle["radius"], std::abs(1 - w * m * m) / over, w == 1 && std::abs(l) > 0.99 ? 1e-7 : 1e-13);
-    }
+    nodes["image"] = make("twist_between", {{"shape", from("p")},
+                                            {"from", from("from")},
+                                            {"to", from("to")},
+                                            {"amount", std::stod(name.substr(name.find(' ')))}});
+    require_near(value_at(nodes, "image"), item["result"]);
   }
 }

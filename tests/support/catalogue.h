@@ -18,14 +18,6 @@ inline const Registry& catalogue() {
   return registry;
 }
 
-/// A node of a document.
-inline Json make(const std::string& type, Json inputs = Json::object()) {
-  return {{"type", type}, {"inputs", std::move(inputs)}};
-}
-
-/// A link to a node or to "node.output".
-inline Json from(const std::string& place) { return {{"from", place}}; }
-
 class CatalogueGraph;
 CatalogueGraph graph_of(const Json& nodes, Quality quality);
 

@@ -7,11 +7,9 @@
 #include "graph/check.h"
 #include "graph/evaluate.h"
 #include "graph/parameters.h"
+#include "tests/support/documents.h"
 
 namespace dini::support {
-
-/// A format 1 document with these nodes.
-inline Json document(Json nodes) { return {{"format", 1}, {"nodes", std::move(nodes)}}; }
 
 inline CheckReport checked(const Registry& registry, const Json& json, const Json& parameters = Json::object(),
                            const Limits& limits = {}) {

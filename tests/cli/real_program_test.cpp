@@ -1,0 +1,146 @@
+// The program as it is installed, over the real engine.
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <unistd.h>
+
+#include "tests/cli/program.h"
+#include "tests/support/requests.h"
+
+using namespace dini;
+using namespace dini::support;
+
+namespace {
+
+using dini::testing::Outcome;
+using dini::testing::Program;
+
+Outcome run(const std::vector<std::string>& words, const std::string& input = "") {
+  std::vector<std::string> all = {DINI_PROGRAM};
+  all.insert(all.end(), words.begin(), words.end());
+  return Program(all, input).wait();
+}
+
+std::string contents(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  REQUIRE(file);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+std::filesystem::path example(const std::string& id) { return std::filesystem::path(DINI_EXAMPLES) / (id + ".json"); }
+
+/// A file name of this test run, removed at the end.
+struct TemporaryFile {
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("dini-real-" + std::to_string(::getpid()) + ".glb");
+  ~TemporaryFile() { std::filesystem::remove(path); }
+};
+
+/// A small graph around one node that can be made to go wrong.
+std::string graph_with(const Json& node) {
+  return document({{"n", node},
+                   {"ball", make("sphere_mesh", {{"segments", 8}, {"rings", 4}})},
+                   {"moved", make("scale", {{"shape", from("ball")}, {"factor", from("n")}})},
+                   {"out", make("export", {{"model", from("moved")}})}})
+      .dump();
+}
+
+}  // namespace
+
+TEST_CASE("eval writes the bytes of the engine, whatever the threads and instruction set") {
+  const TemporaryFile file;
+  const std::string path = example("fig11_patch").string();
+  const Json graph = examples().at("fig11_patch");
+  const std::string expected = file_of(
+      Engine(),
+      {.graph = graph, .parameters = {{"strength", 0.3}, {"rule", "paper"}}, .output = "", .quality = Quality::final});
+  const Outcome outcome =
+      run({"eval", path, "--set", "strength=0.3", "--set", "rule=paper", "-o", file.path.string(), "--threads", "1"});
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(contents(file.path) == expected);
+  const Outcome streamed =
+      run({"eval", "-", "--set", "strength=0.3", "--set", "rule=paper", "-o", "-", "--threads", "2"}, graph.dump());
+  CHECK(streamed.code == 0);
+  CHECK(streamed.out == expected);
+}
+
+TEST_CASE("a report is the engine's, beside the file") {
+  const Outcome outcome = run({"eval", example("fig11_patch").string(), "--quality", "draft", "--report", "-"});
+  REQUIRE(outcome.code == 0);
+  const Json report = Json::parse(outcome.out);
+  CHECK(report["quality"] == "draft");
+  CHECK(report["output"] == "out");
+  CHECK(report["nodes"]["patch"]["type"] == "patch");
+  CHECK(report["model"]["sha256"].get<std::string>().size() == 64);
+}
+
+TEST_CASE("each way to fail ends with its own exit code") {
+  const auto code = [](const Json& node, std::vector<std::string> more = {}) {
+    std::vector<std::string> words = {"eval", "-"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words, graph_with(node)).code;
+  };
+  const Json two = make("number", {{"value", 2}});
+  CHECK(code(two) == 0);
+  CHECK(code(make("check", {{"value", 2}, {"maximum", 1}})) == 1);
+  CHECK(code(two, {"--quality", "best"}) == 2);
+  CHECK(code(make("numbre")) == 3);
+  CHECK(code(two, {"--set", "reach=1"}) == 3);
+  CHECK(run({"eval", "-"}, "{\"format\": 1,").code == 3);
+  CHECK(code(make("expression", {{"formula", "1 / x"}})) == 4);
+  CHECK(code(make("expression", {{"formula", "-1"}})) == 4);
+  CHECK(code(make("range", {{"count", 10'000'000}})) == 5);
+  CHECK(code(two, {"-o", "/nowhere/out.glb"}) == 6);
+  CHECK(run({"eval", "/nowhere/graph.json"}).code == 6);
+  const Outcome unknown = run({"eval", "-", "--set", "reach=1"}, graph_with(two));
+  CHECK(unknown.err.starts_with("error[unknown-parameter] /parameters/reach: "));
+}
+
+TEST_CASE("a deadline ends an evaluation with the exit code of limits") {
+  Json generators = Json::array();
+  Json nodes = {{"sheet", make("grid", {{"count_u", 2000}, {"count_v", 2000}})}};
+  for (int i = 0; i < 64; ++i) {
+    const std::string id = "g" + std::to_string(i);
+    nodes[id] = make("point_pair", {{"position", {0.1 * i, 0, 1}}});
+    generators.push_back(from(id));
+  }
+  nodes["bent"] =
+      make("warp", {{"shape", from("sheet")}, {"generators", generators}, {"power", 1.5}, {"softening", 1}});
+  nodes["skin"] = make("surface", {{"shape", from("bent")}});
+  nodes["out"] = make("export", {{"model", from("skin")}});
+  const Outcome outcome = run({"eval", "-", "--deadline-ms", "30"}, document(nodes).dump());
+  CHECK(outcome.code == 5);
+  CHECK(outcome.err.starts_with("error[deadline]"));
+}
+
+TEST_CASE("inspect prints what the engine shows") {
+  const Outcome outcome =
+      run({"inspect", example("fig04_boosted_ring").string(), "boosted.shape", "--set", "reach=0.5"});
+  REQUIRE(outcome.code == 0);
+  const Json shown = Json::parse(outcome.out);
+  CHECK(shown["type"] == "circle");
+  CHECK(shown["values"] == inspected(Engine(), examples().at("fig04_boosted_ring"), "boosted.shape", {{"reach", 0.5}}));
+  CHECK(run({"inspect", example("fig04_boosted_ring").string(), "boostd"}).code != 0);
+}
+
+TEST_CASE("validate finds every example valid and says what a wrong graph lacks") {
+  for (const auto& [id, graph] : examples()) {
+    const Outcome outcome = run({"validate", example(id).string()});
+    CAPTURE(id, outcome.out, outcome.err);
+    CHECK(outcome.code == 0);
+  }
+  const Outcome wrong = run({"validate", "-"}, graph_with(make("numbre")));
+  CHECK(wrong.code == 3);
+  CHECK(wrong.out.find("error[unknown-node-type] n: ") == 0);
+}
+
+TEST_CASE("docs/nodes.md is what the program writes about its nodes") {
+  const Outcome outcome = run({"nodes", "--markdown"});
+  REQUIRE(outcome.code == 0);
+  INFO("docs/nodes.md is out of date; write it again with: build/dev/dini nodes --markdown > docs/nodes.md");
+  const bool current = contents(DINI_NODES_PAGE) == outcome.out;
+  CHECK(current);
+}

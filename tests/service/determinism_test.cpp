@@ -1,0 +1,147 @@
+// The same request gives the same bytes, however it is computed.
+
+#include <catch2/catch.hpp>
+#include <latch>
+#include <set>
+#include <tbb/global_control.h>
+#include <thread>
+
+#include "algebra/kernels.h"
+#include "tests/support/requests.h"
+
+using namespace dini;
+using namespace dini::support;
+
+namespace {
+
+EvaluateRequest request_for(const Json& graph, Json parameters = Json::object(), Quality quality = Quality::final) {
+  return {.graph = graph, .parameters = std::move(parameters), .output = "", .quality = quality};
+}
+
+/// The file from an engine that has computed nothing before.
+std::string fresh_file(const Json& graph) { return file_of(Engine(), request_for(graph)); }
+
+/// Puts the choice of instruction set back.
+struct RestoreInstructionSet {
+  ~RestoreInstructionSet() { kernels::force_instruction_set(""); }
+};
+
+/// A graph with an `amount` that all its results depend on.
+Json small_graph() {
+  Json graph = document(
+      {{"ball", make("sphere_mesh", {{"segments", 32}, {"rings", 16}})},
+       {"pair", make("point_pair", {{"position", {2, 0, 0}}})},
+       {"moved",
+        make("boost", {{"shape", from("ball")}, {"generator", from("pair")}, {"amount", {{"parameter", "amount"}}}})},
+       {"out", make("export", {{"model", from("moved")}})}});
+  graph["parameters"] = {{"amount", {{"type", "number"}, {"default", 0.1}, {"min", 0}, {"max", 1}}}};
+  return graph;
+}
+
+}  // namespace
+
+TEST_CASE("files are the same with one thread and with several") {
+  for (const auto& [id, graph] : examples()) {
+    CAPTURE(id);
+    std::set<std::string> files;
+    for (const std::size_t threads : {1, 2, 4}) {
+      const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+      files.insert(fresh_file(graph));
+    }
+    CHECK(files.size() == 1);
+  }
+}
+
+TEST_CASE("files are the same with the lowest and the highest instruction set") {
+  const RestoreInstructionSet restore;
+  for (const auto& [id, graph] : examples()) {
+    CAPTURE(id);
+    std::set<std::string> files;
+    for (const char* name : {kernels::instruction_sets().front(), kernels::instruction_sets().back()}) {
+      REQUIRE(kernels::force_instruction_set(name));
+      files.insert(fresh_file(graph));
+    }
+    CHECK(files.size() == 1);
+  }
+}
+
+TEST_CASE("files are the same from a cold cache, a warm one, and one that knows only parts") {
+  for (const auto& [id, graph] : examples()) {
+    CAPTURE(id);
+    const Engine engine;
+    const auto parameter = graph["parameters"].items().begin();
+    const Json other =
+        parameter.value().contains("max") ? parameter.value()["max"] : parameter.value()["choices"].back();
+    file_of(engine, request_for(graph, {{parameter.key(), other}}));
+    const std::string partly = file_of(engine, request_for(graph));
+    CHECK(partly == fresh_file(graph));
+    CHECK(partly == file_of(engine, request_for(graph)));
+  }
+}
+
+TEST_CASE("a warm cache is used") {
+  const Engine engine;
+  const Json graph = small_graph();
+  const auto cached = [&](const Json& amount) {
+    const Result<Evaluated> answer = answered(engine, request_for(graph, {{"amount", amount}}));
+    require_none(answer ? Problems{} : answer.problems());
+    std::set<std::string> nodes;
+    for (const auto& [id, node] : answer->report()["nodes"].items()) {
+      if (node["cached"] == true) nodes.insert(id);
+    }
+    return nodes;
+  };
+  CHECK(cached(0.1).empty());
+  CHECK(cached(0.1) == std::set<std::string>{"ball", "moved", "out", "pair"});
+  CHECK(cached(0.2) == std::set<std::string>{"ball", "pair"});
+}
+
+TEST_CASE("eight identical requests at once are computed once and all answered") {
+  const Engine engine;
+  const Json graph = small_graph();
+  constexpr int callers = 8;
+  std::latch together(callers);
+  std::vector<std::shared_ptr<const std::string>> files(callers);
+  std::vector<Json> reports(callers);
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 0; i < callers; ++i) {
+      threads.emplace_back([&, i] {
+        together.arrive_and_wait();
+        const Result<Evaluated> answer = answered(engine, request_for(graph));
+        if (!answer) return;
+        files[i] = answer->glb;
+        reports[i] = answer->report();
+      });
+    }
+  }
+  // Callers that shared a flight share its file; those that came after it found everything cached.
+  std::set<const std::string*> computed;
+  for (std::size_t i = 0; i < callers; ++i) {
+    REQUIRE(files[i]);
+    CHECK(*files[i] == *files[0]);
+    if (reports[i]["nodes"]["moved"]["cached"] == false) computed.insert(files[i].get());
+  }
+  CHECK(computed.size() == 1);
+}
+
+TEST_CASE("different requests at once do not disturb one another") {
+  const Engine engine;
+  const Json graph = small_graph();
+  constexpr int callers = 8;
+  std::vector<std::string> files(callers);
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 0; i < callers; ++i) {
+      threads.emplace_back([&, i] {
+        const Result<Evaluated> answer =
+            answered(engine, request_for(graph, {{"amount", 0.1 * static_cast<double>(i)}}));
+        if (answer) files[i] = *answer->glb;
+      });
+    }
+  }
+  CHECK(std::set<std::string>(files.begin(), files.end()).size() == callers);
+  for (std::size_t i = 0; i < callers; ++i) {
+    CHECK(files[i] == file_of(Engine(), request_for(graph, {{"amount", 0.1 * static_cast<double>(i)}})));
+  }
+}

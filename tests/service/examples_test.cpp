@@ -1,0 +1,165 @@
+// Every graph in examples/, as it is served, and at the ends of what it lets people change.
+
+#include <catch2/catch.hpp>
+
+#include "gltf/glb_container.h"
+#include "gltf/glb_reader.h"
+#include "service/version.h"
+#include "tests/support/requests.h"
+
+using namespace dini;
+using namespace dini::support;
+
+namespace {
+
+const Engine& engine() {
+  static const Engine one;
+  return one;
+}
+
+/// The ends of a graph parameter's range, or all its words.
+std::vector<Json> extremes(const Json& parameter) {
+  if (parameter["type"] == "choice") return parameter["choices"].get<std::vector<Json>>();
+  if (parameter["type"] == "boolean") return {true, false};
+  return {parameter["min"], parameter["max"]};
+}
+
+std::string tag(const Engine& asked, const EvaluateRequest& request) {
+  const auto prepared = asked.prepare(request);
+  require_none(prepared ? Problems{} : prepared.problems());
+  return Engine::entity_tag(**prepared);
+}
+
+Json extras_of(const std::string& file) {
+  const std::optional<GlbChunks> chunks = split_glb(file);
+  REQUIRE(chunks);
+  return Json::parse(chunks->json)["asset"]["extras"];
+}
+
+}  // namespace
+
+TEST_CASE("every example is titled, has parameters with labels and bounds, and is valid") {
+  const std::map<std::string, Json> all = examples();
+  CHECK(all.size() >= 6);
+  for (const auto& [id, graph] : all) {
+    CAPTURE(id);
+    CHECK_FALSE(graph["meta"]["title"].get<std::string>().empty());
+    CHECK(graph["meta"]["description"].get<std::string>().ends_with('.'));
+    REQUIRE_FALSE(graph["parameters"].empty());
+    for (const auto& [name, parameter] : graph["parameters"].items()) {
+      CAPTURE(name);
+      CHECK(parameter.contains("label"));
+      CHECK(parameter["description"].get<std::string>().ends_with('.'));
+      CHECK((parameter["type"] == "choice" || (parameter.contains("min") && parameter.contains("max"))));
+    }
+    const Json verdict = engine().validate(graph, Json::object());
+    CHECK(verdict["valid"] == true);
+    CHECK(verdict["errors"] == Json::array());
+    CHECK(verdict["blocked"] == Json::array());
+    CHECK(verdict["cost"]["vertices"] > 1000);
+    for (const auto& [node, entry] : graph["nodes"].items()) CHECK(graph["ui"]["nodes"].contains(node));
+  }
+}
+
+TEST_CASE("every example is drawn, the draft coarser than the final answer, without warnings") {
+  for (const auto& [id, graph] : examples()) {
+    CAPTURE(id);
+    std::size_t triangles[2] = {0, 0};
+    for (const Quality quality : {Quality::draft, Quality::final}) {
+      const Result<Evaluated> answer =
+          answered(engine(), {.graph = graph, .parameters = Json::object(), .output = "", .quality = quality});
+      require_none(answer ? Problems{} : answer.problems());
+      CHECK(answer->report()["warnings"] == Json::array());
+      CHECK(answer->report()["model"]["bytes"] == answer->glb->size());
+      triangles[quality == Quality::final] = answer->report()["model"]["triangles"];
+      CHECK(read_glb(*answer->glb));
+    }
+    CHECK(triangles[0] > 1000);
+    CHECK(triangles[0] < triangles[1]);
+  }
+}
+
+TEST_CASE("every parameter of every example works at its bounds and says so beyond them") {
+  for (const auto& [id, graph] : examples()) {
+    for (const auto& [name, parameter] : graph["parameters"].items()) {
+      for (const Json& value : extremes(parameter)) {
+        CAPTURE(id, name, value);
+        const Result<Evaluated> answer = answered(
+            engine(), {.graph = graph, .parameters = {{name, value}}, .output = "", .quality = Quality::draft});
+        require_none(answer ? Problems{} : answer.problems());
+      }
+      const Json beyond = parameter.contains("max") ? Json(parameter["max"].get<double>() + 1) : Json("none of them");
+      const auto refused =
+          engine().prepare({.graph = graph, .parameters = {{name, beyond}}, .output = "", .quality = Quality::draft});
+      CAPTURE(id, name);
+      REQUIRE_FALSE(refused);
+      CHECK(refused.problems().front().pointer == "/parameters/" + name);
+    }
+  }
+}
+
+TEST_CASE("an entity tag is the same for the same request and another for any other parameter") {
+  const Engine other;
+  for (const auto& [id, graph] : examples()) {
+    CAPTURE(id);
+    const EvaluateRequest request{
+        .graph = graph, .parameters = Json::object(), .output = "", .quality = Quality::final};
+    const std::string usual = tag(engine(), request);
+    CHECK(usual.size() == 66);
+    CHECK(usual == tag(engine(), request));
+    CHECK(usual == tag(other, request));
+    Json moved = graph;
+    moved["ui"] = {{"nodes", Json::object()}};
+    moved["meta"]["title"] = "Another title";
+    CHECK(usual == tag(other, {.graph = moved, .parameters = Json::object(), .output = "", .quality = Quality::final}));
+    CHECK(usual != tag(other, {.graph = graph, .parameters = Json::object(), .output = "", .quality = Quality::draft}));
+    for (const auto& [name, parameter] : graph["parameters"].items()) {
+      CAPTURE(name);
+      const Json value = extremes(parameter)[1];
+      CHECK(usual !=
+            tag(engine(), {.graph = graph, .parameters = {{name, value}}, .output = "", .quality = Quality::final}));
+      CHECK(
+          usual ==
+          tag(engine(),
+              {.graph = graph, .parameters = {{name, parameter["default"]}}, .output = "", .quality = Quality::final}));
+    }
+  }
+}
+
+TEST_CASE("every parameter of every example changes the file, and the file tells its value") {
+  for (const auto& [id, graph] : examples()) {
+    const std::string usual =
+        file_of(engine(), {.graph = graph, .parameters = Json::object(), .output = "", .quality = Quality::draft});
+    for (const auto& [name, parameter] : graph["parameters"].items()) {
+      CAPTURE(id, name);
+      const Json value = extremes(parameter)[1];
+      const std::string changed =
+          file_of(engine(), {.graph = graph, .parameters = {{name, value}}, .output = "", .quality = Quality::draft});
+      CHECK(split_glb(changed)->binary != split_glb(usual)->binary);
+      CHECK(extras_of(changed)["parameters"][name] == value);
+      CHECK(extras_of(usual)["parameters"][name] == parameter["default"]);
+      CHECK(extras_of(changed)["graph"] != extras_of(usual)["graph"]);
+      CHECK(extras_of(usual)["engine"] == engine_version);
+    }
+  }
+}
+
+TEST_CASE("the boosted ring of figure 4 lies on its horn torus within the announced bound") {
+  const Json graph = examples().at("fig04_boosted_ring");
+  for (const double height : {0.5, 1.5}) {
+    const Result<Evaluated> answer = answered(
+        engine(), {.graph = graph, .parameters = {{"height", height}}, .output = "", .quality = Quality::final});
+    require_none(answer ? Problems{} : answer.problems());
+    const double bound = answer->report()["model"]["position_error"];
+    CHECK(bound < 1e-3);
+    const std::optional<Scene> scene = read_glb(*answer->glb);
+    REQUIRE(scene);
+    const SharedMesh mesh = std::get<SharedMesh>(scene->parts.at(0).shape);
+    const double a = (1 + height * height) / 2;
+    for (std::size_t i = 0; i < mesh->positions.size(); ++i) {
+      const Point p = mesh->positions[i];
+      const double off = std::hypot(std::hypot(p.x, p.y) - a, p.z - height) - a;
+      REQUIRE(std::abs(off) <= std::sqrt(3.0) * bound);
+    }
+  }
+}

@@ -1,0 +1,16 @@
+#pragma once
+
+// Reference numbers for the constructions of "Boosted Surfaces", computed independently with 40 digits.
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace dini::support {
+
+/// tests/data/boosted_surfaces.json; the program that uses it defines DINI_TEST_DATA.
+inline const nlohmann::json& reference() {
+  static const nlohmann::json data = nlohmann::json::parse(std::ifstream(DINI_TEST_DATA "/boosted_surfaces.json"));
+  return data;
+}
+
+}  // namespace dini::support
