@@ -6,6 +6,7 @@ import { fileURLToPath } from "node:url";
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), "../..");
 export const pictureFolder = path.join(root, "docs/images/examples");
+export const pageFile = path.join(root, "docs/images/page.png");
 export const galleryFile = path.join(root, "docs/gallery.md");
 
 /** The built-in examples by id: what the gallery says of each. */
