@@ -57,7 +57,7 @@ test("the page opens with a finished example, and the gallery opens another", ()
     assert.ok(second > 0.05 && second < 0.95, `share of the view that is not background: ${second}`);
   }));
 
-test("the gallery makes a picture of every example", () =>
+test("the gallery shows a picture of every example", () =>
   withPage({}, async (page) => {
     await settled(page);
     await page.waitForFunction((all) => document.querySelectorAll(".card-picture img").length === all, count, {

@@ -1,4 +1,4 @@
-// Pictures for the gallery, made once in the page from drafts, one at a time, while nothing else is being evaluated.
+// Pictures for the gallery where the server has none, made once in the page from drafts, one at a time, while nothing else is being evaluated.
 
 import { fileOutput } from "../model/graph";
 import { readDocument } from "../model/document";
