@@ -10,6 +10,16 @@ namespace dini {
 
 namespace {
 
+/// Meshes can be used by many nodes, so a small file could ask for endless looking around.
+constexpr std::size_t most_primitives = 100'000;
+
+constexpr const char* draco = "KHR_draco_mesh_compression";
+
+[[noreturn]] void refuse_draco() {
+  refuse_gltf(std::string("it is compressed with ") + draco +
+              ", which is not unpacked here; export it without compression");
+}
+
 /// The map of a node's own transform: a matrix by columns, or scale, then turn, then shift.
 Affine transform_of(const GltfJson& node) {
   if (const auto m = number_list<16>(node, "matrix")) {
@@ -52,10 +62,7 @@ class GlbImporter {
       const auto found = document_.root().find(list);
       if (found == document_.root().end() || !found->is_array()) continue;
       for (const GltfJson& name : *found) {
-        if (name == "KHR_draco_mesh_compression") {
-          refuse_gltf("it is compressed with KHR_draco_mesh_compression, which is not unpacked here; export it without "
-                      "compression");
-        }
+        if (name == draco) refuse_draco();
         if (list == std::string_view("extensionsRequired") && name != "KHR_mesh_quantization" &&
             !(name.is_string() && name.get_ref<const std::string&>().starts_with("KHR_materials_"))) {
           refuse_gltf("it requires the extension " + name.dump(-1, ' ', true, GltfJson::error_handler_t::replace)
@@ -107,7 +114,10 @@ class GlbImporter {
     const auto primitives = mesh.find("primitives");
     if (primitives == mesh.end() || !primitives->is_array()) refuse_gltf("a mesh has no primitives");
     for (const GltfJson& primitive : *primitives) {
+      if (++primitives_ > most_primitives) throw GltfRefused{too_many(most_primitives, "primitives")};
       if (!primitive.is_object()) refuse_gltf("a primitive is no object");
+      const auto extensions = primitive.find("extensions");
+      if (extensions != primitive.end() && extensions->contains(draco)) refuse_draco();
       const std::size_t mode = whole_number(primitive, "mode").value_or(4);
       if (mode > 6) refuse_gltf("a primitive has an unknown mode");
       if (mode >= 4) add_primitive(primitive, mode, place);
@@ -177,7 +187,7 @@ class GlbImporter {
       std::array<float, 4> color;
       for (std::size_t k = 0; k < 4; ++k) {
         const double own = colors.empty() || k >= width ? 1 : colors[width * i + k];
-        color[k] = static_cast<float>(std::clamp(own * base[k], -1.0, 2.0));
+        color[k] = static_cast<float>(own * std::clamp(base[k], 0.0, 1.0));
       }
       raw_.colors.push_back(color);
     }
@@ -214,6 +224,7 @@ class GlbImporter {
   GltfDocument document_;
   const ImportLimits& limits_;
   RawMesh raw_;
+  std::size_t primitives_ = 0;
   bool any_uv_ = false, any_color_ = false;
 };
 

@@ -8,7 +8,9 @@ namespace {
 using dini::server::parse_head;
 using dini::server::Settings;
 
-constexpr std::size_t body_limit = 1000;
+constexpr std::size_t most_bytes = 1000;
+
+std::size_t body_limit(std::string_view, std::string_view) { return most_bytes; }
 
 std::string code_of(const std::string& head) {
   const auto parsed = parse_head(head, Settings(), body_limit);
