@@ -107,7 +107,7 @@ Reply problem_reply(const Problems& problems, const Exchange& exchange, const Js
   const Problem& first = problems.front();
   const int status = status_of(first.code);
   Reply reply = json_reply({{"type", "/problems/" + first.code},
-                            {"title", title_of(status).title},
+                            {"title", first.code == "invalid-asset" ? "The file cannot be used" : title_of(status).title},
                             {"status", status},
                             {"detail", cut(first.detail, detail_bytes)},
                             {"instance", exchange.id},
