@@ -125,8 +125,10 @@ class ObjReader {
     if (first == std::string_view::npos) return corner;
     word.remove_prefix(first + 1);
     const std::size_t second = word.find('/');
-    if (second != 0) corner.uv = index_from(word.substr(0, second), uvs_.size());
-    if (second != std::string_view::npos) corner.normal = index_from(word.substr(second + 1), normals_.size());
+    const std::string_view uv = word.substr(0, second);
+    const std::string_view normal = second == std::string_view::npos ? "" : word.substr(second + 1);
+    if (!uv.empty()) corner.uv = index_from(uv, uvs_.size());
+    if (!normal.empty()) corner.normal = index_from(normal, normals_.size());
     return corner;
   }
 

@@ -1,5 +1,5 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
-#include <numeric>
 
 #include "geometry/obj_reader.h"
 #include "geometry/ply_reader.h"
@@ -73,7 +73,7 @@ TEST_CASE("An OBJ may come with other line ends, comments, continued lines, and 
   CHECK(mesh.positions.size() == 3);
   CHECK(mesh.uvs.empty());
   CHECK(mesh.colors.empty());
-  CHECK(mesh.normals[0] == Vector{0, 0, 1});
+  CHECK(length(mesh.normals[0] - Vector{0, 0, 1}) < 1e-12);
 }
 
 TEST_CASE("Colors of files are those of pictures and become linear") {
