@@ -9,7 +9,8 @@
 
 namespace dini::cli {
 
-/// The files that graphs may name: those of the examples beside the program, as in `dini serve`, and those of the option
+/// The files that graphs may name: those of the examples beside the program, as in `dini serve`, and those of the
+/// option
 /// `--asset name=file`.
 class Assets {
  public:

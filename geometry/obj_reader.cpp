@@ -143,7 +143,8 @@ class ObjReader {
     }
     if (polygon_.size() < 3) fail("a face has fewer than three corners");
     if (raw_.positions.size() > limits_.vertices) error_ = too_many(limits_.vertices, "vertices");
-    if (raw_.triangles.size() + polygon_.size() > limits_.triangles + 2) error_ = too_many(limits_.triangles, "triangles");
+    if (raw_.triangles.size() + polygon_.size() > limits_.triangles + 2)
+      error_ = too_many(limits_.triangles, "triangles");
     if (error_) return;
     pieces_.clear();
     cutter_.cut(corners_, pieces_);

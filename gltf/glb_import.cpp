@@ -65,8 +65,9 @@ class GlbImporter {
         if (name == draco) refuse_draco();
         if (list == std::string_view("extensionsRequired") && name != "KHR_mesh_quantization" &&
             !(name.is_string() && name.get_ref<const std::string&>().starts_with("KHR_materials_"))) {
-          refuse_gltf("it requires the extension " + name.dump(-1, ' ', true, GltfJson::error_handler_t::replace)
-                                                         .substr(0, 64) + ", which is not supported");
+          refuse_gltf("it requires the extension " +
+                      name.dump(-1, ' ', true, GltfJson::error_handler_t::replace).substr(0, 64) +
+                      ", which is not supported");
         }
       }
     }
@@ -205,7 +206,8 @@ class GlbImporter {
         refuse_gltf("an index is " + std::to_string(corner) + ", but there are " + std::to_string(count) + " vertices");
       }
     }
-    const std::size_t triangles = mode == 4 ? corners.size() / 3 : corners.size() - std::min<std::size_t>(corners.size(), 2);
+    const std::size_t triangles =
+        mode == 4 ? corners.size() / 3 : corners.size() - std::min<std::size_t>(corners.size(), 2);
     if (mode == 4 && corners.size() % 3 != 0) refuse_gltf("the indices of triangles do not come in threes");
     if (triangles > limits_.triangles - std::min(raw_.triangles.size(), limits_.triangles)) {
       throw GltfRefused{too_many(limits_.triangles, "triangles")};

@@ -17,7 +17,8 @@ namespace dini {
 
 using GltfJson = nlohmann::json;
 
-/// Thrown inside the reader of GLB files only, which turns it into its result: a file is refused from deep inside of it.
+/// Thrown inside the reader of GLB files only, which turns it into its result: a file is refused from deep inside of
+/// it.
 struct GltfRefused {
   ImportError error;
 };

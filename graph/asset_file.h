@@ -20,8 +20,8 @@ struct AssetFile {
 
 using SharedAssetFile = std::shared_ptr<const AssetFile>;
 
-/// The file that a graph means by a text: the 64 hexadecimal digits of its hash, or a name that was given to it. Null if
-/// there is none. Empty where no files are known.
+/// The file that a graph means by a text: the 64 hexadecimal digits of its hash, or a name that was given to it. Null
+/// if there is none. Empty where no files are known.
 using AssetFinder = std::function<SharedAssetFile(std::string_view text)>;
 
 }  // namespace dini

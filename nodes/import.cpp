@@ -61,20 +61,20 @@ std::size_t vertices_of(const Literals& literals, const Axes&) {
 }  // namespace
 
 void add_import(Registry& registry) {
-  registry.add(node("import", imported)
-                   .title("Import")
-                   .family("meshes")
-                   .doc("A mesh from an OBJ, PLY or GLB file that was uploaded, or given on the command line.")
-                   .details("Texture coordinates, vertex colors and normals are kept; missing normals are computed. "
-                            "Materials, textures, skins and animations are left out. Polygons become triangles. A "
-                            "file that is not known here is an error.")
-                   .input("asset", "The sha256 of an uploaded file, or the name given to a file by --asset.")
-                   .input("up", "Which axis of the file is up; by its format: y in GLB, z in OBJ and PLY.",
-                          defaults("format"))
-                   .input("scale", "Factor from the file's unit to meters.", defaults(1).hard(1e-9, 1e9).soft(0.1, 10))
-                   .input("center", "Whether the middle of the mesh moves to the origin.", defaults(false))
-                   .vertices(vertices_of)
-                   .output("mesh", "The mesh."));
+  registry.add(
+      node("import", imported)
+          .title("Import")
+          .family("meshes")
+          .doc("A mesh from an OBJ, PLY or GLB file that was uploaded, or given on the command line.")
+          .details("Texture coordinates, vertex colors and normals are kept; missing normals are computed. "
+                   "Materials, textures, skins and animations are left out. Polygons become triangles. A "
+                   "file that is not known here is an error.")
+          .input("asset", "The sha256 of an uploaded file, or the name given to a file by --asset.")
+          .input("up", "Which axis of the file is up; by its format: y in GLB, z in OBJ and PLY.", defaults("format"))
+          .input("scale", "Factor from the file's unit to meters.", defaults(1).hard(1e-9, 1e9).soft(0.1, 10))
+          .input("center", "Whether the middle of the mesh moves to the origin.", defaults(false))
+          .vertices(vertices_of)
+          .output("mesh", "The mesh."));
 }
 
 }  // namespace dini

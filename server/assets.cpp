@@ -12,8 +12,8 @@ namespace {
 /// The content tells the format; the type only keeps out what web forms send on their own.
 bool is_mesh_type(std::string_view type) {
   constexpr std::array<std::string_view, 8> types = {
-      "application/octet-stream", "model/gltf-binary", "model/obj",  "application/x-ply", "application/ply",
-      "model/ply",                "model/x-ply",       "text/plain",
+      "application/octet-stream", "model/gltf-binary", "model/obj",   "application/x-ply",
+      "application/ply",          "model/ply",         "model/x-ply", "text/plain",
   };
   return std::ranges::any_of(types, [&](std::string_view known) { return equal_ignoring_case(known, type); });
 }

@@ -25,7 +25,7 @@ struct Settings {
   std::size_t head_bytes = 32 * 1024;  ///< request line and headers together
   std::size_t line_bytes = 8 * 1024;   ///< the request line, and each header
   std::size_t header_count = 100;
-  std::size_t large_bodies = 8;        ///< bodies above 1 MiB that may arrive at once; past that: 503
+  std::size_t large_bodies = 8;  ///< bodies above 1 MiB that may arrive at once; past that: 503
 
   std::chrono::milliseconds head_deadline{3'000};    ///< for a whole head, from its first byte
   std::chrono::milliseconds body_deadline{10'000};   ///< for a whole body, and a second more per MiB of it

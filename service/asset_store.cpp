@@ -8,7 +8,9 @@ namespace {
 
 bool is_hexadecimal(char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
 
-bool is_hash(std::string_view text) { return text.size() == 64 && std::all_of(text.begin(), text.end(), is_hexadecimal); }
+bool is_hash(std::string_view text) {
+  return text.size() == 64 && std::all_of(text.begin(), text.end(), is_hexadecimal);
+}
 
 std::size_t memory_of(const AssetFile& file) { return sizeof(AssetFile) + file.content.mesh.bytes(); }
 
@@ -16,7 +18,8 @@ std::size_t memory_of(const AssetFile& file) { return sizeof(AssetFile) + file.c
 
 bool AssetStore::is_name(std::string_view text) {
   const auto fits = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
+           c == '.';
   };
   return !text.empty() && text.size() <= 64 && std::all_of(text.begin(), text.end(), fits) && !is_hash(text);
 }

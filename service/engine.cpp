@@ -130,8 +130,7 @@ Json Engine::validate(const Json& graph, const Json& parameters) const {
     } else {
       problems = given.problems();
     }
-    report =
-        check(state_->registry, *document, values, Quality::final, state_->limits, state_->assets.finder());
+    report = check(state_->registry, *document, values, Quality::final, state_->limits, state_->assets.finder());
     problems.insert(problems.end(), report.problems.begin(), report.problems.end());
   }
   return validation_report(report, problems);

@@ -27,8 +27,10 @@ std::string binary_ply(bool big_endian) {
     if (big_endian) std::reverse(bytes.text.begin(), bytes.text.end());
     text += bytes.text;
   };
-  const std::vector<std::vector<float>> rows = {
-      {0, 0, 0, 0, 0, 255, 0, 0}, {1, 0, 0, 1, 0, 0, 255, 0}, {1, 1, 0, 1, 1, 0, 0, 255}, {0, 1, 0, 0, 1, 255, 255, 255}};
+  const std::vector<std::vector<float>> rows = {{0, 0, 0, 0, 0, 255, 0, 0},
+                                                {1, 0, 0, 1, 0, 0, 255, 0},
+                                                {1, 1, 0, 1, 1, 0, 0, 255},
+                                                {0, 1, 0, 0, 1, 255, 255, 255}};
   for (const auto& row : rows) {
     for (std::size_t k = 0; k < 5; ++k) put(Bytes().f32(row[k]));
     for (std::size_t k = 5; k < 8; ++k) put(Bytes().u8(static_cast<std::uint32_t>(row[k])));
@@ -69,7 +71,8 @@ TEST_CASE("An OBJ keeps its texture coordinates, colors and normals, and splits 
 TEST_CASE("An OBJ may come with other line ends, comments, continued lines, and parts that are not read") {
   const Mesh mesh = mesh_of(
       read_obj("mtllib /etc/passwd\r\no thing # name\r\nv +0 0 0 1.0\rv 1e0 0 \\\n 0\nv 0 1 0 # last\n\nusemtl x\n"
-               "s off\nl 1 2\nf 1 2 3 1\nf 1// 2// 3//\n", {}));
+               "s off\nl 1 2\nf 1 2 3 1\nf 1// 2// 3//\n",
+               {}));
   CHECK(mesh.positions.size() == 3);
   CHECK(mesh.uvs.empty());
   CHECK(mesh.colors.empty());
@@ -136,22 +139,22 @@ TEST_CASE("A PLY with any byte changed is read or refused, and nothing worse") {
 
 TEST_CASE("OBJ files that are wrong are refused with their line") {
   const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  for (const auto& [text, line] : std::vector<std::pair<std::string, std::string>>{
-           {"v 0 0\n", "line 1"},
-           {"v 0 0 nan\n", "line 1"},
-           {"v 0 0 inf\n", "line 1"},
-           {"v 0 0 1e999\n", "line 1"},
-           {"v 0 0 0x10\n", "line 1"},
-           {"v 0 0 0 0 0 0 0 0 0\n", "line 1"},
-           {corners + "f 1 2\n", "line 4"},
-           {corners + "f 1 2 4\n", "line 4"},
-           {corners + "f 1 2 0\n", "line 4"},
-           {corners + "f 1 2 -4\n", "line 4"},
-           {corners + "f 1 2 99999999999999999999\n", "line 4"},
-           {corners + "f 1 2 -9223372036854775808\n", "line 4"},
-           {corners + "f 1/1 2/1 3/1\n", "line 4"},
-           {corners + "f 1//1 2//1 3//1\n", "line 4"},
-           {corners + "f a b c\n", "line 4"}}) {
+  for (const auto& [text, line] :
+       std::vector<std::pair<std::string, std::string>>{{"v 0 0\n", "line 1"},
+                                                        {"v 0 0 nan\n", "line 1"},
+                                                        {"v 0 0 inf\n", "line 1"},
+                                                        {"v 0 0 1e999\n", "line 1"},
+                                                        {"v 0 0 0x10\n", "line 1"},
+                                                        {"v 0 0 0 0 0 0 0 0 0\n", "line 1"},
+                                                        {corners + "f 1 2\n", "line 4"},
+                                                        {corners + "f 1 2 4\n", "line 4"},
+                                                        {corners + "f 1 2 0\n", "line 4"},
+                                                        {corners + "f 1 2 -4\n", "line 4"},
+                                                        {corners + "f 1 2 99999999999999999999\n", "line 4"},
+                                                        {corners + "f 1 2 -9223372036854775808\n", "line 4"},
+                                                        {corners + "f 1/1 2/1 3/1\n", "line 4"},
+                                                        {corners + "f 1//1 2//1 3//1\n", "line 4"},
+                                                        {corners + "f a b c\n", "line 4"}}) {
     CAPTURE(text);
     CHECK(refusal(read_obj, text).starts_with("invalid: " + line + ": "));
   }
@@ -167,18 +170,30 @@ TEST_CASE("PLY files that are wrong are refused") {
     REQUIRE(text.find(from) != std::string::npos);
     return text.replace(text.find(from), from.size(), to);
   };
-  for (const std::string& text : {
-           changed("element vertex 4", "element vertex 400000000000"), changed("element vertex 4", "element vertex -1"),
-           changed("element vertex 4", "element vertex 18446744073709551616"), changed("element face 1", "element face 9"),
-           changed("element face 1\n", "element ghost 1000000000\nelement face 1\n"), changed("format ascii 1.0\n", ""),
-           changed("ascii", "utf8"), changed("1.0", "2.0"), changed("property float z\n", ""),
-           changed("uchar int vertex_indices", "float int vertex_indices"),
-           changed("uchar int vertex_indices", "uchar float vertex_indices"), changed("vertex_indices", "corners"),
-           changed("property float x", "property nothing x"), changed("end_header\n", ""), changed("4 0 1 2 3", "4 0 1 2 4"),
-           changed("4 0 1 2 3", "4 0 1 2 -1"), changed("4 0 1 2 3", "-4 0 1 2 3"), changed("4 0 1 2 3", "2 0 1"),
-           changed("4 0 1 2 3", "4000000000 0 1 2 3"), changed("4 0 1 2 3", "4 0 1 2 x"), changed("1 1 0 1 1", "nan 1 0 1 1"),
-           changed("1 1 0 1 1", "1e400 1 0 1 1"), changed("comment a square", "command a square"),
-           std::string("ply\n") + std::string(100'000, 'x')}) {
+  for (const std::string& text : {changed("element vertex 4", "element vertex 400000000000"),
+                                  changed("element vertex 4", "element vertex -1"),
+                                  changed("element vertex 4", "element vertex 18446744073709551616"),
+                                  changed("element face 1", "element face 9"),
+                                  changed("element face 1\n", "element ghost 1000000000\nelement face 1\n"),
+                                  changed("format ascii 1.0\n", ""),
+                                  changed("ascii", "utf8"),
+                                  changed("1.0", "2.0"),
+                                  changed("property float z\n", ""),
+                                  changed("uchar int vertex_indices", "float int vertex_indices"),
+                                  changed("uchar int vertex_indices", "uchar float vertex_indices"),
+                                  changed("vertex_indices", "corners"),
+                                  changed("property float x", "property nothing x"),
+                                  changed("end_header\n", ""),
+                                  changed("4 0 1 2 3", "4 0 1 2 4"),
+                                  changed("4 0 1 2 3", "4 0 1 2 -1"),
+                                  changed("4 0 1 2 3", "-4 0 1 2 3"),
+                                  changed("4 0 1 2 3", "2 0 1"),
+                                  changed("4 0 1 2 3", "4000000000 0 1 2 3"),
+                                  changed("4 0 1 2 3", "4 0 1 2 x"),
+                                  changed("1 1 0 1 1", "nan 1 0 1 1"),
+                                  changed("1 1 0 1 1", "1e400 1 0 1 1"),
+                                  changed("comment a square", "command a square"),
+                                  std::string("ply\n") + std::string(100'000, 'x')}) {
     CAPTURE(text.substr(0, 600));
     CHECK(refusal(read_ply, text).starts_with("invalid: "));
   }

@@ -1,9 +1,10 @@
+#include "gltf/glb_import.h"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
 #include "geometry/validate.h"
-#include "gltf/glb_import.h"
 #include "tests/support/import_bytes.h"
 
 namespace dini {
@@ -75,7 +76,8 @@ TEST_CASE("strips, fans, triangles without indices, and the material's color are
 }
 
 TEST_CASE("what leads out of the file, or needs a decoder, is refused") {
-  for (const char* uri : {"data:application/octet-stream;base64,AAAA", "/etc/passwd", "http://localhost/", "$(id)", ""}) {
+  for (const char* uri :
+       {"data:application/octet-stream;base64,AAAA", "/etc/passwd", "http://localhost/", "$(id)", ""}) {
     CAPTURE(uri);
     CHECK(refusal_of(changed("/buffers/0/uri", uri)).find("URI") != std::string::npos);
   }
@@ -151,7 +153,8 @@ TEST_CASE("indices out of range and numbers that are not finite are refused") {
     CHECK(refusal_of(quad_document(), binary) == "invalid: the position of vertex 0 is not finite or too large");
     binary = quad_binary();
     binary.replace(48, 4, Bytes().f32(bad).text);
-    CHECK(refusal_of(quad_document(), binary) == "invalid: a texture coordinate of vertex 0 is not finite or too large");
+    CHECK(refusal_of(quad_document(), binary) ==
+          "invalid: a texture coordinate of vertex 0 is not finite or too large");
   }
 }
 

@@ -10,8 +10,10 @@ using namespace dini::support;
 using dini::Json;
 
 std::optional<Answer> upload(int port, std::string_view bytes) {
-  return ask(port, "POST /v1/assets HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/octet-stream\r\n"
-                   "Content-Length: " + std::to_string(bytes.size()) + "\r\n\r\n" + std::string(bytes));
+  return ask(port,
+             "POST /v1/assets HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/octet-stream\r\n"
+             "Content-Length: " +
+                 std::to_string(bytes.size()) + "\r\n\r\n" + std::string(bytes));
 }
 
 Json graph_with(const std::string& asset) {
@@ -45,7 +47,8 @@ TEST_CASE("A file of every format is uploaded, named by its hash, and evaluated"
         post(server.port(), "/v1/evaluate", body_with(hash), "If-None-Match: " + model->header("etag") + "\r\n");
     CHECK(again->status == 304);
     // A GLB lies level in the file, where y is up, and so does the square in the graph, where z is.
-    const Json seen = post(server.port(), "/v1/inspect", Json{{"graph", graph_with(hash)}, {"node", "file"}}.dump())->json();
+    const Json seen =
+        post(server.port(), "/v1/inspect", Json{{"graph", graph_with(hash)}, {"node", "file"}}.dump())->json();
     CHECK(seen["values"][0]["bounds"] == Json::parse("[[0,0,0],[1,1,0]]"));
   }
 }
@@ -93,7 +96,8 @@ TEST_CASE("Uploaded files make room for later ones, the least used first") {
   std::vector<std::string> hashes;
   for (int n = 0; n < 20; ++n) {
     hashes.push_back(upload(server.port(), file(n))->json()["sha256"]);
-    CHECK(post(server.port(), "/v1/inspect", Json{{"graph", graph_with(hashes[0])}, {"node", "file"}}.dump())->status == 200);
+    CHECK(post(server.port(), "/v1/inspect", Json{{"graph", graph_with(hashes[0])}, {"node", "file"}}.dump())->status ==
+          200);
   }
   CHECK(post(server.port(), "/v1/evaluate", body_with(hashes[1]))->code() == "unknown-asset");
   CHECK(post(server.port(), "/v1/evaluate", body_with(hashes[19]))->status == 200);

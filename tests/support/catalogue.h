@@ -21,11 +21,10 @@ inline const Registry& catalogue() {
 
 /// The files that the graphs of the tests may name: `triangle`, and `square` with colors and texture coordinates.
 inline SharedAssetFile test_file(std::string_view name) {
-  const std::string_view text =
-      name == "triangle" ? "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\n"
-      : name == "square" ? "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 1\n"
-                           "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n"
-                         : "";
+  const std::string_view text = name == "triangle" ? "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\n"
+                                : name == "square" ? "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 1\n"
+                                                     "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n"
+                                                   : "";
   if (text.empty()) return nullptr;
   return std::make_shared<const AssetFile>(
       AssetFile{sha256(text), text.size(), std::get<ImportedMesh>(read_obj(text, {}))});

@@ -50,10 +50,11 @@ inline std::string glb_of(std::string json, std::string binary) {
 /// coordinates, colors as shares of 255, and two triangles.
 inline std::string quad_binary() {
   Bytes bytes;
-  bytes.f32s({0, 0, 0, 1, 0, 0, 1, 0, -1, 0, 0, -1});                        // 48 bytes from 0
-  bytes.f32s({0, 0, 1, 0, 1, 1, 0, 1});                                      // 32 from 48
-  for (const std::uint32_t c : {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 51, 51, 51, 255}) bytes.u8(c);  // 16 from 80
-  for (const std::uint32_t i : {0, 1, 2, 0, 2, 3}) bytes.u16(i);             // 12 from 96
+  bytes.f32s({0, 0, 0, 1, 0, 0, 1, 0, -1, 0, 0, -1});  // 48 bytes from 0
+  bytes.f32s({0, 0, 1, 0, 1, 1, 0, 1});                // 32 from 48
+  for (const std::uint32_t c : {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 51, 51, 51, 255})
+    bytes.u8(c);                                                  // 16 from 80
+  for (const std::uint32_t i : {0, 1, 2, 0, 2, 3}) bytes.u16(i);  // 12 from 96
   return bytes.text;
 }
 

@@ -100,7 +100,8 @@ const Json& Engine::catalogue() const { return state_->catalogue; }
 
 Result<AssetSummary> Engine::add_asset(std::string_view bytes, const std::string& name) const {
   if (name == "wrong name") return Problem{.code = "usage", .detail = "The toy does not like this name."};
-  if (bytes.starts_with("broken")) return Problem{.code = "invalid-asset", .detail = "The toy was given a broken file."};
+  if (bytes.starts_with("broken"))
+    return Problem{.code = "invalid-asset", .detail = "The toy was given a broken file."};
   if (bytes.starts_with("large")) return Problem{.code = "limit-exceeded", .detail = "The toy was given a large file."};
   return AssetSummary{std::string(64, 'a'), bytes.size(), "obj", 3, 1};
 }
