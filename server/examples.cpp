@@ -21,7 +21,23 @@ std::string first_error(const Engine& engine, const Json& graph) {
 
 }  // namespace
 
+Problems load_assets(const std::filesystem::path& folder, const Engine& engine) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) return {};
+  std::filesystem::directory_iterator entry(folder, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    const std::filesystem::path& path = entry->path();
+    auto bytes = read_file(path);
+    if (!bytes) return bytes.problems();
+    const auto added = engine.add_asset(*bytes, path.filename().string());
+    if (!added) return {bad_example(path, added.problems().front().detail)};
+  }
+  if (error) return {bad_example(folder, error.message())};
+  return {};
+}
+
 Result<Examples> Examples::load(const std::filesystem::path& folder, const Engine& engine) {
+  if (Problems problems = load_assets(folder / "assets", engine); !problems.empty()) return problems;
   Examples examples;
   std::error_code error;
   std::filesystem::directory_iterator entry(folder, error);

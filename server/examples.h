@@ -9,6 +9,10 @@
 
 namespace dini::server {
 
+/// Gives the engine every file of a folder under its own name; nothing if there is no such folder. Problems name the
+/// file.
+Problems load_assets(const std::filesystem::path& folder, const Engine& engine);
+
 /// The built-in graphs, read once and checked by the engine: an example that is wrong keeps the server from starting.
 class Examples {
  public:
@@ -18,7 +22,7 @@ class Examples {
   /// No examples.
   Examples() = default;
 
-  /// Every `<id>.json` of a folder. Problems name the file.
+  /// Every `<id>.json` of a folder, after the mesh files in its folder `assets`. Problems name the file.
   static Result<Examples> load(const std::filesystem::path& folder, const Engine& engine);
 
   /// {"examples": [{"id", "title", "description", "figure", "graph"}]}, ordered by id.
