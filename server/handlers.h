@@ -13,6 +13,8 @@ Reply nodes(Call& call);
 /// GET /v1/examples and /v1/examples/{id}.
 Reply example_list(Call& call);
 Reply example(Call& call);
+/// GET /images/examples/{name}: the picture of an example.
+Reply example_picture(Call& call);
 /// POST /v1/validate: everything that is wrong, without evaluating.
 Reply validate(Call& call);
 /// POST /v1/inspect: the value on one wire.

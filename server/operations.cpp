@@ -60,6 +60,20 @@ Reply example(Call& call) {
   return tagged_json(call, body, "\"" + content_hash(body) + "\"");
 }
 
+Reply example_picture(Call& call) {
+  const Examples::Picture* picture = call.application.examples.picture(call.argument);
+  if (picture == nullptr) return page_file(call);
+  Reply reply;
+  reply.headers = {{"ETag", picture->tag}, {"Cache-Control", "no-cache"}};
+  if (names_tag(call.header("If-None-Match"), picture->tag)) {
+    reply.status = 304;
+  } else {
+    reply.type = "image/png";
+    reply.body = picture->png;
+  }
+  return reply;
+}
+
 Reply tagged_json(const Call& call, const std::string& body, const std::string& tag) {
   Reply reply;
   reply.headers = {{"ETag", tag}, {"Cache-Control", "no-cache"}};

@@ -20,10 +20,15 @@ struct Route {
 };
 
 constexpr std::array routes = {
-    Route{"GET", "/healthz", health},           Route{"GET", "/version", version},
-    Route{"GET", "/v1/nodes", nodes},           Route{"GET", "/v1/examples", example_list},
-    Route{"GET", "/v1/examples/{id}", example}, Route{"POST", "/v1/validate", validate},
-    Route{"POST", "/v1/inspect", inspect},      Route{"POST", "/v1/evaluate", evaluate},
+    Route{"GET", "/healthz", health},
+    Route{"GET", "/version", version},
+    Route{"GET", "/v1/nodes", nodes},
+    Route{"GET", "/v1/examples", example_list},
+    Route{"GET", "/v1/examples/{id}", example},
+    Route{"POST", "/v1/validate", validate},
+    Route{"POST", "/v1/inspect", inspect},
+    Route{"POST", "/v1/evaluate", evaluate},
+    Route{"GET", "/images/examples/{name}", example_picture},
     Route{"POST", "/v1/assets", add_asset},
 };
 
