@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "server/files.h"
+#include "server/text.h"
 
 namespace dini::server {
 namespace {
@@ -19,10 +20,40 @@ std::string first_error(const Engine& engine, const Json& graph) {
   return errors.empty() ? "the graph is not valid" : errors.front().value("detail", "the graph is not valid");
 }
 
+std::string picture_name(const std::string& id) { return id + ".png"; }
+
+/// Where the pictures of the examples in a folder are; the path of no folder where there are none.
+std::filesystem::path picture_folder(const std::filesystem::path& examples) {
+  std::error_code error;
+  const auto absolute = std::filesystem::absolute(examples, error).lexically_normal();
+  for (const auto* place : {"images", "../docs/images/examples"}) {
+    auto folder = absolute / place;
+    if (std::filesystem::is_directory(folder, error)) return folder;
+  }
+  return {};
+}
+
 }  // namespace
 
+Problems load_assets(const std::filesystem::path& folder, const Engine& engine) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) return {};
+  std::filesystem::directory_iterator entry(folder, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    const std::filesystem::path& path = entry->path();
+    auto bytes = read_file(path);
+    if (!bytes) return bytes.problems();
+    const auto added = engine.add_asset(*bytes, path.filename().string());
+    if (!added) return {bad_example(path, added.problems().front().detail)};
+  }
+  if (error) return {bad_example(folder, error.message())};
+  return {};
+}
+
 Result<Examples> Examples::load(const std::filesystem::path& folder, const Engine& engine) {
+  if (Problems problems = load_assets(folder / "assets", engine); !problems.empty()) return problems;
   Examples examples;
+  const std::filesystem::path pictures = picture_folder(folder);
   std::error_code error;
   std::filesystem::directory_iterator entry(folder, error);
   for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
@@ -33,7 +64,15 @@ Result<Examples> Examples::load(const std::filesystem::path& folder, const Engin
     auto graph = parse_json(*text, engine.limits());
     if (!graph) return bad_example(path, graph.problems().front().detail);
     if (const std::string wrong = first_error(engine, *graph); !wrong.empty()) return bad_example(path, wrong);
-    examples.graphs_.emplace(path.stem().string(), OrderedJson::parse(*text));
+    const std::string id = path.stem().string();
+    examples.graphs_.emplace(id, OrderedJson::parse(*text));
+    const auto picture = pictures / picture_name(id);
+    std::error_code missing;
+    if (pictures.empty() || !std::filesystem::is_regular_file(picture, missing)) continue;
+    auto png = read_file(picture);
+    if (!png) return png.problems();
+    std::string tag = "\"" + content_hash(*png) + "\"";
+    examples.pictures_.emplace(picture_name(id), Picture{*std::move(png), std::move(tag)});
   }
   if (error) return bad_example(folder, error.message());
   return examples;
@@ -47,6 +86,7 @@ Examples::OrderedJson Examples::list() const {
     for (const auto* member : {"title", "description", "figure"}) {
       if (meta.contains(member)) example[member] = meta.at(member);
     }
+    if (picture(picture_name(id)) != nullptr) example["image"] = "images/examples/" + picture_name(id);
     list.push_back(std::move(example));
   }
   return {{"examples", std::move(list)}};
@@ -55,6 +95,11 @@ Examples::OrderedJson Examples::list() const {
 const Examples::OrderedJson* Examples::find(std::string_view id) const {
   const auto found = graphs_.find(id);
   return found != graphs_.end() ? &found->second : nullptr;
+}
+
+const Examples::Picture* Examples::picture(std::string_view name) const {
+  const auto found = pictures_.find(name);
+  return found != pictures_.end() ? &found->second : nullptr;
 }
 
 }  // namespace dini::server

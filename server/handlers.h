@@ -13,12 +13,16 @@ Reply nodes(Call& call);
 /// GET /v1/examples and /v1/examples/{id}.
 Reply example_list(Call& call);
 Reply example(Call& call);
+/// GET /images/examples/{name}: the picture of an example.
+Reply example_picture(Call& call);
 /// POST /v1/validate: everything that is wrong, without evaluating.
 Reply validate(Call& call);
 /// POST /v1/inspect: the value on one wire.
 Reply inspect(Call& call);
 /// POST /v1/evaluate: the model, the report, or both.
 Reply evaluate(Call& call);
+/// POST /v1/assets: a mesh file for `import`.
+Reply add_asset(Call& call);
 /// GET anything else: a file of the page.
 Reply page_file(Call& call);
 

@@ -24,6 +24,11 @@ Reply version(Call& call) {
                        {"request_bytes", limits.request_bytes},
                        {"cache_bytes", limits.cache_bytes},
                        {"interactive_milliseconds", limits.interactive_milliseconds},
+                       {"asset_bytes", limits.asset_bytes},
+                       {"asset_vertices", limits.asset_vertices},
+                       {"asset_triangles", limits.asset_triangles},
+                       {"asset_store_bytes", limits.asset_store_bytes},
+                       {"large_bodies", settings.large_bodies},
                        {"head_bytes", settings.head_bytes},
                        {"line_bytes", settings.line_bytes},
                        {"header_count", settings.header_count},
@@ -53,6 +58,20 @@ Reply example(Call& call) {
   }
   const std::string body = graph->dump();
   return tagged_json(call, body, "\"" + content_hash(body) + "\"");
+}
+
+Reply example_picture(Call& call) {
+  const Examples::Picture* picture = call.application.examples.picture(call.argument);
+  if (picture == nullptr) return page_file(call);
+  Reply reply;
+  reply.headers = {{"ETag", picture->tag}, {"Cache-Control", "no-cache"}};
+  if (names_tag(call.header("If-None-Match"), picture->tag)) {
+    reply.status = 304;
+  } else {
+    reply.type = "image/png";
+    reply.body = picture->png;
+  }
+  return reply;
 }
 
 Reply tagged_json(const Call& call, const std::string& body, const std::string& tag) {

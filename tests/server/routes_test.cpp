@@ -166,6 +166,38 @@ TEST_CASE("Examples are listed and given, and a wrong one keeps the server from 
   CHECK(failed.problems().front().detail.find("c.json") != std::string::npos);
 }
 
+TEST_CASE("Pictures of examples are found where they are installed and in the source tree, and listed") {
+  const Folder folder;
+  folder.write("examples/ring.json", R"({"format":1,"nodes":{}})");
+  folder.write("examples/bare.json", R"({"format":1,"nodes":{}})");
+  folder.write("examples/secret.txt", "secret");
+  auto settings = quick_settings();
+  settings.examples = folder.path() / "examples";
+  for (const std::string place : {"docs/images/examples", "examples/images"}) {
+    folder.write(place + "/ring.png", place);
+    folder.write(place + "/other.png", "no example has this name");
+    std::filesystem::remove(folder.path() / place / "bare.png");
+    std::filesystem::create_directory(folder.path() / place / "bare.png");
+    const Running server(settings);
+    const Json examples = get(server.port(), "/v1/examples")->json()["examples"];
+    CHECK_FALSE(examples[0].contains("image"));
+    REQUIRE(examples[1]["image"] == "images/examples/ring.png");
+    const auto picture = get(server.port(), "/images/examples/ring.png");
+    REQUIRE(picture);
+    CHECK(picture->body == place);
+    CHECK(picture->header("content-type") == "image/png");
+    CHECK(picture->header("cache-control") == "no-cache");
+    const std::string known = "If-None-Match: " + picture->header("etag") + "\r\n";
+    CHECK(get(server.port(), "/images/examples/ring.png", known)->status == 304);
+    for (const std::string name : {"", "other.png", "bare.png", "ring.json", "../ring.json", "%2e%2e/ring.json",
+                                   "..%2f..%2fexamples%2fsecret.txt", "./ring.png"}) {
+      CAPTURE(name);
+      CHECK(get(server.port(), "/images/examples/" + name)->status == 404);
+    }
+    CHECK(post(server.port(), "/images/examples/ring.png", "{}")->status == 405);
+  }
+}
+
 TEST_CASE("A port that is taken is a problem, not a shared port") {
   const Running server;
   auto settings = quick_settings();

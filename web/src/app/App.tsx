@@ -3,6 +3,7 @@ import { GraphPane } from "../graph/GraphPane";
 import { Examples } from "../panels/Examples";
 import { Panel } from "../panels/Panel";
 import { ViewPane } from "../view3d/ViewPane";
+import { wantsPicture } from "./address";
 import { Banner } from "./Banner";
 import { SessionContext } from "./context";
 import { useMedia, useRemembered, useSession, useTheme } from "./hooks";
@@ -24,8 +25,11 @@ export function App({ session }: { session: Session }): ReactElement {
   // In a narrow window, choosing an example is followed by looking at it.
   useEffect(() => setTab("model"), [exampleId]);
 
+  const isPicture = wantsPicture();
+  const view = <ViewPane light={theme === "light"} picture={isPicture} />;
+  if (isPicture) return <SessionContext value={session}>{view}</SessionContext>;
+
   const isOpen = gallery === "open";
-  const view = <ViewPane light={theme === "light"} />;
   const model = (
     <SplitPane name="model" label="Border between model and controls" direction="column" initial={0.62}>
       {[view, <Panel key="panel" />]}

@@ -8,6 +8,11 @@ export function exampleInAddress(): string | null {
   return new URLSearchParams(location.hash.slice(1)).get("example");
 }
 
+/** True for "?view=picture": the model alone on a plain ground, drawn smoothly, as the pictures of the examples are made. */
+export function wantsPicture(): boolean {
+  return new URLSearchParams(location.search).get("view") === "picture";
+}
+
 /** Keeps address and open example equal, both ways. */
 export function keepAddress(session: Session): void {
   let written: string | null = null;
@@ -27,13 +32,14 @@ export function keepAddress(session: Session): void {
   });
 }
 
-/** Writes data-state, data-revision, data-shown and data-quality, so that tests wait for facts and not for time. */
+/** Writes data-state, data-example, data-revision, data-shown and data-quality, so that tests wait for facts and not for time. */
 export function showStateOn(element: HTMLElement, store: Store<SessionState>): void {
   const write = (): void => {
-    const { busy, away, problem, revision, shown } = store.get();
+    const { busy, away, problem, revision, shown, exampleId } = store.get();
     const state = away || (problem && !busy) ? "error" : busy ? "busy" : "idle";
     const facts = {
       state,
+      example: exampleId ?? "",
       revision: String(revision),
       shown: String(shown?.revision ?? 0),
       quality: shown?.quality ?? "",

@@ -2,7 +2,7 @@
 // Plain TypeScript: React reads the store, the viewer is handed in once it has loaded.
 
 import { readCatalogue, type Catalogue } from "../model/catalogue";
-import { readDocument, type GraphDocument, type Position } from "../model/document";
+import { readDocument, type CameraPlace, type GraphDocument, type Position } from "../model/document";
 import { fileOutput, viewGraph, type ViewGraph } from "../model/graph";
 import { asArray, asObject, asString, type Json } from "../model/json";
 import { layeredLayout } from "../model/layout";
@@ -32,7 +32,9 @@ export interface Picture {
 
 export interface PictureViewer {
   decode(model: Uint8Array<ArrayBuffer>): Promise<Picture>;
-  show(picture: Picture, atHome: boolean): void;
+  show(picture: Picture): void;
+  /** Shows the first picture of a document, from its camera if it has one. */
+  open(picture: Picture, camera: CameraPlace | null): void;
   clear(): void;
   /** A small picture on a clear background, as an address for an <img>. */
   thumbnail(picture: Picture, width: number, height: number): Promise<string>;
@@ -89,7 +91,7 @@ export class Session {
   private refuseViewer: (reason: Error) => void = () => undefined;
   private shownViewer: PictureViewer | undefined;
   private pinging = false;
-  private atHome = true;
+  private isFirst = true;
 
   constructor() {
     this.viewer = new Promise((resolve, reject) => {
@@ -164,8 +166,8 @@ export class Session {
     this.giveViewer(viewer);
     this.viewer = Promise.resolve(viewer);
     this.shownViewer = viewer;
-    const { shown } = this.store.get();
-    if (shown) void viewer.decode(shown.model).then((picture) => viewer.show(picture, true));
+    const { shown, document } = this.store.get();
+    if (shown) void viewer.decode(shown.model).then((picture) => viewer.open(picture, document?.camera ?? null));
   }
 
   viewerFailed(reason: string): void {
@@ -180,7 +182,7 @@ export class Session {
     const positions = placed ? document.positions : layeredLayout(view);
     this.evaluator.reset();
     this.shownViewer?.clear();
-    this.atHome = true;
+    this.isFirst = true;
     this.store.set({ document, view, positions, exampleId, shown: null, problem: null, selected: null });
     this.evaluate({}, false);
   }
@@ -192,8 +194,9 @@ export class Session {
   }
 
   private show(picture: Picture, answer: ModelAnswer, stamp: Stamp): void {
-    this.shownViewer?.show(picture, this.atHome);
-    this.atHome = false;
+    if (this.isFirst) this.shownViewer?.open(picture, this.store.get().document?.camera ?? null);
+    else this.shownViewer?.show(picture);
+    this.isFirst = false;
     const { triangles, vertices, decodeMilliseconds } = picture;
     const { report, model } = answer;
     const shown: Shown = { ...stamp, report, model, triangles, vertices, decodeMilliseconds };

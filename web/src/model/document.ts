@@ -23,11 +23,21 @@ export interface Position {
   y: number;
 }
 
+/** Where the page's camera stands when the document is opened, in the graph's coordinates (Z up). */
+export interface CameraPlace {
+  position: Triple;
+  target: Triple;
+}
+
+export type Triple = readonly [number, number, number];
+
 export interface GraphDocument {
   /** The document as it was loaded: this is what is sent. */
   json: JsonObject;
   title: string;
   description: string;
+  /** Null where the document leaves it to the page. */
+  camera: CameraPlace | null;
   parameters: Parameter[];
   nodes: Map<string, GraphNode>;
   positions: Map<string, Position>;
@@ -57,11 +67,24 @@ export function readDocument(json: Json): ReadResult {
       json,
       title: asString(meta["title"]) || "Untitled graph",
       description: asString(meta["description"]),
+      camera: readCamera(asObject(meta["camera"])),
       parameters,
       nodes,
       positions: readPositions(asObject(json["ui"]), nodes),
     },
   };
+}
+
+/** A camera that looks nowhere, or not from a place in space, is none. Its `up` is not read: up is Z in every view. */
+function readCamera(item: JsonObject): CameraPlace | null {
+  const [position, target] = [readTriple(item["position"]), readTriple(item["target"])];
+  if (!position || !target || position.every((value, axis) => value === target[axis])) return null;
+  return { position, target };
+}
+
+function readTriple(json: Json | undefined): Triple | undefined {
+  const [x, y, z, ...more] = Array.isArray(json) ? json : [];
+  return isNumber(x) && isNumber(y) && isNumber(z) && more.length === 0 ? [x, y, z] : undefined;
 }
 
 /** Splits "node.output" at its first dot; the output is left out where the node has one only. */

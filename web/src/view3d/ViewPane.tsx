@@ -15,8 +15,11 @@ const MODES: readonly { id: ShadingMode; title: string; hint: string }[] = [
   { id: "normals", title: "Normals", hint: "Directions as colors" },
 ];
 
-/** The pane around the 3D view. The view itself is loaded after the first paint and lives outside React. */
-export function ViewPane({ light }: { light: boolean }): ReactElement {
+/**
+ * The pane around the 3D view. The view itself is loaded after the first paint and lives outside React. As a picture it
+ * is the model and nothing else.
+ */
+export function ViewPane({ light, picture }: { light: boolean; picture: boolean }): ReactElement {
   const session = useCurrentSession();
   const place = useRef<HTMLDivElement>(null);
   const [viewer, setViewer] = useState<Viewer | null>(null);
@@ -34,10 +37,11 @@ export function ViewPane({ light }: { light: boolean }): ReactElement {
         made = new Made(
           place.current,
           "The model. Drag to turn, Shift and drag to move, wheel to zoom; arrow keys turn.",
+          picture,
         );
         setViewer(made);
         session.viewerLoaded(made);
-        void makeThumbnails(session, made);
+        if (!picture) void makeThumbnails(session, made);
       })
       .catch((error: unknown) => {
         const reason = "The 3D view could not start. It needs WebGL 2.";
@@ -49,12 +53,12 @@ export function ViewPane({ light }: { light: boolean }): ReactElement {
       isGone = true;
       made?.dispose();
     };
-  }, [session]);
+  }, [session, picture]);
 
   useEffect(() => {
-    const chosen = MODES.find((item) => item.id === mode)?.id ?? "shaded";
-    viewer?.setSettings({ mode: chosen, grid: grid === "on", axes: axes === "on", light });
-  }, [viewer, mode, grid, axes, light]);
+    const chosen = picture ? "shaded" : (MODES.find((item) => item.id === mode)?.id ?? "shaded");
+    viewer?.setSettings({ mode: chosen, grid: !picture && grid === "on", axes: !picture && axes === "on", light });
+  }, [viewer, picture, mode, grid, axes, light]);
 
   useEffect(() => {
     const onKey = (event: KeyboardEvent): void => {
@@ -69,42 +73,45 @@ export function ViewPane({ light }: { light: boolean }): ReactElement {
   }, [viewer]);
 
   const stale = useCurrent((state) => state.problem !== null && state.shown !== null);
-  return (
-    <section className="view-pane" aria-label="Model" data-stale={stale}>
-      <div className="canvas-place" ref={place} />
-      <div className="view-tools">
-        <div className="segments" role="radiogroup" aria-label="Shading">
-          {MODES.map((item) => (
-            <button
-              key={item.id}
-              type="button"
-              role="radio"
-              aria-checked={mode === item.id}
-              title={item.hint}
-              onClick={() => setMode(item.id)}
-            >
-              {item.title}
-            </button>
-          ))}
-        </div>
-        <div className="segments">
-          <Toggle title="Grid" icon="grid" on={grid === "on"} onChange={(on) => setGrid(on ? "on" : "off")} />
-          <Toggle title="Axes" icon="axes" on={axes === "on"} onChange={(on) => setAxes(on ? "on" : "off")} />
+  const tools = (
+    <div className="view-tools">
+      <div className="segments" role="radiogroup" aria-label="Shading">
+        {MODES.map((item) => (
           <button
+            key={item.id}
             type="button"
-            title="Fill the view with the model (F)"
-            aria-label="Frame"
-            onClick={() => viewer?.frame()}
+            role="radio"
+            aria-checked={mode === item.id}
+            title={item.hint}
+            onClick={() => setMode(item.id)}
           >
-            <Icon name="frame" />
+            {item.title}
           </button>
-          <button type="button" title="Standard view (Home)" aria-label="Home view" onClick={() => viewer?.home()}>
-            <Icon name="home" />
-          </button>
-        </div>
+        ))}
       </div>
+      <div className="segments">
+        <Toggle title="Grid" icon="grid" on={grid === "on"} onChange={(on) => setGrid(on ? "on" : "off")} />
+        <Toggle title="Axes" icon="axes" on={axes === "on"} onChange={(on) => setAxes(on ? "on" : "off")} />
+        <button
+          type="button"
+          title="Fill the view with the model (F)"
+          aria-label="Frame"
+          onClick={() => viewer?.frame()}
+        >
+          <Icon name="frame" />
+        </button>
+        <button type="button" title="Standard view (Home)" aria-label="Home view" onClick={() => viewer?.home()}>
+          <Icon name="home" />
+        </button>
+      </div>
+    </div>
+  );
+  return (
+    <section className="view-pane" aria-label="Model" data-stale={stale} data-picture={picture}>
+      <div className="canvas-place" ref={place} />
+      {!picture && tools}
       <Progress failure={failure} />
-      <Statistics />
+      {!picture && <Statistics />}
     </section>
   );
 }

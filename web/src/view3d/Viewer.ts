@@ -2,9 +2,10 @@
 
 import { Group, LineBasicMaterial, LineSegments, Mesh, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import type { CameraPlace } from "../model/document";
 import { Decoder, type DecodedModel } from "./decode";
 import { dress, studioOf } from "./dress";
-import { frame, placeCamera, samplePositions, type Framing } from "./framing";
+import { frame, framingOf, placeCamera, samplePositions, type Framing } from "./framing";
 import { turnByKey } from "./keys";
 import { Materials, type ShadingMode } from "./materials";
 import { cellSize, makeAxes, makeGrid, remove, type OverlayColors } from "./overlays";
@@ -40,22 +41,27 @@ export class Viewer {
   private wires: LineSegments[] = [];
   private grid: LineSegments | undefined;
   private axes: Group | undefined;
+  private opening: CameraPlace | null = null;
   private radius = 1;
   private requested = 0;
   private settings: ViewSettings = { mode: "shaded", grid: true, axes: true, light: false };
 
-  /** Draws into a canvas of its own inside `container`. Throws if WebGL 2 is not available. */
+  /**
+   * Draws into a canvas of its own inside `container`; `smooth` also without a GPU, where it takes long. Throws if
+   * WebGL 2 is not available.
+   */
   constructor(
     private readonly container: HTMLElement,
     label: string,
+    smooth: boolean,
   ) {
     this.isSoftware = isSoftwareRendering();
     this.renderer = new WebGLRenderer({
-      antialias: !this.isSoftware,
+      antialias: smooth || !this.isSoftware,
       alpha: true,
       powerPreference: "high-performance",
     });
-    this.renderer.setPixelRatio(this.isSoftware ? 1 : Math.min(2, window.devicePixelRatio));
+    this.renderer.setPixelRatio(smooth ? 2 : this.isSoftware ? 1 : Math.min(2, window.devicePixelRatio));
     this.renderer.setClearColor(0x000000, 0);
     const canvas = this.renderer.domElement;
     canvas.tabIndex = 0;
@@ -85,14 +91,20 @@ export class Viewer {
     });
   }
 
-  /** Replaces the shown model; `atHome` also sets the camera. */
-  show(model: DecodedModel, atHome: boolean): void {
+  /** Replaces the shown model. */
+  show(model: DecodedModel): void {
     this.clear();
     this.model = model;
     this.scene.add(model.scene);
     this.applyMode();
-    if (atHome) this.home();
     this.draw();
+  }
+
+  /** Shows the first model of a document, and puts the camera where the document says. */
+  open(model: DecodedModel, camera: CameraPlace | null): void {
+    this.show(model);
+    this.opening = camera;
+    this.home();
   }
 
   clear(): void {
@@ -116,9 +128,13 @@ export class Viewer {
     this.frameAlong(this.camera.getWorldDirection(new Vector3()));
   }
 
-  /** Frames the model from the standard direction. */
+  /** The view that the document opened with: its own camera's, else the model framed from the standard direction. */
   home(): void {
-    this.frameAlong(HOME);
+    if (!this.opening || !this.model) {
+      this.frameAlong(HOME);
+      return;
+    }
+    this.moveTo(...framingOf(this.opening, samplePositions(this.model.scene), this.camera.aspect));
   }
 
   async thumbnail(model: DecodedModel, width: number, height: number): Promise<string> {
@@ -183,7 +199,10 @@ export class Viewer {
 
   private frameAlong(direction: Vector3): void {
     const framing = this.model && frame(samplePositions(this.model.scene), direction, this.camera);
-    if (!framing) return;
+    if (framing) this.moveTo(direction, framing);
+  }
+
+  private moveTo(direction: Vector3, framing: Framing): void {
     this.look(direction, framing);
     this.radius = framing.radius;
     this.rebuildOverlays();

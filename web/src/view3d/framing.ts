@@ -1,10 +1,13 @@
 // Where the camera stands so that a model fills the view.
 
 import { Box3, Matrix4, Mesh, type BufferGeometry, type Object3D, type PerspectiveCamera, Vector3 } from "three";
+import type { CameraPlace, Triple } from "../model/document";
 
 /** Share of the view that a framed model takes: what stands over the picture should not cover it. */
 const FILL = 0.8;
 const MOST_SAMPLES = 6000;
+/** Width to height of the pictures that a document's camera is chosen for. */
+const PICTURE_ASPECT = 1.6;
 
 export interface Framing {
   target: Vector3;
@@ -68,6 +71,23 @@ export function frame(points: Vector3[], direction: Vector3, camera: Perspective
   }
   radius = Math.max(radius, 1e-6);
   return { target, distance: Math.max(distance, radius * 0.2), radius };
+}
+
+/**
+ * The direction and framing of a document's camera. In a view narrower than a picture it stands further back, so that
+ * the sides stay in sight.
+ */
+export function framingOf(place: CameraPlace, points: Vector3[], aspect: number): [Vector3, Framing] {
+  const target = inScene(place.target);
+  const direction = target.clone().sub(inScene(place.position));
+  const distance = direction.length() * Math.max(1, PICTURE_ASPECT / aspect);
+  const radius = points.reduce((most, point) => Math.max(most, point.distanceTo(target)), 1e-6);
+  return [direction, { target, distance, radius }];
+}
+
+/** Graph coordinates (Z up) in those of the scene (Y up), as the export's root node turns them. */
+function inScene([x, y, z]: Triple): Vector3 {
+  return new Vector3(x, z, -y);
 }
 
 /** Puts the camera `distance` before the target, looking along `direction`, with depth enough to look around. */
