@@ -168,12 +168,16 @@ class LiftedFunction {
            std::index_sequence<I...>) const {
     std::tuple<ReaderOf<std::remove_cvref_t<A>>...> readers{ReaderOf<std::remove_cvref_t<A>>(call, port_of(I))...};
     if constexpr (batched) {
-      // A run ends where a parameter that is no batch changes.
-      while (begin < end) {
-        (std::get<I>(readers).begin_run(begin, end), ...);
-        std::size_t stop = begin + 1;
-        while (stop < end && (same_place(std::get<I>(readers), begin, stop) && ...)) ++stop;
-        if (stop < end) (std::get<I>(readers).begin_run(begin, stop), ...);
+      (std::get<I>(readers).begin_run(begin, end), ...);
+      // A run ends where a parameter that is no batch changes. All ends are found first: beginning a run moves the
+      // readers.
+      std::vector<std::size_t> ends;
+      for (std::size_t index = begin + 1; index < end; ++index) {
+        if (!(same_place(std::get<I>(readers), index - 1, index) && ...)) ends.push_back(index);
+      }
+      ends.push_back(end);
+      for (const std::size_t stop : ends) {
+        if (ends.size() > 1) (std::get<I>(readers).begin_run(begin, stop), ...);
         if constexpr (std::is_void_v<R>) {
           function_(batch_argument<std::remove_cvref_t<A>, I>(std::get<I>(readers), begin, stop, columns)...);
         } else if (auto failure = function_(
