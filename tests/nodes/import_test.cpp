@@ -6,7 +6,7 @@ using namespace dini::support;
 TEST_CASE("an imported mesh keeps its texture coordinates and colors through a warp") {
   CatalogueGraph graph =
       graph_of({{"file", make("import", {{"asset", "square"}})},
-                {"pair", make("point_pair", {{"position", {0.5, 0.5, 1}}, {"direction", {0, 0, 1}}})},
+                {"pair", make("point_pair", {{"position", {0.5, 0.5, 1}}, {"direction", {0, 0, 0.3}}})},
                 {"fine", make("subdivide", {{"shape", from("file")}, {"levels", 3}})},
                 {"bent", make("warp", {{"shape", from("fine")}, {"generators", {from("pair")}}})}});
   const SharedMesh flat = graph.one<SharedMesh>("fine"), bent = graph.one<SharedMesh>("bent");

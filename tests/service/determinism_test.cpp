@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "algebra/kernels.h"
+#include "tests/support/example_engine.h"
 #include "tests/support/requests.h"
 
 using namespace dini;
@@ -19,7 +20,7 @@ EvaluateRequest request_for(const Json& graph, Json parameters = Json::object(),
 }
 
 /// The file from an engine that has computed nothing before.
-std::string fresh_file(const Json& graph) { return file_of(Engine(), request_for(graph)); }
+std::string fresh_file(const Json& graph) { return file_of(ExampleEngine(), request_for(graph)); }
 
 /// Puts the choice of instruction set back.
 struct RestoreInstructionSet {
@@ -68,7 +69,7 @@ TEST_CASE("files are the same with the lowest and the highest instruction set") 
 TEST_CASE("files are the same from a cold cache, a warm one, and one that knows only parts") {
   for (const auto& [id, graph] : examples()) {
     CAPTURE(id);
-    const Engine engine;
+    const ExampleEngine engine;
     const auto parameter = graph["parameters"].items().begin();
     const Json other =
         parameter.value().contains("max") ? parameter.value()["max"] : parameter.value()["choices"].back();
@@ -80,7 +81,7 @@ TEST_CASE("files are the same from a cold cache, a warm one, and one that knows 
 }
 
 TEST_CASE("a warm cache is used") {
-  const Engine engine;
+  const ExampleEngine engine;
   const Json graph = small_graph();
   const auto cached = [&](const Json& amount) {
     const Result<Evaluated> answer = answered(engine, request_for(graph, {{"amount", amount}}));
@@ -98,7 +99,7 @@ TEST_CASE("a warm cache is used") {
 }
 
 TEST_CASE("eight identical requests at once are computed once and all answered") {
-  const Engine engine;
+  const ExampleEngine engine;
   const Json graph = small_graph();
   constexpr int callers = 8;
   std::latch together(callers);
@@ -127,7 +128,7 @@ TEST_CASE("eight identical requests at once are computed once and all answered")
 }
 
 TEST_CASE("different requests at once do not disturb one another") {
-  const Engine engine;
+  const ExampleEngine engine;
   const Json graph = small_graph();
   constexpr int callers = 8;
   std::vector<std::string> files(callers);
@@ -143,6 +144,6 @@ TEST_CASE("different requests at once do not disturb one another") {
   }
   CHECK(std::set<std::string>(files.begin(), files.end()).size() == callers);
   for (std::size_t i = 0; i < callers; ++i) {
-    CHECK(files[i] == file_of(Engine(), request_for(graph, {{"amount", 0.1 * static_cast<double>(i)}})));
+    CHECK(files[i] == file_of(ExampleEngine(), request_for(graph, {{"amount", 0.1 * static_cast<double>(i)}})));
   }
 }

@@ -5,6 +5,7 @@
 #include "gltf/glb_container.h"
 #include "gltf/glb_reader.h"
 #include "service/version.h"
+#include "tests/support/example_engine.h"
 #include "tests/support/requests.h"
 
 using namespace dini;
@@ -13,7 +14,7 @@ using namespace dini::support;
 namespace {
 
 const Engine& engine() {
-  static const Engine one;
+  static const ExampleEngine one;
   return one;
 }
 
@@ -106,7 +107,7 @@ TEST_CASE("every parameter of every example works at its bounds and says so beyo
 }
 
 TEST_CASE("an entity tag is the same for the same request and another for any other parameter") {
-  const Engine other;
+  const ExampleEngine other;
   for (const auto& [id, graph] : examples()) {
     CAPTURE(id);
     const EvaluateRequest request{

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "service/engine.h"
+#include "tests/support/example_engine.h"
 
 namespace dini::support {
 
@@ -20,7 +20,7 @@ inline Json example(const std::string& name) {
 /// What `inspect` answers for "node" or "node.output"; a problem fails the test.
 inline Json looked_up(const Json& graph, const std::string& place, const Json& parameters = Json::object(),
                       bool full = false) {
-  static const Engine engine;
+  static const ExampleEngine engine;
   const Cancel cancel;
   const std::size_t dot = place.find('.');
   const std::string output = dot == std::string::npos ? "" : place.substr(dot + 1);
