@@ -1,6 +1,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/assets.h"
 #include "cli/commands.h"
 #include "cli/computing.h"
 #include "cli/documents.h"
@@ -18,6 +19,7 @@ struct Options {
   std::string output;
   std::string quality = "final";
   std::size_t deadline_ms = 0;
+  Assets assets;
   Computing computing;
 };
 
@@ -64,6 +66,9 @@ int run(Options& options) {
   if (!graph) return fail(graph.problems(), exit_code_for(graph.problems(), Stage::checking));
 
   const Engine engine(limits);
+  if (const Problems wrong = options.assets.give_to(engine); !wrong.empty()) {
+    return fail(wrong, exit_code_for(wrong, Stage::checking));
+  }
   const auto prepared = engine.prepare({.graph = *graph,
                                         .parameters = *parameters,
                                         .output = options.output,
@@ -107,6 +112,7 @@ void add_eval(CLI::App& program, Command& chosen) {
       ->check(CLI::IsMember({"draft", "final"}));
   command->add_option("--deadline-ms", options->deadline_ms, "Give up after this many milliseconds")
       ->check(CLI::Range(std::size_t{1}, std::size_t{86'400'000}));
+  options->assets.add_option(*command);
   options->computing.add_options(*command);
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

@@ -1,6 +1,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/assets.h"
 #include "cli/commands.h"
 #include "cli/computing.h"
 #include "cli/documents.h"
@@ -15,6 +16,7 @@ struct Options {
   std::string place;
   std::vector<std::string> settings;
   bool full = false;
+  Assets assets;
   Computing computing;
 };
 
@@ -38,6 +40,9 @@ int run(Options& options) {
                                .output = dot == std::string::npos ? "" : options.place.substr(dot + 1),
                                .full = options.full};
   const Engine engine(limits);
+  if (const Problems wrong = options.assets.give_to(engine); !wrong.empty()) {
+    return fail(wrong, exit_code_for(wrong, Stage::checking));
+  }
   // `inspect` checks and evaluates in one call; a graph that checks out can only have failed while being evaluated.
   const auto value = engine.inspect(request, Cancel());
   if (!value) {
@@ -58,6 +63,7 @@ void add_inspect(CLI::App& program, Command& chosen) {
   command->add_option("--set", options->settings, "A parameter as name=value; may be repeated")
       ->allow_extra_args(false);
   command->add_flag("--full", options->full, "Meshes with all positions and indices");
+  options->assets.add_option(*command);
   options->computing.add_options(*command);
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

@@ -11,6 +11,7 @@
 #include "cli/computing.h"
 #include "cli/documents.h"
 #include "cli/exit_codes.h"
+#include "cli/folders.h"
 #include "cli/terminal.h"
 #include "server/server.h"
 
@@ -32,18 +33,6 @@ int fail(const Problems& problems, int code) {
 }
 
 bool is_loopback(const std::string& host) { return host == "localhost" || host == "::1" || host.starts_with("127."); }
-
-/// The folder given, else the first that exists of those beside the program: in a build tree, or installed.
-std::filesystem::path find_folder(const std::string& given, const char* in_build_tree, const char* installed) {
-  if (!given.empty()) return given;
-  std::error_code error;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-  for (const auto* place : {in_build_tree, installed}) {
-    auto folder = (program / place).lexically_normal();
-    if (!error && std::filesystem::is_directory(folder, error)) return folder;
-  }
-  return {};
-}
 
 /// The signals that end the server, blocked in this and every later thread, so that one thread can wait for them.
 sigset_t block_ending_signals() {
@@ -82,7 +71,7 @@ int run(Options& options) {
   spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
   spdlog::set_level(spdlog::level::from_str(options.log_level));
   options.settings.web = find_folder(options.web, "../../web/dist", "../share/dini/web");
-  options.settings.examples = find_folder(options.examples, "../../examples", "../share/dini/examples");
+  options.settings.examples = find_examples(options.examples);
 
   const Engine engine;
   const auto server = server::Server::start(engine, options.settings);

@@ -1,6 +1,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/assets.h"
 #include "cli/commands.h"
 #include "cli/documents.h"
 #include "cli/exit_codes.h"
@@ -13,6 +14,7 @@ struct Options {
   std::string graph;
   std::vector<std::string> settings;
   bool json = false;
+  Assets assets;
 };
 
 void print_verdict(const Json& verdict) {
@@ -38,7 +40,12 @@ int run(const Options& options) {
     print_problems(graph.problems());
     return exit_code_for(graph.problems(), Stage::checking);
   }
-  const Json verdict = Engine(limits).validate(*graph, *parameters);
+  const Engine engine(limits);
+  if (const Problems wrong = options.assets.give_to(engine); !wrong.empty()) {
+    print_problems(wrong);
+    return exit_code_for(wrong, Stage::checking);
+  }
+  const Json verdict = engine.validate(*graph, *parameters);
   if (options.json) {
     std::cout << verdict.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
   } else {
@@ -56,6 +63,7 @@ void add_validate(CLI::App& program, Command& chosen) {
   command->add_option("graph", options->graph, "The graph document, or - for standard input")->required();
   command->add_option("--set", options->settings, "A parameter as name=value; may be repeated")
       ->allow_extra_args(false);
+  options->assets.add_option(*command);
   command->add_flag("--json", options->json, "Answer as JSON, with types, axes and predicted cost");
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

@@ -9,6 +9,7 @@
 //   Batch<T>            a run of values at once, as component arrays, for functions that call SIMD kernels
 //   BatchOut<T>         where such a function writes its results
 //   std::int64_t, bool, std::string, Color, or an enum with ChoiceNames      a literal written in the graph
+//   SharedAssetFile        a mesh file, which the graph names by a literal text
 //   Several<types...>   all values of an input that takes several, of any of these types, with all their axes
 //   const Context&      the evaluation itself; first, if at all
 
@@ -154,6 +155,8 @@ template <>
 struct ArgumentTraits<std::string> : LiteralTraits<WireType::text> {};
 template <>
 struct ArgumentTraits<Color> : LiteralTraits<WireType::color> {};
+template <>
+struct ArgumentTraits<SharedAssetFile> : LiteralTraits<WireType::text> {};
 template <ChoiceEnum E>
 struct ArgumentTraits<E> : LiteralTraits<WireType::choice> {};
 

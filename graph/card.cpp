@@ -23,6 +23,7 @@ Json input_card(const InputPort& port) {
   if (port.spec.soft_minimum) json["soft_minimum"] = *port.spec.soft_minimum;
   if (port.spec.soft_maximum) json["soft_maximum"] = *port.spec.soft_maximum;
   if (!port.choices.empty()) json["choices"] = port.choices;
+  if (port.names_file) json["names_file"] = true;
   return json;
 }
 

@@ -25,8 +25,8 @@ std::vector<std::string> keys_of(const Map& map) {
 class Checker {
  public:
   Checker(const Registry& registry, const Document& document, const std::map<std::string, Json>& parameters,
-          Quality quality, const Limits& limits)
-      : registry_(registry), document_(document), limits_(limits) {
+          Quality quality, const Limits& limits, const AssetFinder& find_asset)
+      : registry_(registry), document_(document), limits_(limits), find_asset_(find_asset) {
     report_.plan.parameters = parameters;
     report_.plan.quality = quality;
   }
@@ -125,7 +125,7 @@ class Checker {
     for (const std::string& source : sources_of(entry)) {
       if (!report_.plan.index.contains(source)) return;
     }
-    Resolved resolved = resolve_node(id, entry, *registry_.find(entry.type), document_, report_.plan);
+    Resolved resolved = resolve_node(id, entry, *registry_.find(entry.type), document_, report_.plan, find_asset_);
     for (Problem& problem : resolved.problems) add(std::move(problem));
     if (broken_.contains(id)) return;
     PlannedNode& node = resolved.node;
@@ -173,6 +173,7 @@ class Checker {
   const Registry& registry_;
   const Document& document_;
   const Limits& limits_;
+  const AssetFinder& find_asset_;
   CheckReport report_;
   std::set<std::string> broken_;
 };
@@ -180,8 +181,8 @@ class Checker {
 }  // namespace
 
 CheckReport check(const Registry& registry, const Document& document, const std::map<std::string, Json>& parameters,
-                  Quality quality, const Limits& limits) {
-  return Checker(registry, document, parameters, quality, limits).run();
+                  Quality quality, const Limits& limits, const AssetFinder& find_asset) {
+  return Checker(registry, document, parameters, quality, limits, find_asset).run();
 }
 
 }  // namespace dini

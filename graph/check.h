@@ -20,9 +20,9 @@ struct CheckReport {
   std::vector<std::string> blocked;
 };
 
-/// Checks ids, types, links, cycles, literals, ranges, axes, sizes and limits, all at once. Takes time proportional to
-/// the graph.
+/// Checks ids, types, links, cycles, literals, ranges, axes, sizes and limits, all at once, and finds the files that
+/// the graph names. Takes time proportional to the graph.
 CheckReport check(const Registry& registry, const Document& document, const std::map<std::string, Json>& parameters,
-                  Quality quality, const Limits& limits);
+                  Quality quality, const Limits& limits, const AssetFinder& find_asset = {});
 
 }  // namespace dini

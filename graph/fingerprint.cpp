@@ -27,6 +27,7 @@ void write_literal(DigestBuilder& digest, const Argument& argument) {
     if (const auto* integer = std::get_if<std::int64_t>(literal)) digest.integer(static_cast<std::uint64_t>(*integer));
     if (const auto* flag = std::get_if<bool>(literal)) digest.integer(*flag ? 1 : 0);
     if (const auto* text = std::get_if<std::string>(literal)) digest.text(*text);
+    if (const auto* file = std::get_if<SharedAssetFile>(literal)) digest.digest((*file)->sha256);
     if (const auto* color = std::get_if<Color>(literal)) {
       for (const double component : *color) digest.number(component);
     }

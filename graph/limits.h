@@ -18,6 +18,10 @@ struct Limits {
   std::size_t request_bytes = std::size_t{4} << 30;  ///< predicted memory of one evaluation
   std::size_t cache_bytes = std::size_t{1} << 30;
   std::size_t interactive_milliseconds = 10'000;
+  std::size_t asset_bytes = std::size_t{16} << 20;         ///< of one uploaded file
+  std::size_t asset_vertices = 1'000'000;                  ///< in one file, after seams are split
+  std::size_t asset_triangles = 2'000'000;                 ///< in one file
+  std::size_t asset_store_bytes = std::size_t{256} << 20;  ///< memory of all uploaded meshes; the least used go first
 };
 
 }  // namespace dini

@@ -30,6 +30,7 @@ void describe_argument(Overload& overload, std::vector<std::vector<std::string>>
     }
     overload.input_is_optional.push_back(Traits::kind == ArgumentKind::optional);
     overload.input_is_block.push_back(Traits::kind == ArgumentKind::block);
+    overload.input_is_file.push_back(std::is_same_v<A, SharedAssetFile>);
     if constexpr (Traits::kind == ArgumentKind::block) overload.consumed_axes = Traits::rank;
     choices.emplace_back();
     if constexpr (ChoiceEnum<A>) {
@@ -72,7 +73,7 @@ class NodeBuilder {
   NodeBuilder&& version(int number) && { return set(type_.version, number); }
 
   NodeBuilder&& input(std::string name, std::string doc, InputSpec spec = required()) && {
-    type_.inputs.push_back({std::move(name), std::move(doc), std::move(spec), {}, {}, false});
+    type_.inputs.push_back({std::move(name), std::move(doc), std::move(spec), {}, {}, false, false});
     return std::move(*this);
   }
   NodeBuilder&& output(std::string name, std::string doc) && {

@@ -14,6 +14,10 @@ const std::string& text_at(const Literals& literals, std::string_view port) {
   return std::get<std::string>(literals.find(port)->second);
 }
 
+const AssetFile& file_at(const Literals& literals, std::string_view port) {
+  return *std::get<SharedAssetFile>(literals.find(port)->second);
+}
+
 const InputPort* NodeType::find_input(std::string_view name) const {
   const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const InputPort& p) { return p.name == name; });
   return found == inputs.end() ? nullptr : &*found;

@@ -22,6 +22,7 @@ using Literals = std::map<std::string, Literal, std::less<>>;
 std::int64_t integer_at(const Literals& literals, std::string_view port);
 bool boolean_at(const Literals& literals, std::string_view port);
 const std::string& text_at(const Literals& literals, std::string_view port);
+const AssetFile& file_at(const Literals& literals, std::string_view port);
 
 /// One function behind a node, for one type of its first input.
 struct Overload {
@@ -29,6 +30,7 @@ struct Overload {
   std::vector<std::vector<WireType>> mixed_types;  ///< what an input that keeps its values apart takes; else empty
   std::vector<bool> input_is_optional;
   std::vector<bool> input_is_block;
+  std::vector<bool> input_is_file;
   std::vector<WireType> outputs;
   std::vector<bool> output_makes_axes;
   int consumed_axes = 0;

@@ -61,7 +61,8 @@ struct InputPort {
   InputSpec spec;
   std::vector<WireType> types;  ///< One per overload, repeats left out.
   std::vector<std::string> choices;
-  bool optional = false;  ///< May be absent and has no default.
+  bool optional = false;    ///< May be absent and has no default.
+  bool names_file = false;  ///< A text that stands for a mesh file.
 
   bool required() const { return !optional && spec.default_value.is_null(); }
 };

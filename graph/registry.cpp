@@ -27,6 +27,7 @@ void complete_ports(NodeType& type) {
       for (const WireType type_taken : overload.mixed_types[port]) add_type(input.types, type_taken);
       if (!overload.is_mixed(port)) add_type(input.types, overload.inputs[port]);
       input.optional = overload.input_is_optional[port];
+      input.names_file = overload.input_is_file[port];
     }
     input.choices = type.choices[port];
   }

@@ -47,8 +47,8 @@ Json clamped(const Json& value, const InputSpec& spec) {
 class Resolver {
  public:
   Resolver(const std::string& id, const NodeEntry& entry, const NodeType& type, const Document& document,
-           const Plan& plan)
-      : id_(id), entry_(entry), type_(type), document_(document), plan_(plan) {}
+           const Plan& plan, const AssetFinder& find_asset)
+      : id_(id), entry_(entry), type_(type), document_(document), plan_(plan), find_asset_(find_asset) {}
 
   Resolved run() {
     gather();
@@ -235,6 +235,17 @@ class Resolver {
       return;
     }
     Argument& argument = std::get<Argument>(outcome);
+    if (card.names_file) {
+      const std::string& text = std::get<std::string>(std::get<Literal>(argument));
+      SharedAssetFile file = find_asset_ ? find_asset_(text) : nullptr;
+      if (file == nullptr) {
+        resolved.problems.push_back(problem("unknown-asset", card.name,
+                                            card.name + ": there is no file " + excerpt(text) +
+                                                " here; upload it to /v1/assets, or give it with --asset"));
+        return;
+      }
+      argument = Literal(std::move(file));
+    }
     PlannedInput& input = resolved.node.inputs[port];
     if (given.parameter != nullptr) note_parameter(given.parameter, input);
     if (const auto* literal = std::get_if<Literal>(&argument)) resolved.node.literals[card.name] = *literal;
@@ -267,6 +278,7 @@ class Resolver {
   const NodeType& type_;
   const Document& document_;
   const Plan& plan_;
+  const AssetFinder& find_asset_;
   std::vector<std::vector<Given>> given_;
   std::vector<bool> listed_;
   Problems early_;
@@ -275,8 +287,8 @@ class Resolver {
 }  // namespace
 
 Resolved resolve_node(const std::string& id, const NodeEntry& entry, const NodeType& type, const Document& document,
-                      const Plan& plan) {
-  return Resolver(id, entry, type, document, plan).run();
+                      const Plan& plan, const AssetFinder& find_asset) {
+  return Resolver(id, entry, type, document, plan, find_asset).run();
 }
 
 }  // namespace dini

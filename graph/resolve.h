@@ -14,8 +14,9 @@ struct Resolved {
 };
 
 /// Reads the inputs of one node: picks the overload that fits what is wired to it, reads literals, follows bypasses,
-/// applies defaults. Every source of the node is in `plan` already; port names, links and parameters exist.
+/// applies defaults, finds files. Every source of the node is in `plan` already; port names, links and parameters
+/// exist.
 Resolved resolve_node(const std::string& id, const NodeEntry& entry, const NodeType& type, const Document& document,
-                      const Plan& plan);
+                      const Plan& plan, const AssetFinder& find_asset);
 
 }  // namespace dini

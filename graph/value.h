@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/family.h"
+#include "graph/asset_file.h"
 #include "graph/wire.h"
 
 namespace dini {
@@ -40,8 +41,8 @@ std::size_t bytes(const AnyColumn& column);
 /// All items have the same type, which is one of numbers; equal axis names have equal sizes (checked before).
 Value stack(const std::vector<Value>& items, const Axis& axis);
 
-/// Literals that never travel on wires.
-using Literal = std::variant<std::int64_t, bool, std::string, Color>;
+/// Literals that never travel on wires. A text that names a file has become the file.
+using Literal = std::variant<std::int64_t, bool, std::string, Color, SharedAssetFile>;
 
 /// What a node receives on one port: nothing, a value, a literal, or several values of any type.
 using Argument = std::variant<std::monostate, Value, Literal, std::vector<Value>>;

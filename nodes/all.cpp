@@ -17,6 +17,7 @@ void add_all_nodes(Registry& registry) {
   add_surfaces(registry);
   add_meshes(registry);
   add_mesh_tools(registry);
+  add_import(registry);
   add_answers(registry);
   add_export(registry);
 }

@@ -21,6 +21,7 @@ void add_sampling(Registry& registry);
 void add_surfaces(Registry& registry);
 void add_meshes(Registry& registry);
 void add_mesh_tools(Registry& registry);
+void add_import(Registry& registry);
 void add_answers(Registry& registry);
 void add_export(Registry& registry);
 

@@ -35,7 +35,23 @@ std::filesystem::path picture_folder(const std::filesystem::path& examples) {
 
 }  // namespace
 
+Problems load_assets(const std::filesystem::path& folder, const Engine& engine) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) return {};
+  std::filesystem::directory_iterator entry(folder, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    const std::filesystem::path& path = entry->path();
+    auto bytes = read_file(path);
+    if (!bytes) return bytes.problems();
+    const auto added = engine.add_asset(*bytes, path.filename().string());
+    if (!added) return {bad_example(path, added.problems().front().detail)};
+  }
+  if (error) return {bad_example(folder, error.message())};
+  return {};
+}
+
 Result<Examples> Examples::load(const std::filesystem::path& folder, const Engine& engine) {
+  if (Problems problems = load_assets(folder / "assets", engine); !problems.empty()) return problems;
   Examples examples;
   const std::filesystem::path pictures = picture_folder(folder);
   std::error_code error;

@@ -9,6 +9,10 @@
 
 namespace dini::server {
 
+/// Gives the engine every file of a folder under its own name; nothing if there is no such folder. Problems name the
+/// file.
+Problems load_assets(const std::filesystem::path& folder, const Engine& engine);
+
 /// The built-in graphs, read once and checked by the engine: an example that is wrong keeps the server from starting.
 class Examples {
  public:
@@ -23,9 +27,9 @@ class Examples {
     std::string tag;
   };
 
-  /// Every `<id>.json` of a folder. The picture of each is `<id>.png` in its folder `images`, as installed, or in
-  /// `docs/images/examples` beside the folder, as in the source tree; an example without one is shown without.
-  /// Problems name the file.
+  /// Every `<id>.json` of a folder, after the mesh files in its folder `assets`. The picture of each is `<id>.png` in
+  /// its folder `images`, as installed, or in `docs/images/examples` beside the folder, as in the source tree; an
+  /// example without one is shown without. Problems name the file.
   static Result<Examples> load(const std::filesystem::path& folder, const Engine& engine);
 
   /// {"examples": [{"id", "title", "description", "figure", "image", "graph"}]}, ordered by id. `image` is the address

@@ -19,6 +19,8 @@ using Clock = std::chrono::steady_clock;
 constexpr int accept_backlog = 1024;
 constexpr std::size_t read_bytes = 16 * 1024;
 constexpr std::size_t write_bytes_per_second = 64 * 1024;
+constexpr std::size_t read_bytes_per_second = 1024 * 1024;
+constexpr std::size_t small_body = 1024 * 1024;
 constexpr std::chrono::milliseconds crowd_check{500};
 
 /// What cpp-httplib gets to read and write: a request line from memory, and the socket with its deadline for the
@@ -61,6 +63,23 @@ class AnswerStream final : public httplib::Stream {
   std::size_t written_ = 0;
 };
 
+/// A place among the few for large bodies, given back at the end of its scope; for a small body nothing.
+class LargeBody {
+ public:
+  LargeBody(std::counting_semaphore<>& places, bool wanted)
+      : places_(wanted ? &places : nullptr), held_(!wanted || places.try_acquire()) {}
+  LargeBody(const LargeBody&) = delete;
+  ~LargeBody() {
+    if (places_ != nullptr && held_) places_->release();
+  }
+
+  bool held() const { return held_; }
+
+ private:
+  std::counting_semaphore<>* places_;
+  bool held_;
+};
+
 /// The exchange of the request that cpp-httplib is handling on this thread: its callbacks carry no context of ours.
 thread_local Exchange* current_exchange = nullptr;
 
@@ -85,12 +104,13 @@ std::string random_name() {
 
 }  // namespace
 
-Guard::Guard(const Settings& settings, std::size_t body_limit, Application application, Log log)
+Guard::Guard(const Settings& settings, BodyLimit body_limit, Application application, Log log)
     : settings_(settings),
-      body_limit_(body_limit),
+      body_limit_(std::move(body_limit)),
       application_(std::move(application)),
       log_(std::move(log)),
       run_name_(random_name()),
+      large_bodies_(static_cast<std::ptrdiff_t>(settings.large_bodies)),
       stop_event_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
       queue_(settings.connection_threads, settings.waiting_connections,
              [this](int descriptor) { process_and_close_socket(descriptor); }) {
@@ -226,6 +246,11 @@ bool Guard::answer_one(const Socket& socket, std::string& buffer) {
   exchange.id = run_name_ + "-" + std::to_string(++request_count_);
   if (!head) return refuse_and_close(head.problems().front());
   const std::size_t head_size = end_of_head(buffer);
+  // Each connection may hold a small body in memory; of the large ones there is room for a few.
+  const LargeBody place(large_bodies_, head->content_length > small_body);
+  if (!place.held()) {
+    return refuse_and_close({.code = "busy", .detail = "Too many large files arrive at once; try again in a moment."});
+  }
   if (head->expects_continue && buffer.size() == head_size) {
     if (!socket.write("HTTP/1.1 100 Continue\r\n\r\n", Clock::now() + settings_.write_deadline)) return false;
   }
@@ -263,7 +288,7 @@ Result<RequestHead> Guard::read_head(const Socket& socket, std::string& buffer) 
 }
 
 bool Guard::read_body(const Socket& socket, std::string& buffer, std::size_t size) const {
-  const auto deadline = Clock::now() + settings_.body_deadline;
+  const auto deadline = Clock::now() + settings_.body_deadline + std::chrono::seconds(size / read_bytes_per_second);
   std::array<char, read_bytes> bytes{};
   while (buffer.size() < size) {
     const std::size_t count = socket.read(bytes.data(), std::min(bytes.size(), size - buffer.size() + 1), deadline);

@@ -9,6 +9,7 @@
 #include <httplib.h>
 #include <memory>
 #include <mutex>
+#include <semaphore>
 #include <set>
 
 #include "server/connection_queue.h"
@@ -33,7 +34,7 @@ class Guard : private httplib::Server {
   using Application = std::function<Reply(const httplib::Request&, Exchange&)>;
   using Log = std::function<void(const Access&, const Exchange&)>;
 
-  Guard(const Settings& settings, std::size_t body_limit, Application application, Log log);
+  Guard(const Settings& settings, BodyLimit body_limit, Application application, Log log);
   ~Guard() override;
 
   /// The port listened on, or 0 when the address cannot be had.
@@ -64,11 +65,12 @@ class Guard : private httplib::Server {
   bool stopping() const { return stopping_.load(std::memory_order_relaxed); }
 
   const Settings settings_;
-  const std::size_t body_limit_;
+  const BodyLimit body_limit_;
   const Application application_;
   const Log log_;
   const std::string run_name_;
   std::atomic<std::uint64_t> request_count_ = 0;
+  std::counting_semaphore<> large_bodies_;  ///< free places
   std::atomic<bool> stopping_ = false;
   int stop_event_ = -1;  ///< readable for good once stopping
 

@@ -21,6 +21,8 @@ Reply validate(Call& call);
 Reply inspect(Call& call);
 /// POST /v1/evaluate: the model, the report, or both.
 Reply evaluate(Call& call);
+/// POST /v1/assets: a mesh file for `import`.
+Reply add_asset(Call& call);
 /// GET anything else: a file of the page.
 Reply page_file(Call& call);
 

@@ -124,7 +124,7 @@ std::optional<Problem> read_length(std::string_view value, std::size_t limit, Re
 }
 
 /// Takes out the headers that decide where the request ends, so that nobody after us decides differently.
-std::optional<Problem> read_framing(RequestHead& head, std::size_t body_limit) {
+std::optional<Problem> read_framing(RequestHead& head, const BodyLimit& body_limit) {
   std::optional<std::string> length;
   std::size_t hosts = 0;
   std::vector<std::pair<std::string, std::string>> kept;
@@ -155,7 +155,7 @@ std::optional<Problem> read_framing(RequestHead& head, std::size_t body_limit) {
   head.close = head.close || head.version == "HTTP/1.0";
   if (hosts != 1) return bad_request("Exactly one Host header is needed.");
   if (length) {
-    if (auto problem = read_length(*length, body_limit, head)) return problem;
+    if (auto problem = read_length(*length, body_limit(head.method, head.target), head)) return problem;
     if (head.content_length > 0 && !may_have_body(head.method)) {
       return bad_request("A " + head.method + " request must not have a body.");
     }
@@ -167,7 +167,7 @@ std::optional<Problem> read_framing(RequestHead& head, std::size_t body_limit) {
 
 }  // namespace
 
-Result<RequestHead> parse_head(std::string_view bytes, const Settings& settings, std::size_t body_limit) {
+Result<RequestHead> parse_head(std::string_view bytes, const Settings& settings, const BodyLimit& body_limit) {
   RequestHead head;
   bool first = true;
   while (true) {

@@ -5,6 +5,7 @@
 // out of reach.
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,8 +31,11 @@ struct RequestHead {
   std::string request_line() const;
 };
 
+/// How long the body of a request may be, by its method and target.
+using BodyLimit = std::function<std::size_t(std::string_view method, std::string_view target)>;
+
 /// Reads a whole head including its empty line. Problems carry the code of the HTTP status to answer with.
-Result<RequestHead> parse_head(std::string_view bytes, const Settings& settings, std::size_t body_limit);
+Result<RequestHead> parse_head(std::string_view bytes, const Settings& settings, const BodyLimit& body_limit);
 
 /// Looks at the first bytes of a head that is not complete yet and says early when it cannot become a good one.
 std::optional<Problem> check_unfinished_head(std::string_view bytes, const Settings& settings);

@@ -106,14 +106,15 @@ std::string_view reason_of(int status) { return title_of(status).reason; }
 Reply problem_reply(const Problems& problems, const Exchange& exchange, const Json& blocked) {
   const Problem& first = problems.front();
   const int status = status_of(first.code);
-  Reply reply = json_reply({{"type", "/problems/" + first.code},
-                            {"title", title_of(status).title},
-                            {"status", status},
-                            {"detail", cut(first.detail, detail_bytes)},
-                            {"instance", exchange.id},
-                            {"errors", to_json(problems)},
-                            {"blocked", blocked}},
-                           status);
+  Reply reply =
+      json_reply({{"type", "/problems/" + first.code},
+                  {"title", first.code == "invalid-asset" ? "The file cannot be used" : title_of(status).title},
+                  {"status", status},
+                  {"detail", cut(first.detail, detail_bytes)},
+                  {"instance", exchange.id},
+                  {"errors", to_json(problems)},
+                  {"blocked", blocked}},
+                 status);
   reply.type = "application/problem+json";
   reply.headers.emplace_back("Cache-Control", "no-store");
   if (status == 503) reply.headers.emplace_back("Retry-After", "1");

@@ -29,6 +29,7 @@ constexpr std::array routes = {
     Route{"POST", "/v1/inspect", inspect},
     Route{"POST", "/v1/evaluate", evaluate},
     Route{"GET", "/images/examples/{name}", example_picture},
+    Route{"POST", "/v1/assets", add_asset},
 };
 
 /// True when the path is the route's; `argument` gets what its braces stand for.
@@ -65,6 +66,11 @@ Reply dispatch(Call& call) {
 }
 
 }  // namespace
+
+std::size_t body_limit(std::string_view method, std::string_view target, const Limits& limits) {
+  const bool takes_file = method == "POST" && target.substr(0, target.find('?')) == "/v1/assets";
+  return takes_file ? limits.asset_bytes : limits.body_bytes;
+}
 
 Reply answer(Application& application, const httplib::Request& request, Exchange& exchange) {
   Call call{application, request, exchange, {}};

@@ -38,6 +38,9 @@ struct Call {
   std::string header(const char* name) const { return request.get_header_value(name); }
 };
 
+/// The longest body that an address takes: files have a limit of their own.
+std::size_t body_limit(std::string_view method, std::string_view target, const Limits& limits);
+
 /// Finds the handler and lets it answer. Never throws: what a handler lets escape is our bug and becomes a bare 500.
 Reply answer(Application& application, const httplib::Request& request, Exchange& exchange);
 

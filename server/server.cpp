@@ -35,7 +35,10 @@ struct Server::State {
         application{engine, settings, std::move(page), std::move(examples), Gate(slots(settings), queue(settings)), {},
                     {},     {}},
         guard(
-            settings, engine.limits().body_bytes,
+            settings,
+            [&limits = engine.limits()](std::string_view method, std::string_view target) {
+              return body_limit(method, target, limits);
+            },
             [this](const httplib::Request& request, Exchange& exchange) {
               return answer(application, request, exchange);
             },

@@ -25,9 +25,10 @@ struct Settings {
   std::size_t head_bytes = 32 * 1024;  ///< request line and headers together
   std::size_t line_bytes = 8 * 1024;   ///< the request line, and each header
   std::size_t header_count = 100;
+  std::size_t large_bodies = 8;  ///< bodies above 1 MiB that may arrive at once; past that: 503
 
   std::chrono::milliseconds head_deadline{3'000};    ///< for a whole head, from its first byte
-  std::chrono::milliseconds body_deadline{10'000};   ///< for a whole body
+  std::chrono::milliseconds body_deadline{10'000};   ///< for a whole body, and a second more per MiB of it
   std::chrono::milliseconds idle_deadline{15'000};   ///< between two requests of a connection
   std::chrono::milliseconds write_deadline{10'000};  ///< for an answer, and a second more per 64 KiB of it
   std::chrono::milliseconds drain_deadline{10'000};  ///< what running requests get when the server is told to stop

@@ -12,6 +12,8 @@
 #include "graph/parameters.h"
 #include "graph/value_json.h"
 #include "nodes/all.h"
+#include "service/asset_reader.h"
+#include "service/asset_store.h"
 #include "service/prepared.h"
 #include "service/report.h"
 #include "service/single_flight.h"
@@ -56,15 +58,15 @@ Result<std::size_t> find_output(const Plan& plan, const std::string& asked) {
   return plan.index.at(asked);
 }
 
-Result<std::shared_ptr<Prepared>> check_graph(const Registry& registry, const Limits& limits, const Json& graph,
-                                              const Json& parameters, Quality quality) {
+Result<std::shared_ptr<Prepared>> check_graph(const Registry& registry, const Limits& limits, AssetStore& assets,
+                                              const Json& graph, const Json& parameters, Quality quality) {
   auto prepared = std::make_shared<Prepared>();
   Result<Document> document = read_document(graph, limits);
   if (!document) return document.problems();
   prepared->document = std::move(*document);
   Result<std::map<std::string, Json>> values = resolve_parameters(prepared->document, parameters);
   if (!values) return values.problems();
-  CheckReport report = check(registry, prepared->document, *values, quality, limits);
+  CheckReport report = check(registry, prepared->document, *values, quality, limits, assets.finder());
   if (!report.problems.empty()) return report.problems;
   prepared->plan = std::move(report.plan);
   return prepared;
@@ -83,7 +85,7 @@ Digest entity_digest(const Prepared& prepared) {
 }  // namespace
 
 struct Engine::State {
-  explicit State(const Limits& given) : limits(given), cache(given.cache_bytes) {
+  explicit State(const Limits& given) : limits(given), cache(given.cache_bytes), assets(given.asset_store_bytes) {
     add_all_nodes(registry);
     catalogue = catalogue_of(registry);
   }
@@ -92,6 +94,7 @@ struct Engine::State {
   Registry registry;
   Json catalogue;
   mutable Cache cache;
+  mutable AssetStore assets;
   mutable SingleFlight<Result<Evaluated>> flights;
 };
 
@@ -101,6 +104,18 @@ Engine::~Engine() = default;
 const Limits& Engine::limits() const { return state_->limits; }
 
 const Json& Engine::catalogue() const { return state_->catalogue; }
+
+Result<AssetSummary> Engine::add_asset(std::string_view bytes, const std::string& name) const {
+  if (!name.empty() && !AssetStore::is_name(name)) {
+    return Problem{"usage", "the name of a file has 1 to 64 letters, digits, '_', '-' and '.', and is no hash"};
+  }
+  Result<SharedAssetFile> read = read_asset(bytes, state_->limits);
+  if (!read) return read.problems();
+  const AssetFile& file = **read;
+  state_->assets.add(*read, name);
+  return AssetSummary{to_hex(file.sha256), file.bytes, std::string(name_of(file.content.format)),
+                      file.content.mesh.positions.size(), file.content.mesh.triangles.size()};
+}
 
 Json Engine::validate(const Json& graph, const Json& parameters) const {
   Problems problems;
@@ -115,7 +130,7 @@ Json Engine::validate(const Json& graph, const Json& parameters) const {
     } else {
       problems = given.problems();
     }
-    report = check(state_->registry, *document, values, Quality::final, state_->limits);
+    report = check(state_->registry, *document, values, Quality::final, state_->limits, state_->assets.finder());
     problems.insert(problems.end(), report.problems.begin(), report.problems.end());
   }
   return validation_report(report, problems);
@@ -124,7 +139,7 @@ Json Engine::validate(const Json& graph, const Json& parameters) const {
 Result<std::shared_ptr<const Prepared>> Engine::prepare(const EvaluateRequest& request) const {
   const auto begin = std::chrono::steady_clock::now();
   Result<std::shared_ptr<Prepared>> checked =
-      check_graph(state_->registry, state_->limits, request.graph, request.parameters, request.quality);
+      check_graph(state_->registry, state_->limits, state_->assets, request.graph, request.parameters, request.quality);
   if (!checked) return checked.problems();
   Prepared& prepared = **checked;
   Result<std::size_t> output = find_output(prepared.plan, request.output);
@@ -171,7 +186,7 @@ Result<Evaluated> Engine::evaluate(const Prepared& prepared, const Cancel& cance
 
 Result<Json> Engine::inspect(const InspectRequest& request, const Cancel& cancel) const {
   Result<std::shared_ptr<Prepared>> checked =
-      check_graph(state_->registry, state_->limits, request.graph, request.parameters, Quality::final);
+      check_graph(state_->registry, state_->limits, state_->assets, request.graph, request.parameters, Quality::final);
   if (!checked) return checked.problems();
   const Plan& plan = (*checked)->plan;
   const auto found = plan.index.find(request.node);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "geometry/cancel.h"
 #include "graph/context.h"
@@ -35,6 +36,15 @@ struct InspectRequest {
   bool full = false;  ///< meshes with positions and indices
 };
 
+/// What is known of a mesh file once it has been read.
+struct AssetSummary {
+  std::string sha256;  ///< 64 hexadecimal digits: what graphs write to mean this file
+  std::size_t bytes = 0;
+  std::string format;  ///< obj, ply or glb
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+};
+
 /// A checked request: everything that is known before anything is computed.
 class Prepared;
 
@@ -54,6 +64,12 @@ class Engine {
 
   /// The cards of every node type and wire type: the body of `GET /v1/nodes`.
   const Json& catalogue() const;
+
+  /// Reads a mesh file (OBJ, PLY or GLB, told by its content) and keeps the mesh for graphs that name it by its hash.
+  /// With a `name` it is kept for ever and graphs may use the name too (letters, digits, `_`, `-`, `.`); without one it
+  /// goes when `asset_store_bytes` are full and others were used later. Problems: `invalid-asset` for what is no such
+  /// file, `limit-exceeded`, `usage` for a name that cannot be one.
+  Result<AssetSummary> add_asset(std::string_view bytes, const std::string& name = "") const;
 
   /// Every static problem at once, inferred types and axes per wire, predicted sizes. Never evaluates, never fails.
   /// {"valid": bool, "errors": [...], "wires": {...}, "cost": {...}}

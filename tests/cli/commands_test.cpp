@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "cli/exit_codes.h"
 #include "cli/terminal.h"
@@ -117,4 +118,41 @@ TEST_CASE("Settings are JSON when they parse and text otherwise") {
   CHECK(run_dini({"eval", "-", "--set", "reach=[1,2"}, graph({})).code == 0);
   CHECK(run_dini({"eval", "-", "--set", "reach="}, graph({})).code == 0);
   CHECK(run_dini({"eval", "-", "--set", "=1"}, graph({})).code == 2);
+}
+
+TEST_CASE("Files are given by name, and wrong ones end the program with the right code") {
+  const auto folder = std::filesystem::temp_directory_path() / ("dini-assets-" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  const auto file = [&](const std::string& name, const std::string& bytes) {
+    std::ofstream(folder / name, std::ios::binary) << bytes;
+    return (folder / name).string();
+  };
+  const std::string good = file("good.obj", "v 0 0 0"), broken = file("broken.obj", "broken");
+  const std::string large = file("large.obj", "large");
+  const auto sparse = folder / "sparse.obj";
+  std::ofstream(sparse).close();
+  std::filesystem::resize_file(sparse, std::uintmax_t{1} << 40);
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{"eval", "-"}, {"validate", "-"}, {"inspect", "-", "out"}}) {
+    const auto code_of = [&](const std::vector<std::string>& assets) {
+      std::vector<std::string> words = command;
+      for (const std::string& asset : assets) words.insert(words.end(), {"--asset", asset});
+      return run_dini(words, graph({})).code;
+    };
+    CAPTURE(command.front());
+    CHECK(code_of({"a=" + good, "b.obj=" + good}) == 0);
+    CHECK(code_of({good}) == 2);
+    CHECK(code_of({"=" + good}) == 2);
+    CHECK(code_of({"a="}) == 2);
+    CHECK(code_of({"a=" + good, "a=" + good}) == 2);
+    CHECK(code_of({"wrong name=" + good}) == 2);
+    CHECK(code_of({"a=/nowhere/at/all.obj"}) == 6);
+    CHECK(code_of({"a=" + folder.string()}) == 6);
+    CHECK(code_of({"a=" + broken}) == 3);
+    CHECK(code_of({"a=" + large}) == 5);
+    CHECK(code_of({"a=" + sparse.string()}) == 5);
+  }
+  CHECK(run_dini({"eval", "-", "--asset", "a=" + broken}, graph({})).err ==
+        "error[invalid-asset]: " + broken + ": The toy was given a broken file.\n");
+  std::filesystem::remove_all(folder);
 }

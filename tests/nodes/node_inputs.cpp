@@ -9,7 +9,8 @@ namespace {
 
 /// Literals that no rule could guess from a card, with the reason.
 const Json& literals_without_default() {
-  static const Json literals = {{"expression.formula", "x + sin(y) * z - w / 3"}};  // text in a language of its own
+  static const Json literals = {{"expression.formula", "x + sin(y) * z - w / 3"},  // text in a language of its own
+                                {"import.asset", "triangle"}};                     // a file
   return literals;
 }
 
@@ -188,7 +189,7 @@ std::optional<Json> other_literal(const InputPort& port) {
     case WireType::choice:
       return Json(port.choices.front() == usual ? port.choices.back() : port.choices.front());
     case WireType::text:
-      return Json("x * 2");
+      return Json(port.names_file ? "square" : "x * 2");
     default:
       return std::nullopt;
   }

@@ -86,7 +86,8 @@ TEST_CASE("a warm cache is used") {
     const Result<Evaluated> answer = answered(engine, request_for(graph, {{"amount", amount}}));
     require_none(answer ? Problems{} : answer.problems());
     std::set<std::string> nodes;
-    for (const auto& [id, node] : answer->report()["nodes"].items()) {
+    const Json report = answer->report();
+    for (const auto& [id, node] : report["nodes"].items()) {
       if (node["cached"] == true) nodes.insert(id);
     }
     return nodes;

@@ -2,6 +2,7 @@
 
 // Small graphs of real nodes: written in one line each, evaluated, and looked at.
 
+#include "geometry/obj_reader.h"
 #include "graph/value_json.h"
 #include "nodes/all.h"
 #include "tests/support/graphs.h"
@@ -16,6 +17,17 @@ inline const Registry& catalogue() {
     return filled;
   }();
   return registry;
+}
+
+/// The files that the graphs of the tests may name: `triangle`, and `square` with colors and texture coordinates.
+inline SharedAssetFile test_file(std::string_view name) {
+  const std::string_view text = name == "triangle" ? "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\n"
+                                : name == "square" ? "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 1\n"
+                                                     "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n"
+                                                   : "";
+  if (text.empty()) return nullptr;
+  return std::make_shared<const AssetFile>(
+      AssetFile{sha256(text), text.size(), std::get<ImportedMesh>(read_obj(text, {}))});
 }
 
 class CatalogueGraph;
@@ -77,7 +89,7 @@ class CatalogueGraph {
   CatalogueGraph(const Json& nodes, Quality quality) {
     const Result<Document> read = read_document(document(nodes), Limits{});
     for (const Problem& problem : read ? Problems{} : read.problems()) FAIL(problem.pointer << ": " << problem.detail);
-    report_ = check(catalogue(), *read, {}, quality, {});
+    report_ = check(catalogue(), *read, {}, quality, {}, test_file);
   }
 
   Result<Evaluation> run(const std::string& node) { return evaluate(plan(), {plan().index.at(node)}, cache_, cancel_); }

@@ -98,6 +98,14 @@ const Limits& Engine::limits() const { return state_->limits; }
 
 const Json& Engine::catalogue() const { return state_->catalogue; }
 
+Result<AssetSummary> Engine::add_asset(std::string_view bytes, const std::string& name) const {
+  if (name == "wrong name") return Problem{.code = "usage", .detail = "The toy does not like this name."};
+  if (bytes.starts_with("broken"))
+    return Problem{.code = "invalid-asset", .detail = "The toy was given a broken file."};
+  if (bytes.starts_with("large")) return Problem{.code = "limit-exceeded", .detail = "The toy was given a large file."};
+  return AssetSummary{std::string(64, 'a'), bytes.size(), "obj", 3, 1};
+}
+
 Json Engine::validate(const Json& graph, const Json& parameters) const {
   const Problems problems = check(graph, parameters);
   return {

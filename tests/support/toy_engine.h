@@ -9,6 +9,7 @@
 //   problem       the code of the problem that the evaluation ends with
 //   invalid       the code of the problem that checking finds
 //   throws        true: an exception escapes, as if by a bug of ours
+// Its files are refused when they begin with "broken" (invalid-asset) or "large" (limit-exceeded).
 
 #include <atomic>
 #include <cstddef>

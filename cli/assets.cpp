@@ -1,0 +1,60 @@
+#include "cli/assets.h"
+
+#include <filesystem>
+#include <set>
+
+#include "cli/folders.h"
+#include "server/examples.h"
+#include "server/files.h"
+
+namespace dini::cli {
+namespace {
+
+/// Without reading all of what is too large anyway.
+Result<std::string> read_bounded(const std::string& path, std::size_t most) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  if (!error && size > most) {
+    return Problem{.code = "limit-exceeded",
+                   .detail = path + ": the file has " + std::to_string(size) + " bytes, at most " +
+                             std::to_string(most) + " are accepted"};
+  }
+  return server::read_file(path);
+}
+
+}  // namespace
+
+void Assets::add_option(CLI::App& command) {
+  command
+      .add_option("--asset", words_,
+                  "A mesh file (OBJ, PLY or GLB) that the graph names, as name=file; may be repeated")
+      ->allow_extra_args(false);
+}
+
+Problems Assets::give_to(const Engine& engine) const {
+  const std::filesystem::path examples = find_examples("");
+  if (!examples.empty()) {
+    if (Problems problems = server::load_assets(examples / "assets", engine); !problems.empty()) return problems;
+  }
+  std::set<std::string> names;
+  for (const std::string& word : words_) {
+    const auto equals = word.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == word.size()) {
+      return {{.code = "usage", .detail = "--asset takes name=file, not '" + word + "'"}};
+    }
+    const std::string name = word.substr(0, equals), path = word.substr(equals + 1);
+    if (!names.insert(name).second) {
+      return {{.code = "usage", .detail = "--asset gives the name '" + name + "' twice"}};
+    }
+    const auto bytes = read_bounded(path, engine.limits().asset_bytes);
+    if (!bytes) return bytes.problems();
+    if (const auto added = engine.add_asset(*bytes, name); !added) {
+      Problems problems = added.problems();
+      problems.front().detail = path + ": " + problems.front().detail;
+      return problems;
+    }
+  }
+  return {};
+}
+
+}  // namespace dini::cli

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "graph/problem.h"
+#include "service/engine.h"
+
+namespace dini::cli {
+
+/// The files that graphs may name: those of the examples beside the program, as in `dini serve`, and those of the
+/// option
+/// `--asset name=file`.
+class Assets {
+ public:
+  void add_option(CLI::App& command);
+
+  /// Reads the files and gives them to the engine. Problems: `usage` for words that are not name=file and for a name
+  /// given twice, `io`, and what is wrong with a file.
+  Problems give_to(const Engine& engine) const;
+
+ private:
+  std::vector<std::string> words_;
+};
+
+}  // namespace dini::cli

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace dini::cli {
+
+/// The folder given, else the first that exists of those beside the program: in a build tree, or installed. Empty when
+/// there is none.
+std::filesystem::path find_folder(const std::string& given, const char* in_build_tree, const char* installed);
+
+/// `find_folder` for the example graphs.
+std::filesystem::path find_examples(const std::string& given);
+
+}  // namespace dini::cli

@@ -1,0 +1,56 @@
+#pragma once
+
+// What reading a mesh file gives: a mesh or the reason why there is none. The readers (obj_reader.h, ply_reader.h, and
+// gltf/glb_import.h) take bytes from anyone: they never throw, never allocate by a number that the bytes claim before
+// the bytes themselves are there, and take time proportional to the bytes and to the limits.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "geometry/mesh.h"
+
+namespace dini {
+
+enum class MeshFormat { obj, ply, glb };
+
+constexpr std::string_view name_of(MeshFormat format) {
+  return format == MeshFormat::obj ? "obj" : format == MeshFormat::ply ? "ply" : "glb";
+}
+
+/// A mesh in the file's own axes and units, with unit normals at every vertex. Texture coordinates have their origin at
+/// the upper left of the picture, as in glTF; colors are linear.
+struct ImportedMesh {
+  Mesh mesh;
+  MeshFormat format = MeshFormat::obj;
+};
+
+struct ImportLimits {
+  std::size_t vertices = 1'000'000;
+  std::size_t triangles = 2'000'000;
+};
+
+/// Why a file is refused, in one sentence that says where.
+struct ImportError {
+  enum class Code {
+    invalid,    ///< not a file of its format, or with a part that is not supported
+    too_large,  ///< well so far, but beyond the limits
+  };
+
+  Code code = Code::invalid;
+  std::string detail;
+};
+
+using ImportResult = std::variant<ImportedMesh, ImportError>;
+
+inline ImportError invalid_file(std::string detail) { return {ImportError::Code::invalid, std::move(detail)}; }
+
+/// "the file has more than 5 vertices".
+inline ImportError too_many(std::size_t limit, std::string_view what) {
+  return {ImportError::Code::too_large,
+          "the file has more than " + std::to_string(limit) + " " + std::string(what) + ", which is the limit"};
+}
+
+}  // namespace dini

@@ -1,0 +1,80 @@
+// Meshes from files. The file has been read before a graph is planned: see graph/asset_file.h.
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/validate.h"
+#include "graph/node_builder.h"
+#include "nodes/all.h"
+
+namespace dini {
+
+enum class UpAxis { format, z, y };
+
+template <>
+struct ChoiceNames<UpAxis> {
+  static constexpr std::array<std::string_view, 3> names = {"format", "z", "y"};
+};
+
+namespace {
+
+/// The middle of the box around all vertices.
+Vector middle_of(const Mesh& mesh) {
+  std::array<double, 3> middle = {0, 0, 0};
+  const std::size_t count = mesh.positions.size();
+  for (std::size_t k = 0; k < 3 && count > 0; ++k) {
+    const double* values = mesh.positions.component(k);
+    const auto [least, most] = std::minmax_element(values, values + count);
+    middle[k] = *least / 2 + *most / 2;
+  }
+  return {middle[0], middle[1], middle[2]};
+}
+
+Vector turned_upright(const Vector& v, bool y_up) { return y_up ? Vector{v.x, -v.z, v.y} : v; }
+
+Attempt<SharedMesh> imported(const SharedAssetFile& asset, UpAxis up, double scale, bool center) {
+  const Mesh& mesh = asset->content.mesh;
+  const bool y_up = up == UpAxis::y || (up == UpAxis::format && asset->content.format == MeshFormat::glb);
+  // The same memory: most graphs take the file as it is.
+  if (!y_up && scale == 1 && !center) return SharedMesh(asset, &mesh);
+  auto copy = std::make_shared<Mesh>(mesh);
+  const Vector middle = center ? middle_of(mesh) : Vector{};
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Vector place = scale * turned_upright(to_vector(mesh.positions[i]) - middle, y_up);
+    if (!(std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)}) < largest_coordinate)) {
+      return Failure{"out-of-range", "scaled like this, the mesh has coordinates of 1e18 and more", "scale"};
+    }
+    copy->positions.set(i, to_point(place));
+  }
+  for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+    copy->normals.set(i, turned_upright(mesh.normals[i], y_up));
+  }
+  return SharedMesh(std::move(copy));
+}
+
+/// Never less than half the triangles, from which the size of everything made of the mesh is predicted.
+std::size_t vertices_of(const Literals& literals, const Axes&) {
+  const Mesh& mesh = file_at(literals, "asset").content.mesh;
+  return std::max(mesh.positions.size(), (mesh.triangles.size() + 1) / 2);
+}
+
+}  // namespace
+
+void add_import(Registry& registry) {
+  registry.add(
+      node("import", imported)
+          .title("Import")
+          .family("meshes")
+          .doc("A mesh from an OBJ, PLY or GLB file that was uploaded, or given on the command line.")
+          .details("Texture coordinates, vertex colors and normals are kept; missing normals are computed. "
+                   "Materials, textures, skins and animations are left out. Polygons become triangles. A "
+                   "file that is not known here is an error.")
+          .input("asset", "The sha256 of an uploaded file, or the name given to a file by --asset.")
+          .input("up", "Which axis of the file is up; by its format: y in GLB, z in OBJ and PLY.", defaults("format"))
+          .input("scale", "Factor from the file's unit to meters.", defaults(1).hard(1e-9, 1e9).soft(0.1, 10))
+          .input("center", "Whether the middle of the mesh moves to the origin.", defaults(false))
+          .vertices(vertices_of)
+          .output("mesh", "The mesh."));
+}
+
+}  // namespace dini

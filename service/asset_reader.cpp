@@ -1,0 +1,56 @@
+#include "service/asset_reader.h"
+
+#include <algorithm>
+
+#include "geometry/obj_reader.h"
+#include "geometry/ply_reader.h"
+#include "gltf/glb_import.h"
+
+namespace dini {
+
+namespace {
+
+constexpr std::string_view what_is_read = "OBJ, PLY and GLB are read";
+
+bool is_text(std::string_view bytes) {
+  return std::none_of(bytes.begin(), bytes.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 0x20 && (byte < '\t' || byte > '\r');
+  });
+}
+
+ImportResult read_any(std::string_view bytes, const ImportLimits& limits) {
+  if (bytes.starts_with("glTF")) return read_glb_mesh(bytes, limits);
+  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return read_ply(bytes, limits);
+  const std::size_t begin = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
+  if (bytes.substr(begin).starts_with('{')) {
+    return invalid_file("it looks like JSON; a .gltf with files of its own cannot be read, but " +
+                        std::string(what_is_read));
+  }
+  if (bytes.empty() || !is_text(bytes)) {
+    return invalid_file("its format is not known; " + std::string(what_is_read));
+  }
+  return read_obj(bytes, limits);
+}
+
+std::string format_of(std::string_view bytes) {
+  return bytes.starts_with("glTF") ? "this GLB: " : bytes.starts_with("ply") ? "this PLY: " : "this file: ";
+}
+
+}  // namespace
+
+Result<SharedAssetFile> read_asset(std::string_view bytes, const Limits& limits) {
+  if (bytes.size() > limits.asset_bytes) {
+    return Problem{"limit-exceeded", "the file has " + std::to_string(bytes.size()) + " bytes, at most " +
+                                         std::to_string(limits.asset_bytes) + " are accepted"};
+  }
+  ImportResult read = read_any(bytes, {limits.asset_vertices, limits.asset_triangles});
+  if (const auto* error = std::get_if<ImportError>(&read)) {
+    const bool large = error->code == ImportError::Code::too_large;
+    return Problem{large ? "limit-exceeded" : "invalid-asset", format_of(bytes) + error->detail};
+  }
+  return std::make_shared<const AssetFile>(
+      AssetFile{sha256(bytes), bytes.size(), std::get<ImportedMesh>(std::move(read))});
+}
+
+}  // namespace dini
