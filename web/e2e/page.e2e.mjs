@@ -126,8 +126,8 @@ test("shading, grid and axes can be chosen, and the view is turned with mouse an
     };
     for (const mode of ["Lines", "Wire", "Normals", "Shaded"])
       await changed(mode, () => page.getByRole("radio", { name: mode, exact: true }).click());
-    await changed("grid", () => page.getByRole("button", { name: "Grid" }).click());
-    await changed("axes", () => page.getByRole("button", { name: "Axes" }).click());
+    await changed("grid", () => page.getByRole("button", { name: "Grid", exact: true }).click());
+    await changed("axes", () => page.getByRole("button", { name: "Axes", exact: true }).click());
     const { x, y, width, height } = await canvas.boundingBox();
     await changed("orbit", async () => {
       await page.mouse.move(x + width / 2, y + height / 2);
