@@ -80,24 +80,29 @@ void write_outputs(const Json& outputs, std::string& page) {
   page += "\n";
 }
 
-void write_node(const Json& node, std::string& page) {
+void write_node(const Json& node, const NodeExamples& examples, std::string& page) {
   page += "### " + text_of(node, "title") + " (`" + text_of(node, "id") + "`)\n\n" + text_of(node, "doc") + "\n\n";
   const std::string source = text_of(node, "source");
   if (!source.empty()) page += "Source: " + source + "\n\n";
+  page += example_picture(examples, text_of(node, "id"));
   write_inputs(node.value("inputs", Json::array()), page);
   write_outputs(node.value("outputs", Json::array()), page);
+  page += example_graph(examples, text_of(node, "id"));
 }
 
 }  // namespace
 
-std::string nodes_markdown(const Json& catalogue) {
+std::string nodes_markdown(const Json& catalogue, const NodeExamples& examples) {
   std::string page =
       "# Nodes\n\nThis page is written by `dini nodes --markdown` from the declarations of the nodes; do not edit "
-      "it.\n\n";
+      "it.\n\nEach node has a small graph of its own, shown below its tables with the model that it makes; an input "
+      "that "
+      "is not\nwritten there has its default. `dini eval examples/nodes/boost.json -o boost.glb` writes such a "
+      "model.\n\n";
   for (const Json& family : catalogue.value("families", Json::array())) {
     page += "## " + text_of(family, "title") + "\n\n";
     for (const Json& node : catalogue.value("nodes", Json::array())) {
-      if (text_of(node, "family") == text_of(family, "name")) write_node(node, page);
+      if (text_of(node, "family") == text_of(family, "name")) write_node(node, examples, page);
     }
   }
   page.erase(page.find_last_not_of('\n') + 1);
