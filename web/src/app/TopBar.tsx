@@ -1,6 +1,8 @@
 import { useState, type ReactElement } from "react";
 import { CopyMenu } from "./CopyMenu";
-import { useCurrent, useCurrentSession } from "./context";
+import { EditButtons } from "./EditButtons";
+import { TitleField } from "./TitleField";
+import { useCurrent, useCurrentSession, useEditor } from "./context";
 import { downloadModel } from "./download";
 import { Icon, Logo } from "./icons";
 import type { Theme } from "./theme";
@@ -14,6 +16,7 @@ interface TopBarProps {
 
 export function TopBar({ theme, onTheme, galleryOpen, onGallery }: TopBarProps): ReactElement {
   const session = useCurrentSession();
+  const editor = useEditor();
   const title = useCurrent((state) => state.document?.title);
   const [saving, setSaving] = useState(false);
   const [failure, setFailure] = useState("");
@@ -34,7 +37,20 @@ export function TopBar({ theme, onTheme, galleryOpen, onGallery }: TopBarProps):
         <Icon name="gallery" />
         <span>Examples</span>
       </button>
-      <h1 className="document-title">{title ?? ""}</h1>
+      <button
+        type="button"
+        className="button"
+        title="Begin an empty graph"
+        aria-label="New graph"
+        onClick={() => session.newDocument()}
+      >
+        <Icon name="file" />
+        <span className="wide-only">New</span>
+      </button>
+      <span className="rule" />
+      <TitleField />
+      <span className="rule" />
+      <EditButtons />
       {failure && (
         <span className="top-failure" role="alert">
           {failure}
@@ -53,6 +69,15 @@ export function TopBar({ theme, onTheme, galleryOpen, onGallery }: TopBarProps):
         <span className="wide-only">{saving ? "Preparing…" : "Download .glb"}</span>
       </button>
       <span className="rule" />
+      <button
+        type="button"
+        className="button icon-button"
+        aria-label="Keys and pointer"
+        title="Keys and pointer (?)"
+        onClick={() => editor.store.set({ help: true })}
+      >
+        <span aria-hidden="true">?</span>
+      </button>
       <button
         type="button"
         className="button icon-button"

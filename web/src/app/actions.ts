@@ -25,7 +25,8 @@ export function remove(editor: Editor, heal: boolean): void {
   for (const frame of document.frames) if (areas.has(frameKey(frame.id))) edits.push(removeFrame(frame.id));
   for (const note of document.notes) if (areas.has(noteKey(note.id))) edits.push(removeNote(note.id));
   if (selection.size > 0) edits.push(heal ? removeAndHeal(catalogue, selection) : removeNodes(selection));
-  const what = selection.size > 0 ? plural(selection.size, "node") : wires.length > 0 ? plural(wires.length, "wire") : "area";
+  const what =
+    selection.size > 0 ? plural(selection.size, "node") : wires.length > 0 ? plural(wires.length, "wire") : "area";
   editor.session.edit(`Delete ${what}`, inOrder(...edits));
   editor.store.set({ wires: new Set() });
   editor.say(heal ? `Deleted ${what} and joined its wires` : `Deleted ${what}`);
@@ -103,7 +104,11 @@ function place(
   editor.session.edit(`${label} ${plural(ids.length, "node")}`, edit);
   editor.session.select(ids);
   const lost = keepIncoming ? [...linkedFrom(clip)].filter((id) => !document.nodes.has(id)).length : 0;
-  editor.say(lost > 0 ? `Added ${plural(ids.length, "node")}; wires from ${plural(lost, "missing node")} were left out` : `Added ${plural(ids.length, "node")}`);
+  editor.say(
+    lost > 0
+      ? `Added ${plural(ids.length, "node")}; wires from ${plural(lost, "missing node")} were left out`
+      : `Added ${plural(ids.length, "node")}`,
+  );
 }
 
 export function selectAll(editor: Editor): void {

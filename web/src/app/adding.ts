@@ -51,7 +51,12 @@ export function addFinding(editor: Editor, finding: Finding, search: Search): st
 }
 
 /** A place near the wanted one that is free for the node. */
-function placeFor(editor: Editor, document: GraphDocument, { id, type }: { id: string; type: string }, search: Search): Position {
+function placeFor(
+  editor: Editor,
+  document: GraphDocument,
+  { id, type }: { id: string; type: string },
+  search: Search,
+): Position {
   const { catalogue } = editor.session.store.get();
   const added = addNodes([{ id, type, position: search.place }])(document);
   const view = catalogue && viewGraph(added, catalogue).byId.get(id);

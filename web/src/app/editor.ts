@@ -105,7 +105,16 @@ export class Editor {
     // A finger cannot hold another button or a key, so it moves the canvas.
     const isCoarse = matchMedia("(pointer: coarse)").matches;
     this.store = createStore<EditorState>({
-      ...{ search: null, menu: null, connecting: null, inspected: null, finding: false, help: false, wiring: null, target: null },
+      ...{
+        search: null,
+        menu: null,
+        connecting: null,
+        inspected: null,
+        finding: false,
+        help: false,
+        wiring: null,
+        target: null,
+      },
       ...{ wires: new Set<string>(), unfolded: new Set<string>(), renaming: null, notice: null },
       leftPans: (recall(LEFT_PANS) ?? (isCoarse ? "yes" : "no")) === "yes",
       times: recall(TIMES) !== "no",
@@ -115,7 +124,14 @@ export class Editor {
       const state = session.store.get();
       if (state.opened === opened) return;
       opened = state.opened;
-      this.store.set({ wires: new Set(), unfolded: new Set(), renaming: null, search: null, menu: null, connecting: null });
+      this.store.set({
+        wires: new Set(),
+        unfolded: new Set(),
+        renaming: null,
+        search: null,
+        menu: null,
+        connecting: null,
+      });
     });
   }
 

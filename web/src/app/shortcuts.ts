@@ -36,7 +36,12 @@ const STEP = 24;
 
 const GRAPH: readonly Omit<Shortcut, "scope">[] = [
   { id: "add", title: "Add a node", keys: ["Shift+A", "Space", "Tab"], run: (editor) => editor.openSearch() },
-  { id: "find", title: "Find a node of this graph", keys: ["Mod+F"], run: (editor) => editor.store.set({ finding: true }) },
+  {
+    id: "find",
+    title: "Find a node of this graph",
+    keys: ["Mod+F"],
+    run: (editor) => editor.store.set({ finding: true }),
+  },
   { id: "delete", title: "Delete", keys: ["Delete", "Backspace", "X"], run: (editor) => remove(editor, false) },
   {
     id: "heal",

@@ -1,5 +1,12 @@
 import { useMemo, useRef, useState, type CSSProperties, type ReactElement } from "react";
-import { ReactFlow, SelectionMode, Background, BackgroundVariant, MiniMap, type ReactFlowInstance } from "@xyflow/react";
+import {
+  ReactFlow,
+  SelectionMode,
+  Background,
+  BackgroundVariant,
+  MiniMap,
+  type ReactFlowInstance,
+} from "@xyflow/react";
 import { useCurrent, useEditing, useEditor } from "../app/context";
 import { wireType } from "../model/catalogue";
 import { FrameView, NoteView } from "./areas";
@@ -32,6 +39,9 @@ export function GraphPane(): ReactElement {
   const count = useCurrent((state) => state.view?.nodes.length ?? 0);
   const leftPans = useEditing((state) => state.leftPans);
   const isWiring = useEditing((state) => state.wiring !== null);
+  // A graph that is opened is fitted into the pane; one that is begun stays where its first node was put.
+  const isFull = useRef({ opened: -1, value: false });
+  if (isFull.current.opened !== opened) isFull.current = { opened, value: count > 0 };
   const [nodes, onNodesChange] = useFlowNodes();
   const edges = useWires();
   const [flow, setFlow] = useState<Flow | null>(null);
@@ -51,7 +61,7 @@ export function GraphPane(): ReactElement {
           onNodesChange={onNodesChange}
           {...handlers.flow}
           onMoveStart={noteMove}
-          fitView
+          fitView={isFull.current.value}
           fitViewOptions={FIT}
           minZoom={0.1}
           maxZoom={2.5}

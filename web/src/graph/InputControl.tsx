@@ -83,7 +83,12 @@ export const InputControl = memo(function InputControl(props: InputControlProps)
               unit={onNode ? "" : letter}
               value={parts[index] ?? 0}
               invalid={invalid || unreadable !== ""}
-              onValue={(next) => set(parts.map((part, at) => (at === index ? next : part)), true)}
+              onValue={(next) =>
+                set(
+                  parts.map((part, at) => (at === index ? next : part)),
+                  true,
+                )
+              }
               onUnreadable={setUnreadable}
             />
           ))}
@@ -102,7 +107,12 @@ export const InputControl = memo(function InputControl(props: InputControlProps)
       );
     case "choice":
       return (
-        <select {...common} className="select nodrag" value={String(value)} onChange={(event) => set(event.currentTarget.value)}>
+        <select
+          {...common}
+          className="select nodrag"
+          value={String(value)}
+          onChange={(event) => set(event.currentTarget.value)}
+        >
           {card.choices.map((choice) => (
             <option key={choice} value={choice}>
               {choice.replaceAll("_", " ")}

@@ -41,7 +41,7 @@ export function NodeSearch({ search }: { search: Search }): ReactElement {
         heading: isList && isFirst ? family : undefined,
         content: (
           <>
-            <Mark type={card.outputs[0]?.types.length === 1 ? card.outputs[0].types[0] : card.inputs[0]?.types[0]} />
+            <Mark type={card.outputs[0]?.types.length === 1 ? card.outputs[0].types[0] : undefined} />
             <span className="chooser-title">{finding.title ?? card.title}</span>
             {finding.socket !== undefined && card.inputs.length + card.outputs.length > 2 && (
               <span className="chooser-socket">{finding.socket}</span>

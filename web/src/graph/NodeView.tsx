@@ -31,7 +31,9 @@ function Face({ node, isSelected }: { node: ViewNode; isSelected: boolean }): Re
     ({ wiring }) =>
       isOver &&
       wiring?.start.side === "output" &&
-      node.folded.some((row) => row.hasSocket && !wiring.refusals.has(socketKey({ node: node.id, side: "input", name: row.name }))),
+      node.folded.some(
+        (row) => row.hasSocket && !wiring.refusals.has(socketKey({ node: node.id, side: "input", name: row.name })),
+      ),
   );
   const tone = useCurrent((state) => problemsOf(state, node.id)?.tone);
   const text = useCurrent((state) => problemsOf(state, node.id)?.text);
@@ -114,14 +116,7 @@ function Rows({ node, isOpen, isUnfolded }: { node: ViewNode; isOpen: boolean; i
       {node.outputs.map((row) => (
         <div className="node-row node-output" key={row.name}>
           <span className="row-name">{row.name}</span>
-          <Socket
-            node={node.id}
-            side="output"
-            name={row.name}
-            type={row.type}
-            nodeTitle={node.title}
-            doc={row.doc}
-          />
+          <Socket node={node.id} side="output" name={row.name} type={row.type} nodeTitle={node.title} doc={row.doc} />
         </div>
       ))}
     </div>

@@ -46,7 +46,10 @@ export const FrameView = memo(function FrameView({ data, selected }: NodeProps<A
           onClick={recolor}
         />
       </div>
-      <Corner box={frame} onSize={(size) => session.edit("Resize frame", changeFrame(data.id, size), { gesture: `size ${data.id}` })} />
+      <Corner
+        box={frame}
+        onSize={(size) => session.edit("Resize frame", changeFrame(data.id, size), { gesture: `size ${data.id}` })}
+      />
     </div>
   );
 });
@@ -84,7 +87,10 @@ export const NoteView = memo(function NoteView({ data, selected }: NodeProps<Are
       ) : (
         <p>{note.text || <span className="muted">Double-click to write</span>}</p>
       )}
-      <Corner box={note} onSize={(size) => session.edit("Resize note", changeNote(data.id, size), { gesture: `size ${data.id}` })} />
+      <Corner
+        box={note}
+        onSize={(size) => session.edit("Resize note", changeNote(data.id, size), { gesture: `size ${data.id}` })}
+      />
     </div>
   );
 });

@@ -10,7 +10,12 @@ const SAMPLES = 24;
 const INSET = 8;
 
 /** The wire that the node at `box` would be put into; undefined if there is none it fits. */
-export function wireUnder(editor: Editor, id: string, box: Box, endsOf: (wire: ViewWire) => [Position, Position] | undefined): ViewWire | undefined {
+export function wireUnder(
+  editor: Editor,
+  id: string,
+  box: Box,
+  endsOf: (wire: ViewWire) => [Position, Position] | undefined,
+): ViewWire | undefined {
   const { document, catalogue, view } = editor.session.store.get();
   const card = catalogue?.nodes.get(document?.nodes.get(id)?.type ?? "");
   if (!document || !catalogue || !view || !card) return undefined;
@@ -29,7 +34,8 @@ export function runsThrough(from: Position, to: Position, box: Box): boolean {
     const [a, b, c, d] = [(1 - t) ** 3, 3 * t * (1 - t) ** 2, 3 * t * t * (1 - t), t ** 3];
     const x = a * from.x + b * (from.x + reach) + c * (to.x - reach) + d * to.x;
     const y = (a + b) * from.y + (c + d) * to.y;
-    const isIn = x > box.x + INSET && x < box.x + box.width - INSET && y > box.y + INSET && y < box.y + box.height - INSET;
+    const isIn =
+      x > box.x + INSET && x < box.x + box.width - INSET && y > box.y + INSET && y < box.y + box.height - INSET;
     if (isIn) return true;
   }
   return false;

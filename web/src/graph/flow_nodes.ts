@@ -95,7 +95,13 @@ export function flowNodes(before: readonly FlowNode[], state: SessionState): Flo
   return isSame ? (before as FlowNode[]) : next;
 }
 
-function area(type: "frame" | "note", key: string, box: Box & { id: string }, selected: boolean, name: string): AreaNode {
+function area(
+  type: "frame" | "note",
+  key: string,
+  box: Box & { id: string },
+  selected: boolean,
+  name: string,
+): AreaNode {
   return {
     id: key,
     type,
@@ -111,13 +117,18 @@ function area(type: "frame" | "note", key: string, box: Box & { id: string }, se
 }
 
 /** Moves the members of a moved frame along with it. */
-function carried(nodes: readonly FlowNode[], changes: readonly NodeChange<FlowNode>[], state: SessionState): NodeChange<FlowNode>[] {
+function carried(
+  nodes: readonly FlowNode[],
+  changes: readonly NodeChange<FlowNode>[],
+  state: SessionState,
+): NodeChange<FlowNode>[] {
   const moved = new Set(changes.flatMap((change) => (change.type === "position" ? [change.id] : [])));
   const result: NodeChange<FlowNode>[] = [];
   for (const change of changes) {
     if (change.type !== "position" || !change.position) continue;
     const node = nodes.find(({ id }) => id === change.id);
-    const frame = node?.type === "frame" ? state.document?.frames.find(({ id }) => frameKey(id) === node.id) : undefined;
+    const frame =
+      node?.type === "frame" ? state.document?.frames.find(({ id }) => frameKey(id) === node.id) : undefined;
     if (!node || !frame) continue;
     const [dx, dy] = [change.position.x - node.position.x, change.position.y - node.position.y];
     for (const id of frame.nodes) {

@@ -1,6 +1,11 @@
 // What the pointer does on the canvas, as React Flow and the pane around it report it.
 
-import type { Connection as FlowConnection, EdgeChange, FinalConnectionState, OnConnectStartParams } from "@xyflow/react";
+import type {
+  Connection as FlowConnection,
+  EdgeChange,
+  FinalConnectionState,
+  OnConnectStartParams,
+} from "@xyflow/react";
 import { useMemo, useRef, type MouseEvent as ReactMouseEvent, type PointerEvent as ReactPointerEvent } from "react";
 import { useEditor } from "../app/context";
 import type { Editor, MenuTarget } from "../app/editor";
@@ -27,7 +32,10 @@ export function useHandlers(flow: Flow | null) {
   const pulled = useRef<ViewWire | undefined>(undefined);
   const press = useRef<{ timer: number; at: Position } | null>(null);
   return useMemo(() => {
-    const openMenu = (event: { clientX: number; clientY: number; preventDefault(): void }, target: MenuTarget): void => {
+    const openMenu = (
+      event: { clientX: number; clientY: number; preventDefault(): void },
+      target: MenuTarget,
+    ): void => {
       event.preventDefault();
       editor.openMenu({ screen: { x: event.clientX, y: event.clientY }, target });
     };
@@ -102,7 +110,11 @@ export function useHandlers(flow: Flow | null) {
             const options = { bubbles: true, cancelable: true, view: window, clientX, clientY, button: 2 };
             if (target instanceof Element && currentTarget.contains(target)) {
               target.dispatchEvent(new MouseEvent("contextmenu", options));
-              if (isPane(target)) openMenu(event, { kind: "canvas", place: flow?.screenToFlowPosition(pointOf(event)) ?? { x: 0, y: 0 } });
+              if (isPane(target))
+                openMenu(event, {
+                  kind: "canvas",
+                  place: flow?.screenToFlowPosition(pointOf(event)) ?? { x: 0, y: 0 },
+                });
             }
           }, LONG_PRESS_MILLISECONDS);
           press.current = { timer, at: { x: clientX, y: clientY } };
@@ -143,7 +155,12 @@ function settle(editor: Editor, flow: Flow | null, node: FlowNode, dragged: read
       const item = moved.find((one) => one.id === id);
       return item && { ...item.position, width: item.measured?.width ?? 0, height: item.measured?.height ?? 0 };
     };
-    edits.push(collectMembers(moved.map(({ id }) => id), boxOf));
+    edits.push(
+      collectMembers(
+        moved.map(({ id }) => id),
+        boxOf,
+      ),
+    );
   }
   if (target && flow) edits.push(insertOnWire(catalogue, node.id, target));
   session.edit(target ? "Insert on wire" : "Move", inOrder(...edits));

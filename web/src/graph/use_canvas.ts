@@ -23,7 +23,7 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
   useEffect(() => {
     const pane = element.current;
     if (!flow || !pane) return undefined;
-    wasMoved.current = false;
+    wasMoved.current = flow.getNodes().length === 0;
     const middle = (): Position => {
       const box = pane.getBoundingClientRect();
       return { x: box.left + box.width / 2, y: box.top + box.height / 2 };

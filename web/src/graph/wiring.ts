@@ -114,12 +114,16 @@ export function pullWire(editor: Editor, event: MouseEvent): void {
     .view?.wires.filter((item) => item.to === node && item.input === input)
     .at(-1);
   if (!wire) return;
-  const anchor = document.querySelector(`.react-flow__edge[data-id="${CSS.escape(wire.id)}"] .react-flow__edgeupdater-target`);
+  const anchor = document.querySelector(
+    `.react-flow__edge[data-id="${CSS.escape(wire.id)}"] .react-flow__edgeupdater-target`,
+  );
   if (!anchor) return;
   event.stopPropagation();
   event.preventDefault();
   const { clientX, clientY, button } = event;
-  anchor.dispatchEvent(new MouseEvent("mousedown", { bubbles: true, cancelable: true, view: window, clientX, clientY, button }));
+  anchor.dispatchEvent(
+    new MouseEvent("mousedown", { bubbles: true, cancelable: true, view: window, clientX, clientY, button }),
+  );
 }
 
 function inputOf(connection: Partial<FlowConnection>): SocketPlace {

@@ -24,7 +24,8 @@ const KINDS: Readonly<Record<string, ParameterType>> = {
 export function controlKind(card: InputCard, literal: Json): ControlKind | undefined {
   const kind = card.types.map((type) => KINDS[type]).find((found) => found !== undefined);
   if (kind === undefined) return undefined;
-  if (card.several && (kind === "number" || kind === "vector")) return isNumber(literal) && !card.required ? kind : "list";
+  if (card.several && (kind === "number" || kind === "vector"))
+    return isNumber(literal) && !card.required ? kind : "list";
   return kind;
 }
 

@@ -90,7 +90,8 @@ function typedValues(catalogue: Catalogue, text: string): Finding[] {
     }));
   }
   const coordinates = text.split(/[,;]\s*/).map((part) => evaluateExpression(part));
-  if (coordinates.length === 3 && coordinates.every((part) => part !== undefined)) return triples(catalogue, coordinates);
+  if (coordinates.length === 3 && coordinates.every((part) => part !== undefined))
+    return triples(catalogue, coordinates);
   const value = /\d|^(pi|tau)\b/.test(text) && !text.includes(",") ? evaluateExpression(text) : undefined;
   if (value === undefined) return [];
   return constants(catalogue, "number").map(({ card, input }) => ({

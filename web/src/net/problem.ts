@@ -56,6 +56,13 @@ export function nodeErrors(entries: readonly ProblemEntry[], node: string): Prob
   return entries.filter((entry) => entry.node === node);
 }
 
+/** True if both say the same of the same place. */
+export function isSameEntry(a: ProblemEntry, b: ProblemEntry): boolean {
+  return (
+    a.code === b.code && a.node === b.node && a.port === b.port && (!a.pointer || !b.pointer || a.pointer === b.pointer)
+  );
+}
+
 /** What is wrong with one node: the first error, else a warning, else that it waits for others. */
 export function problemsOf(
   state: {
