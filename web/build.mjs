@@ -9,6 +9,7 @@ import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 import esbuild from "esbuild";
+import { leanThree } from "./lean_three.mjs";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 const dist = path.join(here, "dist");
@@ -42,6 +43,7 @@ async function main() {
     loader: { ".woff2": "file" },
     define: { "process.env.NODE_ENV": '"production"' },
     logLevel: "warning",
+    plugins: [leanThree(packageFolder("three"))],
   });
   // The theme is set before the first paint, so it is a classic script of its own.
   const theme = await esbuild.build({

@@ -6,6 +6,10 @@ import { Session } from "./app/session";
 const session = new Session();
 showStateOn(document.documentElement, session.store);
 keepAddress(session);
+// One press of the pointer, or one stay in a field, is one step of undo.
+for (const name of ["pointerdown", "pointerup", "focusin"]) {
+  document.addEventListener(name, () => session.endGesture(), { capture: true });
+}
 const root = document.getElementById("root");
 if (root) createRoot(root).render(<App session={session} />);
 void session.start(exampleInAddress());

@@ -1,122 +1,46 @@
-// What the page holds: catalogue, examples, the open graph with its parameter values, and what is shown of it.
-// Plain TypeScript: React reads the store, the viewer is handed in once it has loaded.
+// The open graph and every way it changes: by editing, by its parameters, by opening another. Plain TypeScript: React
+// reads the store, the viewer is handed in once it has loaded.
 
-import { readCatalogue, type Catalogue } from "../model/catalogue";
-import { readDocument, type CameraPlace, type GraphDocument, type Position } from "../model/document";
-import { fileOutput, viewGraph, type ViewGraph } from "../model/graph";
+import { readCatalogue } from "../model/catalogue";
+import { emptyDocument, readDocument, type GraphDocument } from "../model/document";
+import { moveNodes, setInput, type Edit } from "../model/edit";
+import { fileOutput, viewGraph } from "../model/graph";
+import { History } from "../model/history";
 import { asArray, asObject, asString, type Json } from "../model/json";
 import { layeredLayout } from "../model/layout";
 import { withValue, type Parameter, type ParameterValue, type ParameterValues } from "../model/parameters";
 import { createStore, type Store } from "../model/store";
-import { evaluate, getJson, isAlive, type EvaluateBody } from "../net/api";
-import { Evaluator, type ModelAnswer, type Stamp } from "../net/evaluator";
-import { localProblem, type Problem } from "../net/problem";
-import type { Report } from "../net/report";
+import { getJson, type EvaluateBody } from "../net/api";
+import { localProblem } from "../net/problem";
+import { validate } from "../net/validation";
+import { Renderer } from "./renderer";
+import { EMPTY, type Example, type Origin, type PictureViewer, type SessionState } from "./state";
 
-export interface Example {
-  id: string;
-  title: string;
-  description: string;
-  figure: string;
-  image: string;
-  graph: Json;
-}
+export type { Example, Origin, Picture, PictureViewer, SessionState, Shown } from "./state";
 
-/** A decoded model, as far as the session needs to know it. */
-export interface Picture {
-  triangles: number;
-  vertices: number;
-  decodeMilliseconds: number;
-  dispose(): void;
-}
+const RETRY_MILLISECONDS = 1500;
+const VALIDATE_MILLISECONDS = 150;
 
-export interface PictureViewer {
-  decode(model: Uint8Array<ArrayBuffer>): Promise<Picture>;
-  show(picture: Picture): void;
-  /** Shows the first picture of a document, from its camera if it has one. */
-  open(picture: Picture, camera: CameraPlace | null): void;
-  clear(): void;
-  /** A small picture on a clear background, as an address for an <img>. */
-  thumbnail(picture: Picture, width: number, height: number): Promise<string>;
-}
-
-export interface Shown extends Stamp {
-  report: Report;
-  model: Uint8Array<ArrayBuffer>;
-  triangles: number;
-  vertices: number;
-  decodeMilliseconds: number;
-}
-
-export interface SessionState {
-  catalogue: Catalogue | null;
-  examples: Example[] | null;
-  exampleId: string | null;
-  document: GraphDocument | null;
-  view: ViewGraph | null;
-  positions: Map<string, Position>;
+/** What undo brings back. */
+interface Snapshot {
+  document: GraphDocument;
   values: ParameterValues;
-  revision: number;
-  shown: Shown | null;
-  busy: boolean;
-  away: boolean;
-  problem: Problem | null;
-  selected: string | null;
 }
 
-const PING_MILLISECONDS = 1500;
-
-const EMPTY: SessionState = {
-  catalogue: null,
-  examples: null,
-  exampleId: null,
-  document: null,
-  view: null,
-  positions: new Map(),
-  values: {},
-  revision: 0,
-  shown: null,
-  busy: true,
-  away: false,
-  problem: null,
-  selected: null,
-};
+export interface EditOptions {
+  /** Edits with the same key, one after the other, are one step of undo. */
+  gesture?: string;
+  /** More of its kind will follow at once: a draft is enough until then. */
+  moving?: boolean;
+}
 
 export class Session {
   readonly store: Store<SessionState> = createStore(EMPTY);
-  private readonly evaluator: Evaluator<EvaluateBody, Picture>;
-  private readonly supersedeKey = `page-${crypto.getRandomValues(new Uint32Array(2)).join("-")}`;
-  private viewer: Promise<PictureViewer>;
-  private giveViewer: (viewer: PictureViewer) => void = () => undefined;
-  private refuseViewer: (reason: Error) => void = () => undefined;
-  private shownViewer: PictureViewer | undefined;
-  private pinging = false;
-  private isFirst = true;
-
-  constructor() {
-    this.viewer = new Promise((resolve, reject) => {
-      this.giveViewer = resolve;
-      this.refuseViewer = reject;
-    });
-    this.viewer.catch(() => undefined);
-    this.evaluator = new Evaluator<EvaluateBody, Picture>({
-      // Only full evaluations supersede each other: a newer draft must not cancel the older one, or a slow graph
-      // would show nothing while a slider moves.
-      send: (body, quality, signal) =>
-        evaluate(body, quality, signal, quality === "final" ? this.supersedeKey : undefined),
-      decode: async (answer) => (await this.viewer).decode(answer.model),
-      show: (picture, answer, stamp) => this.show(picture, answer, stamp),
-      discard: (picture) => picture.dispose(),
-      fail: (problem) => this.store.set({ problem, away: false }),
-      away: () => this.lost(),
-      busy: (busy) => this.store.set({ busy }),
-      clock: {
-        now: () => performance.now(),
-        setTimeout: (run, milliseconds) => window.setTimeout(run, milliseconds),
-        clearTimeout: (timer) => window.clearTimeout(timer as number | undefined),
-      },
-    });
-  }
+  private readonly renderer = new Renderer(this.store);
+  private readonly history = new History<Snapshot>();
+  private saved: Json;
+  private validateTimer = 0;
+  private validation: AbortController | undefined;
 
   /** Loads catalogue and examples and opens one: the wanted, else the first. Tries again until the server answers. */
   async start(wanted: string | null): Promise<void> {
@@ -126,98 +50,195 @@ export class Session {
       this.store.set({ catalogue: readCatalogue(nodes), examples, away: false });
       const example = examples.find((item) => item.id === wanted) ?? finest(examples);
       if (example) this.openExample(example.id);
-      else this.store.set({ busy: false });
+      else this.newDocument();
     } catch {
       this.store.set({ away: true });
-      window.setTimeout(() => void this.start(wanted), PING_MILLISECONDS);
+      window.setTimeout(() => void this.start(wanted), RETRY_MILLISECONDS);
     }
   }
 
   openExample(id: string): void {
-    const example = this.store.get().examples?.find((item) => item.id === id);
-    if (!example || this.store.get().exampleId === id) return;
-    const result = readDocument(example.graph);
-    if ("error" in result) this.store.set({ problem: localProblem("This example cannot be opened", result.error) });
-    else this.open(result.document, id);
+    const { examples, exampleId, isChanged } = this.store.get();
+    const example = examples?.find((item) => item.id === id);
+    if (!example || (exampleId === id && !isChanged)) return;
+    const error = this.openDocument(example.graph, { kind: "example", id });
+    if (error !== undefined) this.store.set({ problem: localProblem("This example cannot be opened", error) });
+  }
+
+  /** Opens a document in place of the present one. Answers a sentence for the person if it cannot be read. */
+  openDocument(json: Json, origin: Origin): string | undefined {
+    const result = readDocument(json);
+    if ("error" in result) return result.error;
+    this.open(result.document, origin);
+    return undefined;
+  }
+
+  newDocument(): void {
+    this.open(emptyDocument(), { kind: "new" });
+  }
+
+  /** The present document is what is kept under `origin`. */
+  markSaved(origin: Origin): void {
+    this.saved = this.store.get().document?.json;
+    this.store.set({ origin, exampleId: exampleOf(origin), isChanged: false });
+  }
+
+  /** Changes the document. An edit that answers the document it was given changes nothing. */
+  edit(label: string, change: Edit, { gesture, moving = false }: EditOptions = {}): void {
+    const { document, values } = this.store.get();
+    if (!document) return;
+    const next = change(document);
+    if (next === document) return;
+    this.history.record({ document, values }, label, gesture);
+    this.replace({ document: next, values: knownValues(values, next) }, moving);
+  }
+
+  /** Writes a literal to a node's input; undefined brings its default back. */
+  setInput(node: string, port: string, value: Json, options: EditOptions = {}): void {
+    this.edit(`Change ${port}`, setInput(node, port, value), { gesture: `input ${node}.${port}`, ...options });
   }
 
   setParameter(parameter: Parameter, value: ParameterValue, moving: boolean): void {
-    const values = withValue(this.store.get().values, parameter, value);
-    this.evaluate(values, moving);
+    const { document, values } = this.store.get();
+    if (!document) return;
+    this.history.record({ document, values }, `Change ${parameter.label}`, `parameter ${parameter.name}`);
+    this.replace({ document, values: withValue(values, parameter, value) }, moving);
   }
 
   resetParameters(): void {
-    this.evaluate({}, true);
+    const { document, values } = this.store.get();
+    if (!document) return;
+    this.history.record({ document, values }, "Reset all parameters");
+    this.replace({ document, values: {} }, true);
   }
 
-  select(node: string | null): void {
-    if (node !== this.store.get().selected) this.store.set({ selected: node });
+  undo(): void {
+    this.travel((present) => this.history.undo(present));
   }
 
-  /** What would be sent for the present state; undefined before a graph is open. */
+  redo(): void {
+    this.travel((present) => this.history.redo(present));
+  }
+
+  /** The hand has let go: the next change is a step of its own. */
+  endGesture(): void {
+    this.history.endGesture();
+  }
+
+  /** Selects nodes by their names, frames and notes by their keys, and nothing else. */
+  select(ids: Iterable<string>): void {
+    const { document, selection, areas, selected } = this.store.get();
+    const wanted = [...ids];
+    const nodes = new Set(wanted.filter((id) => document?.nodes.has(id)));
+    const others = new Set(wanted.filter((id) => id.includes(":")));
+    const last = wanted.filter((id) => nodes.has(id)).at(-1) ?? null;
+    const kept = selected !== null && nodes.has(selected) && nodes.size > 1 ? selected : last;
+    if (isSameSet(nodes, selection) && isSameSet(others, areas)) return;
+    this.store.set({ selection: nodes, areas: others, selected: kept });
+  }
+
+  /** What would be sent for the present state; undefined where there is nothing that leaves the graph. */
   body(): EvaluateBody | undefined {
     const { document, catalogue, values } = this.store.get();
     if (!document || !catalogue) return undefined;
-    return { graph: document.json, parameters: values, output: fileOutput(document, catalogue) };
+    const output = fileOutput(document, catalogue);
+    if (output === undefined) return undefined;
+    return { graph: document.json, parameters: values, output };
   }
 
-  /** Takes a viewer into use; one that replaces another is given what is shown. */
   viewerLoaded(viewer: PictureViewer): void {
-    this.giveViewer(viewer);
-    this.viewer = Promise.resolve(viewer);
-    this.shownViewer = viewer;
-    const { shown, document } = this.store.get();
-    if (shown) void viewer.decode(shown.model).then((picture) => viewer.open(picture, document?.camera ?? null));
+    this.renderer.viewerLoaded(viewer);
   }
 
   viewerFailed(reason: string): void {
-    this.refuseViewer(new Error(reason));
+    this.renderer.viewerFailed(reason);
   }
 
-  private open(document: GraphDocument, exampleId: string): void {
-    const { catalogue } = this.store.get();
+  private open(read: GraphDocument, origin: Origin): void {
+    const { catalogue, opened } = this.store.get();
     if (!catalogue) return;
-    const view = viewGraph(document, catalogue);
-    const placed = document.positions.size === document.nodes.size;
-    const positions = placed ? document.positions : layeredLayout(view);
-    this.evaluator.reset();
-    this.shownViewer?.clear();
-    this.isFirst = true;
-    this.store.set({ document, view, positions, exampleId, shown: null, problem: null, selected: null });
-    this.evaluate({}, false);
+    const isPlaced = read.positions.size === read.nodes.size;
+    const document = isPlaced ? read : moveNodes(layeredLayout(viewGraph(read, catalogue)))(read);
+    this.saved = document.json;
+    this.history.clear();
+    this.renderer.reset();
+    this.store.set({
+      ...{ document, origin, opened: opened + 1, exampleId: exampleOf(origin), view: viewGraph(document, catalogue) },
+      ...{ values: {}, isChanged: false, shown: null, problem: null, checked: null },
+      ...{ selection: new Set<string>(), areas: new Set<string>(), selected: null, ...this.steps() },
+    });
+    this.evaluate(false);
+    this.validateSoon();
   }
 
-  private evaluate(values: ParameterValues, moving: boolean): void {
-    this.store.set({ values });
+  private travel(step: (present: Snapshot) => Snapshot | undefined): void {
+    const { document, values } = this.store.get();
+    const state = document && step({ document, values });
+    if (state) this.replace(state, false);
+  }
+
+  private replace({ document, values }: Snapshot, moving: boolean): void {
+    const before = this.store.get();
+    if (!before.catalogue || !before.document) return;
+    const selection = new Set([...before.selection].filter((id) => document.nodes.has(id)));
+    this.store.set({
+      ...{ document, values, view: viewGraph(document, before.catalogue, before.view ?? undefined) },
+      ...{ isChanged: document.json !== this.saved, ...this.steps() },
+      selection: selection.size === before.selection.size ? before.selection : selection,
+      selected: before.selected !== null && document.nodes.has(before.selected) ? before.selected : null,
+    });
+    const isSameGraph = ["nodes", "parameters"].every((name) => document.json[name] === before.document?.json[name]);
+    if (isSameGraph && values === before.values) return;
+    this.evaluate(moving);
+    this.validateSoon();
+  }
+
+  private steps(): Pick<SessionState, "canUndo" | "canRedo" | "undoLabel" | "redoLabel"> {
+    const { undoLabel, redoLabel } = this.history;
+    return { undoLabel, redoLabel, canUndo: undoLabel !== undefined, canRedo: redoLabel !== undefined };
+  }
+
+  private evaluate(moving: boolean): void {
     const body = this.body();
-    if (body) this.store.set({ revision: this.evaluator.input(body, moving) });
+    if (body) {
+      this.store.set({ revision: this.renderer.input(body, moving) });
+      return;
+    }
+    this.renderer.rest();
+    const isStale = this.store.get().shown !== null;
+    this.store.set({
+      problem: isStale ? localProblem("Nothing to show", "No node of this graph makes a file.") : null,
+    });
   }
 
-  private show(picture: Picture, answer: ModelAnswer, stamp: Stamp): void {
-    if (this.isFirst) this.shownViewer?.open(picture, this.store.get().document?.camera ?? null);
-    else this.shownViewer?.show(picture);
-    this.isFirst = false;
-    const { triangles, vertices, decodeMilliseconds } = picture;
-    const { report, model } = answer;
-    const shown: Shown = { ...stamp, report, model, triangles, vertices, decodeMilliseconds };
-    this.store.set({ shown, problem: null, away: false });
+  /** Asks what the whole graph looks like to the server, once changes have paused for a moment. */
+  private validateSoon(): void {
+    window.clearTimeout(this.validateTimer);
+    this.validateTimer = window.setTimeout(() => void this.validate(), VALIDATE_MILLISECONDS);
   }
 
-  private lost(): void {
-    this.store.set({ away: true });
-    if (this.pinging) return;
-    this.pinging = true;
-    const ping = async (): Promise<void> => {
-      if (!(await isAlive())) {
-        window.setTimeout(() => void ping(), PING_MILLISECONDS);
-        return;
-      }
-      this.pinging = false;
-      this.store.set({ away: false });
-      this.evaluator.resume();
-    };
-    window.setTimeout(() => void ping(), PING_MILLISECONDS / 3);
+  private async validate(): Promise<void> {
+    const { document, values } = this.store.get();
+    if (!document) return;
+    this.validation?.abort();
+    const request = (this.validation = new AbortController());
+    const checked = await validate({ graph: document.json, parameters: values }, request.signal);
+    if (checked && this.validation === request && !request.signal.aborted) this.store.set({ checked });
   }
+}
+
+function exampleOf(origin: Origin): string | null {
+  return origin.kind === "example" ? origin.id : null;
+}
+
+/** The values of parameters that are still there. */
+function knownValues(values: ParameterValues, { parameters }: GraphDocument): ParameterValues {
+  const known = Object.entries(values).filter(([name]) => parameters.some((parameter) => parameter.name === name));
+  return known.length === Object.keys(values).length ? values : Object.fromEntries(known);
+}
+
+function isSameSet(a: ReadonlySet<string>, b: ReadonlySet<string>): boolean {
+  return a.size === b.size && [...a].every((item) => b.has(item));
 }
 
 function readExample(json: Json): Example {

@@ -18,9 +18,9 @@ type Flow = ReactFlowInstance<GraphNodeData, Edge>;
 export function GraphPane(): ReactElement {
   const session = useCurrentSession();
   const view = useCurrent((state) => state.view);
-  const positions = useCurrent((state) => state.positions);
+  const positions = useCurrent((state) => state.document?.positions);
   const catalogue = useCurrent((state) => state.catalogue);
-  const exampleId = useCurrent((state) => state.exampleId);
+  const opened = useCurrent((state) => state.opened);
   const selected = useCurrent((state) => state.selected);
   const [flow, setFlow] = useState<Flow | null>(null);
   const element = useRef<HTMLElement>(null);
@@ -31,7 +31,7 @@ export function GraphPane(): ReactElement {
       (view?.nodes ?? []).map((node) => ({
         id: node.id,
         type: "graph" as const,
-        position: positions.get(node.id) ?? { x: 0, y: 0 },
+        position: positions?.get(node.id) ?? { x: 0, y: 0 },
         width: NODE_WIDTH,
         selected: node.id === selected,
         data: { node },
@@ -83,15 +83,15 @@ export function GraphPane(): ReactElement {
     >
       {view ? (
         <ReactFlow<GraphNodeData, Edge>
-          key={exampleId}
+          key={opened}
           nodes={nodes}
           edges={edges}
           nodeTypes={NODE_TYPES}
           onInit={setFlow}
-          onNodeClick={(_, node) => session.select(node.id)}
-          onPaneClick={() => session.select(null)}
+          onNodeClick={(_, node) => session.select([node.id])}
+          onPaneClick={() => session.select([])}
           onNodesChange={(changes) => {
-            for (const change of changes) if (change.type === "select" && change.selected) session.select(change.id);
+            for (const change of changes) if (change.type === "select" && change.selected) session.select([change.id]);
           }}
           onMoveStart={(event) => {
             if (event) wasMoved.current = true;

@@ -22,7 +22,7 @@ export const NodeView = memo(function NodeView({ data, selected }: NodeProps<Gra
   const blocked = useCurrent((state) => state.problem?.blocked.includes(node.id) ?? false);
   const tone = error ? "error" : warning ? "warning" : blocked ? "blocked" : undefined;
   useEffect(() => update(node.id), [unfolded, node.id, update]);
-  const choose = (): void => session.select(node.id);
+  const choose = (): void => session.select([node.id]);
   return (
     <div className="node" data-tone={tone} data-selected={selected} data-bypass={node.bypass} data-known={node.known}>
       <div className="node-head">

@@ -1,6 +1,6 @@
 // The catalogue of node types as GET /v1/nodes answers it. Everything the page knows about nodes comes from here.
 
-import { asArray, asObject, asString, isNumber, type Json } from "./json";
+import { asArray, asNumber, asObject, asString, isNumber, type Json } from "./json";
 
 /** A wire type: what its sockets and wires look like. */
 export interface WireType {
@@ -9,6 +9,8 @@ export interface WireType {
   color: string;
   shape: string;
   doc: string;
+  /** Given as literals only: there are no wires of this type. */
+  literalOnly: boolean;
 }
 
 /** An input of a node type: what it accepts and the literal it falls back to. */
@@ -20,6 +22,16 @@ export interface InputCard {
   several: boolean;
   fallback?: Json;
   unit: string;
+  /** Outside of these the server refuses a value. */
+  minimum?: number;
+  maximum?: number;
+  /** The range of a slider. */
+  softMinimum?: number;
+  softMaximum?: number;
+  step?: number;
+  choices: string[];
+  /** The text names a file kept by the server. */
+  namesFile: boolean;
 }
 
 /** An output of a node type; `sameAs` names the input whose type it repeats. */
@@ -35,6 +47,8 @@ export interface NodeCard {
   title: string;
   family: string;
   doc: string;
+  /** More than the one sentence of `doc`; may be empty. */
+  details: string;
   source: string;
   inputs: InputCard[];
   outputs: OutputCard[];
@@ -50,7 +64,14 @@ export interface Catalogue {
 /** Type of the values that leave the graph as bytes: a node that makes one is something to evaluate and download. */
 export const FILE_TYPE = "asset";
 
-const UNKNOWN_TYPE: WireType = { name: "unknown", family: "", color: "#8B94A3", shape: "circle", doc: "" };
+const UNKNOWN_TYPE: WireType = {
+  name: "unknown",
+  family: "",
+  color: "#8B94A3",
+  shape: "circle",
+  doc: "",
+  literalOnly: false,
+};
 
 /** Reads the answer of GET /v1/nodes; missing texts become empty, cards without an id are left out. */
 export function readCatalogue(json: Json): Catalogue {
@@ -65,7 +86,9 @@ export function readCatalogue(json: Json): Catalogue {
     const name = asString(item["name"]);
     const color = asString(item["color"]) || UNKNOWN_TYPE.color;
     const shape = asString(item["shape"]) || UNKNOWN_TYPE.shape;
-    catalogue.types.set(name, { name, family: asString(item["family"]), color, shape, doc: asString(item["doc"]) });
+    const literalOnly = item["literal_only"] === true;
+    const [family, doc] = [asString(item["family"]), asString(item["doc"])];
+    catalogue.types.set(name, { name, family, color, shape, doc, literalOnly });
   }
   for (const item of asArray(root["families"]).map(asObject)) {
     catalogue.families.set(asString(item["name"]), asString(item["title"]));
@@ -82,6 +105,11 @@ export function wireType(catalogue: Catalogue, name: string | undefined): WireTy
   return (name !== undefined && catalogue.types.get(name)) || UNKNOWN_TYPE;
 }
 
+/** True if wires may end at the input; others take literals and parameters only. */
+export function takesWires(catalogue: Catalogue, input: InputCard): boolean {
+  return input.types.some((type) => !catalogue.types.get(type)?.literalOnly);
+}
+
 /** The unit as written behind a number. */
 export function unitText(unit: string): string {
   if (unit === "deg") return "°";
@@ -95,6 +123,7 @@ function readCard(item: Record<string, Json>): NodeCard {
     title: asString(item["title"]) || id,
     family: asString(item["family"]),
     doc: asString(item["doc"]),
+    details: asString(item["details"]),
     source: asString(item["source"]),
     inputs: asArray(item["inputs"]).map(asObject).map(readInput),
     outputs: asArray(item["outputs"]).map(asObject).map(readOutput),
@@ -110,6 +139,13 @@ function readInput(item: Record<string, Json>): InputCard {
     several: item["several"] === true || isNumber(item["several"]),
     fallback: item["default"],
     unit: asString(item["unit"]),
+    minimum: asNumber(item["minimum"]),
+    maximum: asNumber(item["maximum"]),
+    softMinimum: asNumber(item["soft_minimum"]),
+    softMaximum: asNumber(item["soft_maximum"]),
+    step: asNumber(item["step"]),
+    choices: asArray(item["choices"]).map(asString),
+    namesFile: item["names_file"] === true,
   };
 }
 

@@ -1,8 +1,11 @@
 // The graph document, format 1, as the page reads it. The server is the judge of a document; here only what is needed
-// to draw it and to build the form is read, and the text sent to the server stays the one that was loaded.
+// to draw and edit it is read, and its JSON stays what is sent, whatever else it holds.
 
-import { asArray, asNumber, asObject, asString, isNumber, isObject, type Json, type JsonObject } from "./json";
+import { asObject, asString, isNumber, isObject, type Json, type JsonObject } from "./json";
 import { readParameter, type Parameter } from "./parameters";
+import { readUi, type UiState } from "./ui";
+
+export type { Position } from "./ui";
 
 /** What stands at an input: a literal, a wire from another node's output, or a parameter of the graph. */
 export type Source =
@@ -18,11 +21,6 @@ export interface GraphNode {
   bypass: boolean;
 }
 
-export interface Position {
-  x: number;
-  y: number;
-}
-
 /** Where the page's camera stands when the document is opened, in the graph's coordinates (Z up). */
 export interface CameraPlace {
   position: Triple;
@@ -31,8 +29,8 @@ export interface CameraPlace {
 
 export type Triple = readonly [number, number, number];
 
-export interface GraphDocument {
-  /** The document as it was loaded: this is what is sent. */
+export interface GraphDocument extends UiState {
+  /** The document itself: this is what is sent and saved, the rest is read from it. */
   json: JsonObject;
   title: string;
   description: string;
@@ -40,12 +38,23 @@ export interface GraphDocument {
   camera: CameraPlace | null;
   parameters: Parameter[];
   nodes: Map<string, GraphNode>;
-  positions: Map<string, Position>;
 }
 
 export type ReadResult = { document: GraphDocument } | { error: string };
 
 const NEWEST_FORMAT = 1;
+const UNTITLED = "Untitled graph";
+
+/** A document without nodes. */
+export function emptyDocument(): GraphDocument {
+  return readMembers({
+    format: NEWEST_FORMAT,
+    meta: { title: UNTITLED },
+    parameters: {},
+    nodes: {},
+    ui: { nodes: {} },
+  });
+}
 
 /** Reads a parsed document. The error is one sentence for the person who opened it. */
 export function readDocument(json: Json): ReadResult {
@@ -56,23 +65,45 @@ export function readDocument(json: Json): ReadResult {
     return { error: `This graph has format ${format}; this page reads formats up to ${NEWEST_FORMAT}.` };
   }
   if (!isObject(json["nodes"])) return { error: "This graph has no nodes." };
+  return { document: readMembers(json) };
+}
+
+/** The document with other members. What stays the same object in the JSON stays the same object in what is read of it. */
+export function rewritten(document: GraphDocument, members: JsonObject): GraphDocument {
+  return readMembers({ ...document.json, ...members }, document);
+}
+
+function readMembers(json: JsonObject, before?: GraphDocument): GraphDocument {
   const meta = asObject(json["meta"]);
-  const parameters = Object.entries(asObject(json["parameters"])).map(([name, item]) =>
-    readParameter(name, asObject(item)),
-  );
-  const nodes = new Map<string, GraphNode>();
-  for (const [id, item] of Object.entries(json["nodes"])) nodes.set(id, readNode(id, asObject(item)));
+  const nodes =
+    before && before.json["nodes"] === json["nodes"] ? before.nodes : readNodes(asObject(json["nodes"]), before);
+  const isSameUi = before !== undefined && before.json["ui"] === json["ui"] && before.nodes.size === nodes.size;
   return {
-    document: {
-      json,
-      title: asString(meta["title"]) || "Untitled graph",
-      description: asString(meta["description"]),
-      camera: readCamera(asObject(meta["camera"])),
-      parameters,
-      nodes,
-      positions: readPositions(asObject(json["ui"]), nodes),
-    },
+    ...(isSameUi ? uiOf(before) : readUi(asObject(json["ui"]), new Set(nodes.keys()))),
+    json,
+    title: asString(meta["title"]) || UNTITLED,
+    description: asString(meta["description"]),
+    camera: readCamera(asObject(meta["camera"])),
+    parameters:
+      before && before.json["parameters"] === json["parameters"]
+        ? before.parameters
+        : Object.entries(asObject(json["parameters"])).map(([name, item]) => readParameter(name, asObject(item))),
+    nodes,
   };
+}
+
+function uiOf({ positions, previews, collapsed, frames, notes }: UiState): UiState {
+  return { positions, previews, collapsed, frames, notes };
+}
+
+function readNodes(items: JsonObject, before?: GraphDocument): Map<string, GraphNode> {
+  const known = asObject(before?.json["nodes"]);
+  const nodes = new Map<string, GraphNode>();
+  for (const [id, item] of Object.entries(items)) {
+    const same = known[id] === item ? before?.nodes.get(id) : undefined;
+    nodes.set(id, same ?? readNode(id, asObject(item)));
+  }
+  return nodes;
 }
 
 /** A camera that looks nowhere, or not from a place in space, is none. Its `up` is not read: up is Z in every view. */
@@ -99,7 +130,8 @@ function readNode(id: string, item: JsonObject): GraphNode {
   return { id, type: asString(item["type"]), inputs, bypass: item["bypass"] === true };
 }
 
-function readSources(value: Json): Source[] {
+/** What stands at an input, as written in the document. */
+export function readSources(value: Json): Source[] {
   // A list is several sources only if a link or a parameter is among them; otherwise it is one literal, as [x, y, z].
   if (Array.isArray(value) && value.some(isReference)) return value.map(readSource);
   return [readSource(value)];
@@ -115,14 +147,4 @@ function readSource(value: Json): Source {
     if (typeof value["parameter"] === "string") return { kind: "parameter", name: value["parameter"] };
   }
   return { kind: "literal", value };
-}
-
-function readPositions(ui: JsonObject, nodes: Map<string, GraphNode>): Map<string, Position> {
-  const positions = new Map<string, Position>();
-  for (const [id, item] of Object.entries(asObject(ui["nodes"]))) {
-    const place = asObject(item);
-    const [x, y] = Array.isArray(item) ? asArray(item).map(asNumber) : [asNumber(place["x"]), asNumber(place["y"])];
-    if (nodes.has(id) && x !== undefined && y !== undefined) positions.set(id, { x, y });
-  }
-  return positions;
 }

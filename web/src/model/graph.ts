@@ -1,8 +1,10 @@
 // What is drawn of a graph: nodes with rows of sockets, wires with types. Made from document and catalogue alone.
 
-import { FILE_TYPE, unitText, type Catalogue, type InputCard, type NodeCard } from "./catalogue";
+import { FILE_TYPE, takesWires, unitText, type Catalogue, type InputCard, type NodeCard } from "./catalogue";
 import type { GraphDocument, GraphNode, Source } from "./document";
 import { literalText } from "./format";
+import type { Json } from "./json";
+import { OutputTypes } from "./types";
 
 /** One input row: its socket, and the value or parameter that stands there. */
 export interface InputRow {
@@ -13,10 +15,17 @@ export interface InputRow {
   linked: boolean;
   /** Text of the literal, or of the default where nothing is given. */
   value: string;
+  /** The one literal that stands there, or the default; undefined where there is a wire, a parameter or nothing. */
+  literal?: Json;
   /** Label of the graph parameter that drives the input. */
   parameter?: string;
+  parameterName?: string;
   isDefault: boolean;
   required: boolean;
+  /** Wires may end here. */
+  hasSocket: boolean;
+  /** What the catalogue says of it; undefined for an input it does not know. */
+  card?: InputCard;
 }
 
 export interface OutputRow {
@@ -32,11 +41,14 @@ export interface ViewNode {
   type: string;
   family: string;
   doc: string;
+  details: string;
   source: string;
   known: boolean;
   bypass: boolean;
+  preview: boolean;
+  collapsed: boolean;
   inputs: InputRow[];
-  /** How many inputs stand at their default and are folded away. */
+  /** Inputs that stand at their default and are folded away. */
   folded: InputRow[];
   outputs: OutputRow[];
 }
@@ -47,76 +59,96 @@ export interface ViewWire {
   output: string;
   to: string;
   input: string;
+  /** Place among the sources of the input. */
+  index: number;
   type: string;
 }
 
 export interface ViewGraph {
-  nodes: ViewNode[];
-  wires: ViewWire[];
+  nodes: readonly ViewNode[];
+  wires: readonly ViewWire[];
+  byId: ReadonlyMap<string, ViewNode>;
 }
 
-/** The nodes and wires of a document. Links to missing nodes or outputs are left out: the server reports them. */
-export function viewGraph(document: GraphDocument, catalogue: Catalogue): ViewGraph {
+export const EMPTY_VIEW: ViewGraph = { nodes: [], wires: [], byId: new Map() };
+
+/**
+ * The nodes and wires of a document. Links to missing nodes or outputs are left out: the server reports them. Nodes and
+ * the list of wires that equal those of `before` are the same objects, so that only what changed is drawn again.
+ */
+export function viewGraph(document: GraphDocument, catalogue: Catalogue, before = EMPTY_VIEW): ViewGraph {
   const types = new OutputTypes(document, catalogue);
+  const labels = new Map(document.parameters.map((parameter) => [parameter.name, parameter.label]));
   const nodes: ViewNode[] = [];
   const wires: ViewWire[] = [];
-  const labels = new Map(document.parameters.map((parameter) => [parameter.name, parameter.label]));
   for (const node of document.nodes.values()) {
-    const card = catalogue.nodes.get(node.type);
-    const rows = inputRows(node, card, labels, types);
-    nodes.push({
-      id: node.id,
-      title: card?.title ?? node.type,
-      type: node.type,
-      family: card?.family ?? "",
-      doc: card?.doc ?? "",
-      source: card?.source ?? "",
-      known: card !== undefined,
-      bypass: node.bypass,
-      inputs: rows.filter((row) => !row.isDefault || row.required),
-      folded: rows.filter((row) => row.isDefault && !row.required),
-      outputs: (card?.outputs ?? []).map((output) => ({
-        name: output.name,
-        type: types.of(node.id, output.name) ?? "",
-        doc: output.doc,
-      })),
-    });
+    const drawn = viewNode(node, document, catalogue, labels, types);
+    const old = before.byId.get(node.id);
+    nodes.push(old && isEqual(old, drawn) ? old : drawn);
     for (const [input, sources] of node.inputs) wires.push(...wiresInto(node.id, input, sources, types));
   }
-  return { nodes, wires };
+  const isSame = nodes.length === before.nodes.length && nodes.every((node, index) => node === before.nodes[index]);
+  return {
+    nodes: isSame ? before.nodes : nodes,
+    wires: isEqual(before.wires, wires) ? before.wires : wires,
+    byId: isSame ? before.byId : new Map(nodes.map((node) => [node.id, node])),
+  };
 }
 
 /** The node whose file is shown: the only one, or the first, that makes a file. Undefined if there is none. */
 export function fileOutput(document: GraphDocument, catalogue: Catalogue): string | undefined {
-  for (const node of document.nodes.values()) {
-    const outputs = catalogue.nodes.get(node.type)?.outputs ?? [];
-    if (outputs.some((output) => output.types.includes(FILE_TYPE))) return node.id;
-  }
+  for (const node of document.nodes.values()) if (makesFile(catalogue.nodes.get(node.type))) return node.id;
   return undefined;
 }
 
-function inputRows(
+export function makesFile(card: NodeCard | undefined): boolean {
+  return card?.outputs.some((output) => output.types.includes(FILE_TYPE)) ?? false;
+}
+
+function viewNode(
   node: GraphNode,
-  card: NodeCard | undefined,
+  document: GraphDocument,
+  catalogue: Catalogue,
   labels: Map<string, string>,
   types: OutputTypes,
-): InputRow[] {
+): ViewNode {
+  const card = catalogue.nodes.get(node.type);
   const names = [...(card?.inputs.map((input) => input.name) ?? [])];
   for (const name of node.inputs.keys()) if (!names.includes(name)) names.push(name);
-  return names.map((name) => {
+  const rows = names.map((name) => {
     const input = card?.inputs.find((candidate) => candidate.name === name);
-    const sources = node.inputs.get(name) ?? [];
-    return inputRow(name, input, sources, labels, types);
+    const row = inputRow(name, input, node.inputs.get(name) ?? [], labels, types);
+    return { ...row, hasSocket: row.linked || (input !== undefined && takesWires(catalogue, input)) };
   });
+  return {
+    id: node.id,
+    title: card?.title ?? node.type,
+    type: node.type,
+    family: card?.family ?? "",
+    doc: card?.doc ?? "",
+    details: card?.details ?? "",
+    source: card?.source ?? "",
+    known: card !== undefined,
+    bypass: node.bypass,
+    preview: document.previews.has(node.id),
+    collapsed: document.collapsed.has(node.id),
+    inputs: rows.filter((row) => !row.isDefault || row.required),
+    folded: rows.filter((row) => row.isDefault && !row.required),
+    outputs: (card?.outputs ?? []).map((output) => ({
+      name: output.name,
+      type: types.of(node.id, output.name) ?? "",
+      doc: output.doc,
+    })),
+  };
 }
 
 function inputRow(
   name: string,
   input: InputCard | undefined,
-  sources: Source[],
+  sources: readonly Source[],
   labels: Map<string, string>,
   types: OutputTypes,
-): InputRow {
+): Omit<InputRow, "hasSocket"> {
   const link = sources.find((source) => source.kind === "link");
   const parameter = sources.find((source) => source.kind === "parameter");
   const literals = sources.flatMap((source) => (source.kind === "literal" ? [source.value] : []));
@@ -132,69 +164,31 @@ function inputRow(
     doc: input?.doc ?? "",
     linked: link !== undefined,
     value: isDefault ? fallback : literals.map((value) => withUnit(literalText(value))).join(", "),
+    literal: isDefault ? input?.fallback : sources.length === 1 ? literals[0] : undefined,
     parameter: parameter && (labels.get(parameter.name) ?? parameter.name),
+    parameterName: parameter?.name,
     isDefault,
     required: input?.required ?? false,
+    card: input,
   };
 }
 
-function wiresInto(to: string, input: string, sources: Source[], types: OutputTypes): ViewWire[] {
+function wiresInto(to: string, input: string, sources: readonly Source[], types: OutputTypes): ViewWire[] {
   return sources.flatMap((source, index) => {
     if (source.kind !== "link") return [];
     const output = types.outputName(source.node, source.output);
     if (output === undefined) return [];
     const type = types.of(source.node, output) ?? "";
-    return [{ id: `${to}.${input}.${index}`, from: source.node, output, to, input, type }];
+    return [{ id: `${to}.${input}.${index}`, from: source.node, output, to, input, index, type }];
   });
 }
 
-/** Types of outputs, following "same as input" through wires. Cycles end as unknown. */
-class OutputTypes {
-  private readonly found = new Map<string, string | undefined>();
-
-  constructor(
-    private readonly document: GraphDocument,
-    private readonly catalogue: Catalogue,
-  ) {}
-
-  outputName(nodeId: string, output: string | undefined): string | undefined {
-    const node = this.document.nodes.get(nodeId);
-    const outputs = (node && this.catalogue.nodes.get(node.type)?.outputs) ?? [];
-    return output === undefined ? outputs[0]?.name : outputs.find((item) => item.name === output)?.name;
-  }
-
-  of(nodeId: string, output?: string): string | undefined {
-    // Walks up iteratively, because a document may chain thousands of nodes.
-    const visited: string[] = [];
-    let [node, name] = [nodeId, this.outputName(nodeId, output)];
-    let answer: string | undefined;
-    while (name !== undefined) {
-      const key = `${node}.${name}`;
-      if (this.found.has(key) || visited.includes(key)) {
-        answer = this.found.get(key);
-        break;
-      }
-      visited.push(key);
-      const step = this.step(node, name);
-      if (typeof step !== "object") {
-        answer = step;
-        break;
-      }
-      node = step.node;
-      name = this.outputName(step.node, step.output);
-    }
-    for (const key of visited) this.found.set(key, answer);
-    return answer;
-  }
-
-  /** The type itself where it is known at this node, or the link to follow. */
-  private step(nodeId: string, name: string): string | undefined | { node: string; output?: string } {
-    const node = this.document.nodes.get(nodeId);
-    const card = node && this.catalogue.nodes.get(node.type);
-    const output = card?.outputs.find((item) => item.name === name);
-    if (!node || !card || !output) return undefined;
-    const follow = output.sameAs ?? (output.types.length > 1 ? card.inputs[0]?.name : undefined);
-    const link = follow === undefined ? undefined : node.inputs.get(follow)?.find((source) => source.kind === "link");
-    return link ?? output.types[0];
-  }
+/** Deep equality of plain data. */
+export function isEqual(a: unknown, b: unknown): boolean {
+  if (a === b) return true;
+  if (typeof a !== "object" || typeof b !== "object" || a === null || b === null) return false;
+  if (Array.isArray(a) !== Array.isArray(b)) return false;
+  const [left, right] = [a as Record<string, unknown>, b as Record<string, unknown>];
+  const keys = Object.keys(left);
+  return keys.length === Object.keys(right).length && keys.every((key) => isEqual(left[key], right[key]));
 }

@@ -132,7 +132,8 @@ function readValue(type: ParameterType, value: Json): ParameterValue {
   }
 }
 
-function sentenceCase(name: string): string {
+/** A name as a label: "clip_radius" -> "Clip radius". */
+export function sentenceCase(name: string): string {
   const words = name.replace(/[_-]+/g, " ").trim();
   return words.charAt(0).toUpperCase() + words.slice(1);
 }

@@ -1,6 +1,7 @@
 // RFC 9457 problems as the server sends them.
 
 import { asArray, asObject, asString, isObject, type Json } from "../model/json";
+import type { PatchStep } from "../model/patch";
 
 export interface ProblemEntry {
   code: string;
@@ -8,6 +9,8 @@ export interface ProblemEntry {
   port: string;
   pointer: string;
   detail: string;
+  /** What would mend it. */
+  fix: PatchStep[];
 }
 
 export interface Problem {
@@ -71,5 +74,8 @@ export function readEntry(item: Json): ProblemEntry {
     port: asString(entry["port"]),
     pointer: asString(entry["pointer"]),
     detail: asString(entry["detail"]) || asString(entry["message"]),
+    fix: asArray(entry["fix"])
+      .filter(isObject)
+      .map((step) => ({ op: asString(step["op"]), path: asString(step["path"]), value: step["value"] })),
   };
 }

@@ -70,19 +70,22 @@ export function axesText(type: string, axes: readonly Axis[]): string {
   return `${type} over ${axes.map((axis) => `${axis.name}: ${axis.size}${axis.closed ? " closed" : ""}`).join(", ")}`;
 }
 
+export function readAxes(json: Json): Axis[] {
+  return asArray(json)
+    .map(asObject)
+    .map((axis) => ({
+      name: asString(axis["name"]),
+      size: asNumber(axis["size"]) ?? 0,
+      closed: axis["closed"] === true,
+    }));
+}
+
 function readNode(json: Json): NodeReport {
   const item = asObject(json);
   const outputs: NodeReport["outputs"] = new Map();
   for (const [name, value] of Object.entries(asObject(item["outputs"]))) {
     const output = asObject(value);
-    const axes = asArray(output["axes"])
-      .map(asObject)
-      .map((axis) => ({
-        name: asString(axis["name"]),
-        size: asNumber(axis["size"]) ?? 0,
-        closed: axis["closed"] === true,
-      }));
-    outputs.set(name, { type: asString(output["type"]), axes });
+    outputs.set(name, { type: asString(output["type"]), axes: readAxes(output["axes"]) });
   }
   return { milliseconds: asNumber(item["milliseconds"]) ?? 0, cached: item["cached"] === true, outputs };
 }

@@ -31,7 +31,14 @@ export function Problems(): ReactElement {
         <ul>
           <Row
             tone="error"
-            entry={{ code: problem.code, node: "", port: "", pointer: "", detail: problem.detail || problem.title }}
+            entry={{
+              code: problem.code,
+              node: "",
+              port: "",
+              pointer: "",
+              detail: problem.detail || problem.title,
+              fix: [],
+            }}
           />
         </ul>
       )}
@@ -49,6 +56,7 @@ export function Problems(): ReactElement {
               port: "",
               pointer: "",
               detail: check.message || `The value is ${check.value}.`,
+              fix: [],
             }}
           />
         ))}
@@ -92,7 +100,7 @@ function Row({ tone, entry }: { tone: "error" | "warning"; entry: ProblemEntry }
   return (
     <li className="problem" data-tone={tone}>
       {isKnown ? (
-        <button type="button" onClick={() => session.select(entry.node)}>
+        <button type="button" onClick={() => session.select([entry.node])}>
           {body}
         </button>
       ) : (

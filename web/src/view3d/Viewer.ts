@@ -1,10 +1,10 @@
 // The 3D view. Draws only when something changed; React never runs while it does.
 
-import { Group, LineBasicMaterial, LineSegments, Mesh, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
+import { Group, LineBasicMaterial, LineSegments, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import type { CameraPlace } from "../model/document";
 import { Decoder, type DecodedModel } from "./decode";
-import { dress, studioOf } from "./dress";
+import { studioOf } from "./dress";
 import { frame, framingOf, placeCamera, samplePositions, type Framing } from "./framing";
 import { turnByKey } from "./keys";
 import { Materials, type ShadingMode } from "./materials";
@@ -32,8 +32,8 @@ export class Viewer {
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 1000);
   private readonly controls: OrbitControls;
-  private readonly decoder = new Decoder();
   private readonly materials = new Materials();
+  private readonly decoder = new Decoder(this.materials);
   private readonly overlays = new Group();
   private readonly observer: ResizeObserver;
   private readonly wire = new LineBasicMaterial({ transparent: true });
@@ -85,10 +85,7 @@ export class Viewer {
   }
 
   decode(bytes: Uint8Array<ArrayBuffer>): Promise<DecodedModel> {
-    return this.decoder.decode(bytes).then((model) => {
-      dress(model.scene, this.materials);
-      return model;
-    });
+    return this.decoder.decode(bytes);
   }
 
   /** Replaces the shown model. */
@@ -231,11 +228,7 @@ export class Viewer {
     const colors = COLORS[light ? "light" : "dark"];
     this.wire.color.set(mode === "wire" ? colors.soleWire : colors.wire);
     this.wire.opacity = mode === "wire" ? 0.75 : 0.42;
-    const meshes: Mesh[] = [];
-    this.model?.scene.traverse((object) => {
-      if (object instanceof Mesh) meshes.push(object);
-    });
-    for (const mesh of meshes) {
+    for (const mesh of this.model?.meshes ?? []) {
       mesh.material = mode === "normals" ? this.materials.normals : (studioOf(mesh) ?? this.materials.normals);
       mesh.material.visible = mode !== "wire";
       if (mode !== "wire" && mode !== "shaded-wire") continue;

@@ -1,75 +1,112 @@
-// GLB bytes to a scene. One Draco decoder with two workers serves the page for its whole life.
+// GLB bytes to a scene of the page's look.
 
-import { type BufferGeometry, type Group, type Material, Mesh, type Object3D } from "three";
-import { DRACOLoader } from "three/examples/jsm/loaders/DRACOLoader.js";
-import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
+import { BufferAttribute, BufferGeometry, Group, type Mesh, type Object3D } from "three";
+import type { JsonObject } from "../model/json";
+import { Draco } from "./draco";
+import type { DecodedPart } from "./draco_worker";
+import { dress } from "./dress";
+import { readGltf, type GltfNode, type GltfPrimitive } from "./gltf";
+import type { Materials } from "./materials";
 
 /** A model ready to be drawn. */
 export interface DecodedModel {
   scene: Group;
+  meshes: Mesh[];
   triangles: number;
   vertices: number;
   decodeMilliseconds: number;
   dispose(): void;
 }
 
-const WORKERS = 2;
-const LONGEST_DECODE = 10_000;
+/** Names of glTF attributes in the scene; what is not listed is not drawn. */
+const NAMES: Readonly<Record<string, string>> = {
+  POSITION: "position",
+  NORMAL: "normal",
+  TEXCOORD_0: "uv",
+  COLOR_0: "color",
+  _GAUSS: "gauss",
+  _MEAN: "mean",
+};
 
 export class Decoder {
-  private readonly draco = new DRACOLoader();
-  private readonly loader = new GLTFLoader();
+  private readonly draco = new Draco();
 
-  constructor() {
-    this.draco.setDecoderPath(new URL("draco/", document.baseURI).href);
-    this.draco.setWorkerLimit(WORKERS);
-    this.draco.preload();
-    this.loader.setDRACOLoader(this.draco);
-  }
+  constructor(private readonly materials: Materials) {}
 
   /** Decodes a GLB. Rejects with a readable message if it cannot be read or takes longer than ten seconds. */
   async decode(bytes: Uint8Array<ArrayBuffer>): Promise<DecodedModel> {
     const started = performance.now();
-    let timer = 0;
-    const late = new Promise<never>((_, reject) => {
-      // A blocked WebAssembly decoder never answers and says nothing, so silence has to be an error of our own.
-      const message = "The mesh decoder did not answer within 10 seconds. Its files or WebAssembly may be blocked.";
-      timer = window.setTimeout(() => reject(new Error(message)), LONGEST_DECODE);
-    });
-    try {
-      const file = await Promise.race([this.loader.parseAsync(bytes.buffer, ""), late]);
-      const { scene } = file;
-      const decodeMilliseconds = performance.now() - started;
-      return { ...count(scene), scene, decodeMilliseconds, dispose: () => dispose(scene) };
-    } finally {
-      window.clearTimeout(timer);
-    }
+    const file = readGltf(bytes);
+    const compressed = allPrimitives(file.roots).flatMap(({ draco }) => (draco ? [draco] : []));
+    const decoded = compressed.length > 0 ? await this.draco.decode(compressed) : [];
+    const scene = new Group();
+    const made: Made = { meshes: [], triangles: 0, vertices: 0, decoded };
+    for (const root of file.roots) scene.add(this.object(root, made));
+    const { meshes, triangles, vertices } = made;
+    const decodeMilliseconds = performance.now() - started;
+    return { scene, meshes, triangles, vertices, decodeMilliseconds, dispose: () => freeGeometries(scene) };
   }
 
   dispose(): void {
     this.draco.dispose();
   }
+
+  private object(node: GltfNode, made: Made): Group {
+    const group = new Group();
+    group.name = node.name;
+    group.userData = node.extras satisfies JsonObject;
+    group.quaternion.fromArray(node.rotation);
+    group.position.fromArray(node.translation);
+    group.scale.fromArray(node.scale);
+    for (const primitive of node.primitives) {
+      const geometry = primitive.draco ? compressedGeometry(made.decoded.shift()) : plainGeometry(primitive);
+      const object = dress(geometry, primitive, this.materials);
+      made.vertices += geometry.getAttribute("position").count;
+      if (primitive.mode === "triangles") {
+        made.meshes.push(object as Mesh);
+        made.triangles += (geometry.getIndex() ?? geometry.getAttribute("position")).count / 3;
+      }
+      group.add(object);
+    }
+    for (const child of node.children) group.add(this.object(child, made));
+    return group;
+  }
 }
 
-function count(scene: Object3D): { triangles: number; vertices: number } {
-  let [triangles, vertices] = [0, 0];
-  scene.traverse((object) => {
-    const geometry = (object as Mesh).geometry as BufferGeometry | undefined;
-    if (!geometry) return;
-    const points = geometry.getAttribute("position")?.count ?? 0;
-    vertices += points;
-    if (object instanceof Mesh) triangles += Math.floor((geometry.getIndex()?.count ?? points) / 3);
-  });
-  return { triangles, vertices };
+/** What grows while the nodes are walked; `decoded` shrinks in the same order. */
+interface Made {
+  meshes: Mesh[];
+  triangles: number;
+  vertices: number;
+  decoded: DecodedPart[];
 }
 
-/** Frees GPU memory of everything below `root`; materials of meshes are shared and stay (materials.ts). */
-export function dispose(root: Object3D): void {
-  root.traverse((object) => {
-    const drawn = object as Mesh;
-    drawn.geometry?.dispose();
-    if (object instanceof Mesh) return;
-    const materials = (Array.isArray(drawn.material) ? drawn.material : [drawn.material]) as (Material | undefined)[];
-    for (const material of materials) material?.dispose();
-  });
+function allPrimitives(nodes: GltfNode[]): GltfPrimitive[] {
+  return nodes.flatMap((node) => [...node.primitives, ...allPrimitives(node.children)]);
+}
+
+function compressedGeometry(part: DecodedPart | undefined): BufferGeometry {
+  const geometry = new BufferGeometry();
+  for (const { name, size, array } of part?.attributes ?? []) {
+    const target = NAMES[name];
+    if (target) geometry.setAttribute(target, new BufferAttribute(array, size, !(array instanceof Float32Array)));
+  }
+  if (!part || !geometry.hasAttribute("position")) throw new Error("A part of the model has no positions.");
+  geometry.setIndex(new BufferAttribute(part.indices, 1));
+  return geometry;
+}
+
+function plainGeometry(primitive: GltfPrimitive): BufferGeometry {
+  const geometry = new BufferGeometry();
+  for (const [name, { array, size, normalized }] of primitive.attributes) {
+    const target = NAMES[name];
+    if (target) geometry.setAttribute(target, new BufferAttribute(array, size, normalized));
+  }
+  if (primitive.indices) geometry.setIndex(new BufferAttribute(primitive.indices, 1));
+  return geometry;
+}
+
+/** Frees the GPU memory of everything below `root`; materials are shared and stay (materials.ts). */
+export function freeGeometries(root: Object3D): void {
+  root.traverse((object) => (object as Mesh).geometry?.dispose());
 }

@@ -1,40 +1,30 @@
-// Gives a decoded scene the look of the page.
+// Gives a primitive of a model the look of the page.
 
-import {
-  LineBasicMaterial,
-  Mesh,
-  Points,
-  PointsMaterial,
-  type Material,
-  type MeshStandardMaterial,
-  type Object3D,
-} from "three";
+import { type BufferGeometry, Line, LineSegments, Mesh, Points, type Material, type Object3D } from "three";
+import type { GltfPrimitive } from "./gltf";
 import type { Materials } from "./materials";
 
-/** In pixels. */
-const POINT_SIZE = 5;
-
-/** Replaces the materials below `root`; colors, opacity and vertex colors are kept. */
-export function dress(root: Object3D, materials: Materials): void {
-  root.traverse((object) => {
-    const drawn = object as Mesh;
-    const source = drawn.material as Material | undefined;
-    if (!source) return;
-    const hasColors = drawn.geometry.hasAttribute("color");
-    if (object instanceof Mesh) {
-      if (!drawn.geometry.hasAttribute("normal")) drawn.geometry.computeVertexNormals();
-      drawn.material = materials.studio(source, hasColors);
-      studioMaterials.set(drawn, drawn.material);
-    } else {
-      const color = (source as MeshStandardMaterial).color;
-      const style = { color, vertexColors: hasColors, opacity: source.opacity, transparent: source.transparent };
-      drawn.material =
-        object instanceof Points
-          ? new PointsMaterial({ ...style, size: POINT_SIZE, sizeAttenuation: false })
-          : new LineBasicMaterial(style);
+/** The drawn object of a primitive. Materials are shared; colors, opacity and vertex colors are the model's own. */
+export function dress(geometry: BufferGeometry, primitive: GltfPrimitive, materials: Materials): Object3D {
+  const style = {
+    color: primitive.color,
+    translucent: primitive.translucent,
+    vertexColors: geometry.hasAttribute("color"),
+  };
+  switch (primitive.mode) {
+    case "triangles": {
+      if (!geometry.hasAttribute("normal")) geometry.computeVertexNormals();
+      const mesh = new Mesh(geometry, materials.studio(style));
+      studioMaterials.set(mesh, mesh.material);
+      return mesh;
     }
-    source.dispose();
-  });
+    case "points":
+      return new Points(geometry, materials.points(style));
+    case "lines":
+      return new LineSegments(geometry, materials.lines(style));
+    case "line-strip":
+      return new Line(geometry, materials.lines(style));
+  }
 }
 
 /** The dressed material of a mesh, whatever it wears at the moment. */

@@ -4,15 +4,19 @@ import {
   Color,
   DataTexture,
   DoubleSide,
+  LineBasicMaterial,
   LinearFilter,
   MeshMatcapMaterial,
   MeshNormalMaterial,
+  PointsMaterial,
   RGBAFormat,
   SRGBColorSpace,
   UnsignedByteType,
   Vector3,
+  Vector4,
+  type LineBasicMaterialParameters,
   type Material,
-  type MeshStandardMaterial,
+  type Plane,
 } from "three";
 
 export type ShadingMode = "shaded" | "shaded-wire" | "wire" | "normals";
@@ -80,28 +84,60 @@ function byte(linear: number): number {
 }
 
 const MOST_KEPT = 64;
+/** In pixels. */
+const POINT_SIZE = 5;
+
+/** What a model says about the look of one of its parts. */
+export interface Style {
+  /** Linear red, green, blue and alpha. */
+  color: readonly [number, number, number, number];
+  translucent: boolean;
+  vertexColors: boolean;
+}
 
 /**
  * Makes and shares the materials of one viewer. They outlive the models: a shader whose last material goes is compiled
  * again for the next model, which takes longer than drawing it.
  */
 export class Materials {
-  private readonly matcap = studioMatcap();
-  private readonly kept = new Map<string, MeshMatcapMaterial>();
   readonly normals = new MeshNormalMaterial({ side: DoubleSide, ...BEHIND_LINES });
+  /** The planes that every surface is cut by; the same list for ever, so that filling it is enough. */
+  readonly planes: Plane[] = [];
+  private readonly matcap = studioMatcap();
+  private readonly kept = new Map<string, Material>();
+  private readonly back = { value: new Vector4(0, 0, 0, 0) };
 
-  /** The studio look of a model's own material: its color, opacity and vertex colors are kept. */
-  studio(source: Material, hasColors: boolean): MeshMatcapMaterial {
-    const own = (source as MeshStandardMaterial).color;
-    const plain = !own || (own.r === 1 && own.g === 1 && own.b === 1);
-    const color = hasColors ? (own ?? new Color(1, 1, 1)) : plain ? DEFAULT_COLOR : own;
-    const key = `${color.getHex()} ${hasColors} ${source.opacity} ${source.transparent}`;
-    const found = this.kept.get(key);
-    if (found) return found;
-    if (this.kept.size >= MOST_KEPT) this.kept.clear();
-    const material = this.make(source, color, hasColors);
-    this.kept.set(key, material);
-    return material;
+  constructor() {
+    this.normals.clippingPlanes = this.planes;
+  }
+
+  /** The studio look of a model's own color, opacity and vertex colors. White stands for no color of its own. */
+  studio(style: Style): Material {
+    const [red, green, blue] = style.color;
+    const isPlain = red === 1 && green === 1 && blue === 1 && !style.vertexColors;
+    const color = isPlain ? DEFAULT_COLOR : new Color(red, green, blue);
+    return this.shared("faces", style, () => this.makeStudio(style, color));
+  }
+
+  points(style: Style): Material {
+    return this.shared("points", style, () => {
+      return new PointsMaterial({ ...plain(style), size: POINT_SIZE, sizeAttenuation: false });
+    });
+  }
+
+  lines(style: Style): Material {
+    return this.shared("lines", style, () => new LineBasicMaterial(plain(style)));
+  }
+
+  /** Draws the backs of surfaces flat in a color, as long as a section is shown; null as their own. */
+  setFlatBacks(color: Color | null): void {
+    if (color) this.back.value.set(color.r, color.g, color.b, 1);
+    else this.back.value.w = 0;
+  }
+
+  /** Surfaces are compiled anew when the number of planes changes. */
+  setPlanes(planes: readonly Plane[]): void {
+    this.planes.splice(0, this.planes.length, ...planes);
   }
 
   dispose(): void {
@@ -110,19 +146,35 @@ export class Materials {
     this.normals.dispose();
   }
 
-  private make(source: Material, color: Color, hasColors: boolean): MeshMatcapMaterial {
+  private shared(kind: string, style: Style, make: () => Material): Material {
+    const key = `${kind} ${style.color.join()} ${style.translucent} ${style.vertexColors}`;
+    const found = this.kept.get(key);
+    if (found) return found;
+    if (this.kept.size >= MOST_KEPT) {
+      for (const old of this.kept.values()) old.dispose();
+      this.kept.clear();
+    }
+    const material = make();
+    material.clippingPlanes = this.planes;
+    this.kept.set(key, material);
+    return material;
+  }
+
+  private makeStudio(style: Style, color: Color): MeshMatcapMaterial {
     const material = new MeshMatcapMaterial({
       matcap: this.matcap,
       color,
-      vertexColors: hasColors,
+      vertexColors: style.vertexColors,
       side: DoubleSide,
-      opacity: source.opacity,
-      transparent: source.transparent,
-      depthWrite: !source.transparent,
+      opacity: style.color[3],
+      transparent: style.translucent,
+      depthWrite: !style.translucent,
       ...BEHIND_LINES,
     });
     material.onBeforeCompile = (shader) => {
+      shader.uniforms["flatBack"] = this.back;
       shader.fragmentShader = shader.fragmentShader
+        .replace("#define MATCAP", "#define MATCAP\nuniform vec4 flatBack;")
         .replace(
           "#include <color_fragment>",
           // The back of a surface is deeper in color and a little darker, so that the two sides are told apart. It is
@@ -135,9 +187,14 @@ export class Materials {
         .replace("#include <normal_fragment_begin>", "vec3 normal = isBack ? -normalize(vNormal) : normalize(vNormal);")
         .replace(
           "vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;",
-          "vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb * 1.2 + vec3(matcapColor.a);",
+          `vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb * 1.2 + vec3(matcapColor.a);
+          if (isBack) outgoingLight = mix(outgoingLight, flatBack.rgb, flatBack.a);`,
         );
     };
     return material;
   }
+}
+
+function plain({ color, translucent, vertexColors }: Style): LineBasicMaterialParameters {
+  return { color: new Color(color[0], color[1], color[2]), opacity: color[3], transparent: translucent, vertexColors };
 }

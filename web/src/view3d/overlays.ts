@@ -10,8 +10,10 @@ import {
   LineSegments,
   Sprite,
   SpriteMaterial,
+  type Material,
+  type Mesh,
+  type Object3D,
 } from "three";
-import { dispose } from "./decode";
 
 export interface OverlayColors {
   grid: string;
@@ -77,13 +79,16 @@ export function makeAxes(length: number, colors: readonly [string, string, strin
   return group;
 }
 
-export function remove(object: Group | LineSegments | undefined): void {
+/** Takes an overlay out of the scene and frees all it is made of. */
+export function remove(object: Object3D | undefined): void {
   if (!object) return;
   object.removeFromParent();
   object.traverse((child) => {
     if (child instanceof Sprite) child.material.map?.dispose();
+    const drawn = child as Mesh<BufferGeometry, Material>;
+    drawn.geometry?.dispose();
+    drawn.material?.dispose();
   });
-  dispose(object);
 }
 
 /** A letter of constant size on the screen. */

@@ -1,0 +1,112 @@
+// What the page holds, as its parts read it.
+
+import type { Catalogue } from "../model/catalogue";
+import type { CameraPlace, GraphDocument } from "../model/document";
+import type { ViewGraph } from "../model/graph";
+import type { Json } from "../model/json";
+import type { ParameterValues } from "../model/parameters";
+import type { Stamp } from "../net/evaluator";
+import type { Problem } from "../net/problem";
+import type { Report } from "../net/report";
+import type { Validation } from "../net/validation";
+
+export interface Example {
+  id: string;
+  title: string;
+  description: string;
+  figure: string;
+  image: string;
+  graph: Json;
+}
+
+/** Where the open document came from. */
+export type Origin =
+  | { kind: "example"; id: string }
+  | { kind: "file"; name: string }
+  | { kind: "new" }
+  | { kind: "shared" }
+  | { kind: "draft"; id: string };
+
+/** A decoded model, as far as the session needs to know it. */
+export interface Picture {
+  triangles: number;
+  vertices: number;
+  decodeMilliseconds: number;
+  dispose(): void;
+}
+
+export interface PictureViewer {
+  decode(model: Uint8Array<ArrayBuffer>): Promise<Picture>;
+  show(picture: Picture): void;
+  /** Shows the first picture of a document, from its camera if it has one. */
+  open(picture: Picture, camera: CameraPlace | null): void;
+  clear(): void;
+  /** A small picture on a clear background, as an address for an <img>. */
+  thumbnail(picture: Picture, width: number, height: number): Promise<string>;
+}
+
+export interface Shown extends Stamp {
+  report: Report;
+  model: Uint8Array<ArrayBuffer>;
+  triangles: number;
+  vertices: number;
+  decodeMilliseconds: number;
+}
+
+export interface SessionState {
+  catalogue: Catalogue | null;
+  examples: Example[] | null;
+  /** The open example; null when the document came from elsewhere. */
+  exampleId: string | null;
+  origin: Origin;
+  document: GraphDocument | null;
+  /** Counts the documents that were opened: the same number, the same document in another state. */
+  opened: number;
+  view: ViewGraph | null;
+  values: ParameterValues;
+  /** The document differs from what was opened or saved. */
+  isChanged: boolean;
+  canUndo: boolean;
+  canRedo: boolean;
+  /** What undo and redo would do, as a menu says it. */
+  undoLabel: string | undefined;
+  redoLabel: string | undefined;
+  revision: number;
+  shown: Shown | null;
+  busy: boolean;
+  away: boolean;
+  problem: Problem | null;
+  /** What the server says of the whole graph without evaluating it; null before it has. */
+  checked: Validation | null;
+  /** The selected nodes. */
+  selection: ReadonlySet<string>;
+  /** Keys of the selected frames and notes. */
+  areas: ReadonlySet<string>;
+  /** The node selected last. */
+  selected: string | null;
+}
+
+export const EMPTY: SessionState = {
+  catalogue: null,
+  examples: null,
+  exampleId: null,
+  origin: { kind: "new" },
+  document: null,
+  opened: 0,
+  view: null,
+  values: {},
+  isChanged: false,
+  canUndo: false,
+  canRedo: false,
+  undoLabel: undefined,
+  redoLabel: undefined,
+  revision: 0,
+  shown: null,
+  busy: true,
+  away: false,
+  problem: null,
+  checked: null,
+  selection: new Set(),
+  areas: new Set(),
+  selected: null,
+};

@@ -1,0 +1,195 @@
+// Changes of a document, each a pure function: the document given is left as it is, and what a change does not touch
+// stays the same object. The JSON is what is changed; everything else is read from it again.
+
+import { readLink, rewritten, type GraphDocument } from "./document";
+import { asObject, isObject, type Json, type JsonObject } from "./json";
+import type { Position } from "./ui";
+
+export type Edit = (document: GraphDocument) => GraphDocument;
+
+export interface NewNode {
+  id: string;
+  type: string;
+  position: Position;
+  inputs?: JsonObject;
+  bypass?: boolean;
+}
+
+/** One change after the other. */
+export function inOrder(...edits: readonly Edit[]): Edit {
+  return (document) => edits.reduce((changed, edit) => edit(changed), document);
+}
+
+/** A name for a new node that is not taken: the type's own, else with a number behind. */
+export function freeId(document: GraphDocument, wanted: string, taken: ReadonlySet<string> = new Set()): string {
+  const stem =
+    wanted
+      .replace(/[^A-Za-z0-9_-]+/g, "_")
+      .replace(/^[^A-Za-z]+/, "")
+      .slice(0, 56) || "node";
+  const isTaken = (id: string): boolean => document.nodes.has(id) || taken.has(id);
+  if (!isTaken(stem)) return stem;
+  const bare = stem.replace(/_?\d+$/, "") || stem;
+  for (let number = 2; ; number++) if (!isTaken(`${bare}_${number}`)) return `${bare}_${number}`;
+}
+
+/** A sentence if the name cannot be a node's or a parameter's. */
+export function nameProblem(name: string): string | undefined {
+  if (/^[A-Za-z][A-Za-z0-9_-]{0,63}$/.test(name)) return undefined;
+  return "A name is a letter, then up to 63 letters, digits, _ or -.";
+}
+
+export function addNodes(added: readonly NewNode[]): Edit {
+  return (document) => {
+    const nodes: JsonObject = { ...asObject(document.json["nodes"]) };
+    for (const { id, type, inputs = {}, bypass } of added) nodes[id] = { type, inputs, ...(bypass && { bypass }) };
+    const places = new Map(added.map(({ id, position }) => [id, position]));
+    return moveNodes(places)(rewritten(document, { nodes }));
+  };
+}
+
+export function removeNodes(ids: Iterable<string>): Edit {
+  const gone = new Set(ids);
+  return (document) => {
+    const nodes: JsonObject = {};
+    for (const [id, node] of Object.entries(asObject(document.json["nodes"]))) {
+      if (!gone.has(id)) nodes[id] = withoutLinks(asObject(node), (link) => gone.has(link.node));
+    }
+    return rewritten(document, { nodes, ...uiWithout(document, gone) });
+  };
+}
+
+export function renameNode(from: string, to: string): Edit {
+  return (document) => {
+    if (from === to || !document.nodes.has(from) || document.nodes.has(to) || nameProblem(to)) return document;
+    const nodes: JsonObject = {};
+    for (const [id, node] of Object.entries(asObject(document.json["nodes"]))) {
+      nodes[id === from ? to : id] = withLinks(asObject(node), (link) =>
+        link.node === from ? { ...link, node: to } : link,
+      );
+    }
+    const ui = asObject(document.json["ui"]);
+    const places = Object.entries(asObject(ui["nodes"])).map(([id, item]) => [id === from ? to : id, item]);
+    const frames = Array.isArray(ui["frames"])
+      ? ui["frames"].map((frame) => renamedIn(asObject(frame), from, to))
+      : ui["frames"];
+    const changed: JsonObject = { ...ui, nodes: Object.fromEntries(places) as JsonObject };
+    if (frames !== undefined) changed["frames"] = frames;
+    return rewritten(document, { nodes, ui: changed });
+  };
+}
+
+/** Writes what stands at an input; undefined takes it away, and the default is in force again. */
+export function setInput(node: string, input: string, value: Json): Edit {
+  return (document) => changeNode(document, node, (item) => withInput(item, input, value));
+}
+
+export function setBypass(ids: Iterable<string>, bypass: boolean): Edit {
+  return (document) => {
+    let changed = document;
+    for (const id of ids) {
+      changed = changeNode(changed, id, ({ bypass: _, ...item }) => (bypass ? { ...item, bypass } : item));
+    }
+    return changed;
+  };
+}
+
+export function moveNodes(places: ReadonlyMap<string, Position>): Edit {
+  return (document) => {
+    let nodes = asObject(asObject(document.json["ui"])["nodes"]);
+    nodes = { ...nodes };
+    for (const [id, { x, y }] of places) {
+      if (document.nodes.has(id)) nodes[id] = { ...asObject(nodes[id]), x: Math.round(x), y: Math.round(y) };
+    }
+    return withUi(document, { nodes });
+  };
+}
+
+export function setTitle(title: string): Edit {
+  return (document) => rewritten(document, { meta: { ...asObject(document.json["meta"]), title } });
+}
+
+/** The document with other members below `ui`; members that are undefined go. */
+export function withUi(document: GraphDocument, members: JsonObject): GraphDocument {
+  const ui: JsonObject = { ...asObject(document.json["ui"]), ...members };
+  for (const [name, value] of Object.entries(ui)) if (value === undefined) delete ui[name];
+  return rewritten(document, { ui });
+}
+
+/** The document with one node changed; the same document if there is no such node. */
+export function changeNode(
+  document: GraphDocument,
+  id: string,
+  change: (item: JsonObject) => JsonObject,
+): GraphDocument {
+  const nodes = asObject(document.json["nodes"]);
+  const item = nodes[id];
+  if (!isObject(item)) return document;
+  return rewritten(document, { nodes: { ...nodes, [id]: change(item) } });
+}
+
+export function withInput(item: JsonObject, input: string, value: Json): JsonObject {
+  const { [input]: _, ...others } = asObject(item["inputs"]);
+  if (value === undefined) return { ...item, inputs: others };
+  // An input that is there keeps its place among the others.
+  return { ...item, inputs: { ...asObject(item["inputs"]), [input]: value } };
+}
+
+export interface Link {
+  node: string;
+  output?: string;
+}
+
+/** The same node with every link replaced; the same object if none is. Links that become undefined go. */
+export function withLinks(item: JsonObject, change: (link: Link) => Link | undefined): JsonObject {
+  let isChanged = false;
+  const inputs: JsonObject = {};
+  const changed = (value: Json): Json => {
+    if (!isObject(value) || typeof value["from"] !== "string") return value;
+    const link = readLink(value["from"]);
+    const next = change(link);
+    if (next === link) return value;
+    isChanged = true;
+    return next && { from: linkText(next) };
+  };
+  for (const [name, value] of Object.entries(asObject(item["inputs"]))) {
+    const next = Array.isArray(value) ? listOf(value, changed) : changed(value);
+    if (next !== undefined) inputs[name] = next;
+  }
+  return isChanged ? { ...item, inputs } : item;
+}
+
+export function linkText({ node, output }: Link): string {
+  return output === undefined ? node : `${node}.${output}`;
+}
+
+function listOf(list: Json[], change: (value: Json) => Json): Json {
+  const next = list.map(change);
+  if (next.every((value, index) => value === list[index])) return list;
+  const left = next.filter((value) => value !== undefined);
+  return left.length > 0 ? left : undefined;
+}
+
+function withoutLinks(item: JsonObject, isGone: (link: Link) => boolean): JsonObject {
+  return withLinks(item, (link) => (isGone(link) ? undefined : link));
+}
+
+function uiWithout(document: GraphDocument, gone: ReadonlySet<string>): JsonObject {
+  const ui = asObject(document.json["ui"]);
+  if (Object.keys(ui).length === 0) return {};
+  const places = Object.fromEntries(Object.entries(asObject(ui["nodes"])).filter(([id]) => !gone.has(id)));
+  const changed: JsonObject = { ...ui, nodes: places };
+  if (Array.isArray(ui["frames"])) {
+    changed["frames"] = ui["frames"].map((frame) => {
+      const item = asObject(frame);
+      const members = Array.isArray(item["nodes"]) ? item["nodes"] : [];
+      return { ...item, nodes: members.filter((id) => typeof id === "string" && !gone.has(id)) };
+    });
+  }
+  return { ui: changed };
+}
+
+function renamedIn(frame: JsonObject, from: string, to: string): JsonObject {
+  const members = Array.isArray(frame["nodes"]) ? frame["nodes"] : [];
+  return { ...frame, nodes: members.map((id) => (id === from ? to : id)) };
+}
