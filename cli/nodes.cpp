@@ -3,6 +3,8 @@
 
 #include "cli/commands.h"
 #include "cli/exit_codes.h"
+#include "cli/folders.h"
+#include "server/files.h"
 #include "service/engine.h"
 #include "service/markdown.h"
 
@@ -22,12 +24,27 @@ void print_list(const Json& catalogue) {
   }
 }
 
+/// The examples of single nodes; none when the program is run without the folder.
+NodeExamples read_node_examples() {
+  NodeExamples examples;
+  std::error_code error;
+  std::filesystem::directory_iterator entry(find_examples("") / "nodes", error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    if (entry->path().extension() != ".json") continue;
+    const auto text = server::read_file(entry->path());
+    if (!text) continue;
+    auto graph = nlohmann::ordered_json::parse(*text, nullptr, false);
+    if (!graph.is_discarded()) examples.emplace(entry->path().stem().string(), std::move(graph));
+  }
+  return examples;
+}
+
 int run(const Options& options) {
   const Engine engine;
   if (options.json) {
     std::cout << engine.catalogue().dump(2) << "\n";
   } else if (options.markdown) {
-    std::cout << nodes_markdown(engine.catalogue());
+    std::cout << nodes_markdown(engine.catalogue(), read_node_examples());
   } else {
     print_list(engine.catalogue());
   }

@@ -49,10 +49,10 @@ inline std::string file_of(const Engine& engine, const EvaluateRequest& request)
   return *answer->glb;
 }
 
-/// The example graphs by id; the program that uses it defines DINI_EXAMPLES.
-inline std::map<std::string, Json> examples() {
+/// The example graphs of a folder by id; the program that uses it defines DINI_EXAMPLES.
+inline std::map<std::string, Json> examples(const std::string& folder = DINI_EXAMPLES) {
   std::map<std::string, Json> all;
-  for (const auto& entry : std::filesystem::directory_iterator(DINI_EXAMPLES)) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() == ".json")
       all[entry.path().stem().string()] = Json::parse(std::ifstream(entry.path()));
   }

@@ -34,6 +34,12 @@ export class Server {
   isOurs = !process.env.DINI_URL;
   isStandIn = this.isOurs && (process.env.DINI_STAND_IN === "1" || (!process.env.DINI_PROGRAM && !existsSync(program)));
   #child;
+  #examples;
+
+  /** `examples`: the folder of the graphs that our own server lists, other than the usual one. */
+  constructor(examples = path.join(root, "examples")) {
+    this.#examples = examples;
+  }
 
   async start() {
     if (!this.isOurs) return;
@@ -44,10 +50,7 @@ export class Server {
     const common = ["--port", port, "--port-file", portFile];
     const [command, parts] = this.isStandIn
       ? [process.execPath, [path.join(here, "stand_in/main.mjs"), ...common]]
-      : [
-          program,
-          ["serve", ...common, "--web", path.join(root, "web/dist"), "--examples", path.join(root, "examples")],
-        ];
+      : [program, ["serve", ...common, "--web", path.join(root, "web/dist"), "--examples", this.#examples]];
     this.#child = spawn(command, parts, { stdio: ["ignore", "ignore", "inherit"] });
     const limit = Date.now() + 15_000;
     const written = () => existsSync(portFile) && readFileSync(portFile, "utf8").trim() !== "";

@@ -1,44 +1,65 @@
 // Writes the PNG of a screenshot again in at most a given number of bytes.
 
 import { deflateSync, inflateSync } from "node:zlib";
+import { paletteOf } from "./palette.mjs";
 
 const SIGNATURE = Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
 const TRUE_COLOR = 2;
+const INDEXED = 3;
 const TRUE_COLOR_ALPHA = 6;
-const FILTER_SUB = 1;
-/** Coarser steps of brightness than this are seen. */
-const COARSEST_STEP = 16;
+const FILTERS = [0, 1, 2, 3, 4];
+const MOST_COLORS = 256;
 
 /**
- * The same picture without alpha and, only where it is needed to stay within `most` bytes, with coarser colors. Takes
+ * The same picture without alpha and, only where it is needed to stay within `most` bytes, with at most 256 colors. Takes
  * what Chromium writes: 8 bits per channel, not interlaced, opaque. Throws if it stays larger.
  */
 export function shrink(png, most) {
-  const picture = read(png);
-  for (let step = 1; step <= COARSEST_STEP; step *= 2) {
-    const result = write(picture, step);
-    if (result.length <= most) return result;
-  }
-  throw new Error(`The picture needs more than ${most} bytes.`);
+  const { width, height, pixels } = read(png);
+  const exact = write({ width, height, color: TRUE_COLOR, bytes: pixels });
+  if (exact.length <= most) return exact;
+  const { palette, indexes } = paletteOf(pixels, width, MOST_COLORS);
+  const fewer = write({ width, height, color: INDEXED, bytes: indexes, palette });
+  if (fewer.length > most) throw new Error(`The picture needs more than ${most} bytes.`);
+  return fewer;
 }
 
-function write({ width, height, pixels }, step) {
-  const stride = 3 * width;
-  const coarse = pixels.map((value) => Math.min(255, Math.round(value / step) * step));
-  const rows = Buffer.alloc(height * (stride + 1));
-  for (let y = 0; y < height; y++) {
-    const at = y * (stride + 1);
-    rows[at] = FILTER_SUB;
-    for (let x = 0; x < stride; x++) {
-      rows[at + 1 + x] = coarse[y * stride + x] - (x >= 3 ? coarse[y * stride + x - 3] : 0);
-    }
-  }
+function write({ width, height, color, bytes, palette }) {
+  const channels = color === INDEXED ? 1 : 3;
+  // Neighbors among indexes say nothing of each other.
+  const filters = color === INDEXED ? [0] : FILTERS;
+  const rows = [];
+  for (let y = 0; y < height; y++) rows.push(filtered(bytes, width * channels, y, channels, filters));
   const head = Buffer.alloc(13);
   head.writeUInt32BE(width, 0);
   head.writeUInt32BE(height, 4);
-  head.set([8, TRUE_COLOR, 0, 0, 0], 8);
-  const data = deflateSync(rows, { level: 9, memLevel: 9 });
-  return Buffer.concat([SIGNATURE, chunk("IHDR", head), chunk("IDAT", data), chunk("IEND", Buffer.alloc(0))]);
+  head.set([8, color, 0, 0, 0], 8);
+  const data = deflateSync(Buffer.concat(rows), { level: 9, memLevel: 9 });
+  const parts = [chunk("IHDR", head), ...(palette ? [chunk("PLTE", palette)] : []), chunk("IDAT", data)];
+  return Buffer.concat([SIGNATURE, ...parts, chunk("IEND", Buffer.alloc(0))]);
+}
+
+/** A row with the filter before it that leaves the smallest differences, which pack best. */
+function filtered(bytes, stride, y, channels, filters) {
+  let [best, least] = [undefined, Infinity];
+  for (const filter of filters) {
+    const row = Buffer.alloc(stride + 1);
+    row[0] = filter;
+    let sum = 0;
+    for (let x = 0; x < stride; x++) {
+      row[x + 1] = bytes[y * stride + x] - predicted(filter, ...neighbors(bytes, stride, y, x, channels));
+      sum += Math.min(row[x + 1], 256 - row[x + 1]);
+    }
+    if (sum < least) [best, least] = [row, sum];
+  }
+  return best;
+}
+
+/** The bytes to the left, above, and above to the left; 0 outside. */
+function neighbors(bytes, stride, y, x, channels) {
+  const at = y * stride + x;
+  const up = y > 0 ? bytes[at - stride] : 0;
+  return x >= channels ? [bytes[at - channels], up, y > 0 ? bytes[at - channels - stride] : 0] : [0, up, 0];
 }
 
 /** Size and RGB bytes of a PNG. */
@@ -70,11 +91,8 @@ function unfiltered(data, stride, height, channels) {
   for (let y = 0; y < height; y++) {
     const filter = data[y * (stride + 1)];
     for (let x = 0; x < stride; x++) {
-      const at = y * stride + x;
-      const up = y > 0 ? result[at - stride] : 0;
-      const [left, corner] =
-        x >= channels ? [result[at - channels], y > 0 ? result[at - channels - stride] : 0] : [0, 0];
-      result[at] = data[y * (stride + 1) + 1 + x] + predicted(filter, left, up, corner);
+      const expected = predicted(filter, ...neighbors(result, stride, y, x, channels));
+      result[y * stride + x] = data[y * (stride + 1) + 1 + x] + expected;
     }
   }
   return result;

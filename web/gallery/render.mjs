@@ -1,17 +1,14 @@
-// Makes docs/images/examples/<id>.png of the examples, each in the real page, docs/gallery.md with all of them, and
-// docs/images/page.png of the page itself.
+// Makes docs/images/examples/<id>.png of the examples and docs/images/nodes/<id>.png of those of one node each, all in
+// the real page, docs/gallery.md, and docs/images/page.png of the page itself.
 // Run by scripts/render-examples, which says more.
 
-import { mkdirSync, writeFileSync } from "node:fs";
+import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import path from "node:path";
 import { launchBrowser, openPage, Server, settled } from "../e2e/harness.mjs";
-import { galleryFile, galleryText, pageFile, pictureFolder, readExamples } from "./gallery.mjs";
+import { assetFolder, examples, galleryFile, galleryText, nodeExamples, pageFile, readExamples } from "./gallery.mjs";
 import { shrink } from "./png.mjs";
 
-const WIDTH = 960;
-const HEIGHT = 600;
-/** A picture of smooth shapes on a plain ground stays far below this; more of them would weigh on the repository. */
-const MOST_BYTES = 320_000;
 const PAGE_NAME = "page";
 /** What the picture of the whole page shows. */
 const PAGE = { example: "fig05_twisted_ring", width: 1440, height: 860, most: 600_000 };
@@ -20,33 +17,52 @@ const PATIENCE_MILLISECONDS = 120_000;
 const MOST_ATTEMPTS = 10;
 
 async function main(chosen) {
-  const examples = readExamples();
-  const known = examples.map(({ id }) => id);
-  const unknown = chosen.filter((id) => id !== PAGE_NAME && !known.includes(id));
-  if (unknown.length > 0) throw new Error(`There is no example ${unknown.join(", ")}; there are ${known.join(", ")}.`);
-  mkdirSync(pictureFolder, { recursive: true });
-  const server = new Server();
-  if (server.isStandIn) throw new Error("The program is not built; scripts/build makes it.");
-  await server.start();
+  const isWanted = (name) => chosen.length === 0 || chosen.includes(name);
+  const all = [examples, nodeExamples].map((set) => ({ set, ids: readExamples(set.graphs).map(({ id }) => id) }));
+  const known = [...all.flatMap(({ set, ids }) => ids.map((id) => set.prefix + id)), "nodes", PAGE_NAME];
+  const unknown = chosen.filter((name) => !known.includes(name));
+  if (unknown.length > 0) throw new Error(`There is no ${unknown.join(", ")}; there are ${known.join(", ")}.`);
+  if (new Server().isStandIn) throw new Error("The program is not built; scripts/build makes it.");
   const browser = await launchBrowser();
   try {
-    const ids = (chosen.length > 0 ? chosen : known).filter((id) => id !== PAGE_NAME);
-    if (ids.length > 0) await renderExamples(browser, server.url, ids);
-    // The server has read the new pictures only when it starts again.
-    await server.stop();
-    await server.start();
-    if (chosen.length === 0 || chosen.includes(PAGE_NAME)) await renderPage(browser, server.url);
+    for (const { set, ids } of all) {
+      const isWhole = set === nodeExamples && isWanted("nodes");
+      const wanted = ids.filter((id) => isWhole || isWanted(set.prefix + id));
+      if (wanted.length > 0) await renderAll(browser, set, wanted);
+    }
+    // After the others, since the page shows their pictures.
+    if (isWanted(PAGE_NAME)) await served(examples.graphs, (url) => renderPage(browser, url));
   } finally {
     await browser.close();
-    await server.stop();
   }
-  writeFileSync(galleryFile, galleryText(examples));
+  writeFileSync(galleryFile, galleryText(readExamples()));
 }
 
-async function renderExamples(browser, url, ids) {
-  const page = await openPage(browser, url, { hash: address(ids[0]), width: WIDTH, height: HEIGHT });
-  for (const id of ids) await render(page, id);
-  await assertClean(page);
+/** Runs `work` with the address of a server of the graphs in a folder and of the mesh files that they name. */
+async function served(graphs, work) {
+  const isUsual = graphs === examples.graphs;
+  const folder = isUsual ? graphs : mkdtempSync(path.join(tmpdir(), "dini-gallery-"));
+  const server = new Server(folder);
+  try {
+    if (!isUsual) {
+      cpSync(graphs, folder, { recursive: true });
+      cpSync(assetFolder, path.join(folder, "assets"), { recursive: true });
+    }
+    await server.start();
+    await work(server.url);
+  } finally {
+    await server.stop();
+    if (!isUsual) rmSync(folder, { recursive: true, force: true });
+  }
+}
+
+async function renderAll(browser, set, ids) {
+  mkdirSync(set.pictures, { recursive: true });
+  await served(set.graphs, async (url) => {
+    const page = await openPage(browser, url, { hash: address(ids[0]), width: set.width, height: set.height });
+    for (const id of ids) await render(page, set, id);
+    await assertClean(page);
+  });
 }
 
 async function renderPage(browser, url) {
@@ -84,15 +100,15 @@ function address(id) {
   return `?view=picture#example=${encodeURIComponent(id)}`;
 }
 
-async function render(page, id) {
+async function render(page, set, id) {
   await page.evaluate((hash) => void (location.hash = hash), new URL(address(id), page.url()).hash);
   await page.waitForFunction((wanted) => document.documentElement.dataset.example === wanted, id);
   await settledInTheEnd(page);
   // What the last change asked for is drawn in the next frame.
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  const picture = shrink(await page.screenshot({ timeout: PATIENCE_MILLISECONDS }), MOST_BYTES);
-  writeFileSync(path.join(pictureFolder, `${id}.png`), picture);
-  console.log(`${String(picture.length).padStart(8)}  ${id}`);
+  const picture = shrink(await page.screenshot({ timeout: PATIENCE_MILLISECONDS }), set.most);
+  writeFileSync(path.join(set.pictures, `${id}.png`), picture);
+  console.log(`${String(picture.length).padStart(8)}  ${set.prefix}${id}`);
 }
 
 await main(process.argv.slice(2));

@@ -1,25 +1,40 @@
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
 
 // The tests run bundled in the folder web/, where the gallery's own paths are not found.
 const root = path.resolve("..");
-const { galleryText, readExamples } = (await import(path.resolve("gallery/gallery.mjs"))) as Gallery;
+const { examples, galleryText, nodeExamples, readExamples } = (await import(
+  path.resolve("gallery/gallery.mjs")
+)) as Gallery;
+
+/** A folder of graphs, that of their pictures, and what these are like. */
+interface Album {
+  graphs: string;
+  pictures: string;
+  width: number;
+  height: number;
+  most: number;
+}
 
 interface Gallery {
-  readExamples(): { id: string }[];
+  examples: Album;
+  nodeExamples: Album;
+  readExamples(folder?: string): { id: string }[];
   galleryText(examples: { id: string }[]): string;
 }
 
 test("every example has a picture of the right size; scripts/render-examples makes it", () => {
-  const examples = readExamples();
-  assert.ok(examples.length > 0);
-  for (const { id } of examples) {
-    const png = readFileSync(path.join(root, "docs/images/examples", `${id}.png`));
-    assert.equal(png.toString("latin1", 1, 4), "PNG", id);
-    assert.deepEqual([png.readUInt32BE(16), png.readUInt32BE(20)], [960, 600], id);
-    assert.ok(png.length <= 200_000, `${id}: ${png.length} bytes`);
+  for (const { graphs, pictures, width, height, most } of [examples, nodeExamples]) {
+    const ids = readExamples(graphs).map(({ id }) => id);
+    assert.deepEqual(readdirSync(pictures).sort(), ids.map((id) => `${id}.png`).sort());
+    for (const id of ids) {
+      const png = readFileSync(path.join(pictures, `${id}.png`));
+      assert.equal(png.toString("latin1", 1, 4), "PNG", id);
+      assert.deepEqual([png.readUInt32BE(16), png.readUInt32BE(20)], [width, height], id);
+      assert.ok(png.length <= most, `${id}: ${png.length} bytes`);
+    }
   }
 });
 
