@@ -1,6 +1,8 @@
 #include "service/markdown.h"
 
+#include <cctype>
 #include <string_view>
+#include <vector>
 
 namespace dini {
 namespace {
@@ -80,8 +82,30 @@ void write_outputs(const Json& outputs, std::string& page) {
   page += "\n";
 }
 
+std::string heading(const Json& node) { return text_of(node, "title") + " (`" + text_of(node, "id") + "`)"; }
+
+/// What a reader of Markdown makes of a heading for links to it: lower case, hyphens for spaces, no other signs.
+std::string anchor(const std::string& heading) {
+  std::string result;
+  for (const char c : heading) {
+    if (c == ' ') result += '-';
+    if (std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-')
+      result += static_cast<char>(std::tolower(c));
+  }
+  return result;
+}
+
+/// One line of links to the nodes of a family.
+void write_family(const Json& family, const std::vector<Json>& nodes, std::string& page) {
+  page += "## " + text_of(family, "title") + "\n\n";
+  for (const Json& node : nodes) {
+    page += (&node == &nodes.front() ? "[" : " · [") + text_of(node, "title") + "](#" + anchor(heading(node)) + ")";
+  }
+  page += "\n\n";
+}
+
 void write_node(const Json& node, const NodeExamples& examples, std::string& page) {
-  page += "### " + text_of(node, "title") + " (`" + text_of(node, "id") + "`)\n\n" + text_of(node, "doc") + "\n\n";
+  page += "### " + heading(node) + "\n\n" + text_of(node, "doc") + "\n\n";
   const std::string source = text_of(node, "source");
   if (!source.empty()) page += "Source: " + source + "\n\n";
   page += example_picture(examples, text_of(node, "id"));
@@ -100,10 +124,12 @@ std::string nodes_markdown(const Json& catalogue, const NodeExamples& examples) 
       "is not\nwritten there has its default. `dini eval examples/nodes/boost.json -o boost.glb` writes such a "
       "model.\n\n";
   for (const Json& family : catalogue.value("families", Json::array())) {
-    page += "## " + text_of(family, "title") + "\n\n";
+    std::vector<Json> nodes;
     for (const Json& node : catalogue.value("nodes", Json::array())) {
-      if (text_of(node, "family") == text_of(family, "name")) write_node(node, examples, page);
+      if (text_of(node, "family") == text_of(family, "name")) nodes.push_back(node);
     }
+    write_family(family, nodes, page);
+    for (const Json& node : nodes) write_node(node, examples, page);
   }
   page.erase(page.find_last_not_of('\n') + 1);
   return page + "\n";

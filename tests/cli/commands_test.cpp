@@ -110,7 +110,7 @@ TEST_CASE("The node types are listed in three ways") {
   CHECK(run_dini({"nodes"}).out.find("toy ") == 0);
   CHECK(Json::parse(run_dini({"nodes", "--json"}).out)["nodes"][0]["id"] == "toy");
   const std::string page = run_dini({"nodes", "--markdown"}).out;
-  CHECK(page.find("## Toys\n\n### Toy (`toy`)\n\nWaits for a while.\n") != std::string::npos);
+  CHECK(page.find("## Toys\n\n[Toy](#toy-toy)\n\n### Toy (`toy`)\n\nWaits for a while.\n") != std::string::npos);
   CHECK(page.find("| `milliseconds` | integer | `0` |") != std::string::npos);
 }
 

@@ -14,14 +14,15 @@ export async function downloadModel(session: Session): Promise<string> {
   try {
     const model = isCurrent ? shown.model : await fetchModel(body);
     if (!(model instanceof Uint8Array)) return problemText(model);
-    save(new Blob([model], { type: "model/gltf-binary" }), `${fileName(open.title)}.glb`);
+    saveBlob(new Blob([model], { type: "model/gltf-binary" }), `${fileName(open.title)}.glb`);
     return "";
   } catch {
     return "The server did not answer.";
   }
 }
 
-function save(blob: Blob, name: string): void {
+/** Hands a file to the browser to save. */
+export function saveBlob(blob: Blob, name: string): void {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);
   link.download = name;

@@ -5,6 +5,7 @@ import type { CameraPlace } from "../model/document";
 import type { Store } from "../model/store";
 import { evaluate, isAlive, type EvaluateBody } from "../net/api";
 import { Evaluator, type ModelAnswer, type Stamp } from "../net/evaluator";
+import { localProblem } from "../net/problem";
 import type { Picture, PictureViewer, SessionState, Shown } from "./state";
 
 const PING_MILLISECONDS = 1500;
@@ -53,6 +54,13 @@ export class Renderer {
   rest(): void {
     this.evaluator.reset();
     this.store.set({ busy: false });
+  }
+
+  /** Gives up what is under way. */
+  stop(): void {
+    this.evaluator.reset();
+    const detail = "The evaluation was stopped. The next change starts it again.";
+    this.store.set({ busy: false, problem: localProblem("Stopped", detail) });
   }
 
   /** Another document: the next picture is its first. */

@@ -98,10 +98,15 @@ export class Session {
     this.edit(`Change ${port}`, setInput(node, port, value), { gesture: `input ${node}.${port}`, ...options });
   }
 
-  setParameter(parameter: Parameter, value: ParameterValue, moving: boolean): void {
+  setParameter(
+    parameter: Parameter,
+    value: ParameterValue,
+    moving: boolean,
+    gesture = `parameter ${parameter.name}`,
+  ): void {
     const { document, values } = this.store.get();
     if (!document) return;
-    this.history.record({ document, values }, `Change ${parameter.label}`, `parameter ${parameter.name}`);
+    this.history.record({ document, values }, `Change ${parameter.label}`, gesture);
     this.replace({ document, values: withValue(values, parameter, value) }, moving);
   }
 
@@ -123,6 +128,16 @@ export class Session {
   /** The hand has let go: the next change is a step of its own. */
   endGesture(): void {
     this.history.endGesture();
+  }
+
+  /** The gesture did not happen: everything is as before it, and nothing is left to undo or redo of it. */
+  cancelGesture(gesture: string): void {
+    this.travel(() => this.history.cancel(gesture));
+  }
+
+  /** Gives up waiting for the server; what is shown stays, marked as out of date. */
+  stop(): void {
+    this.renderer.stop();
   }
 
   /** Selects nodes by their names, frames and notes by their keys, and nothing else. */
