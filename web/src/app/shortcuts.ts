@@ -14,6 +14,7 @@ import {
   toggleBypass,
   toggleFlag,
 } from "./actions";
+import { VIEW_KEYS } from "../view3d/view_keys";
 import type { Editor } from "./editor";
 import { goTo, openNode, rename, unfoldSelection } from "./focus";
 
@@ -94,8 +95,11 @@ const PAGE: readonly Omit<Shortcut, "scope">[] = [
 ];
 
 const MODEL: readonly Omit<Shortcut, "scope">[] = [
-  { id: "model-frame", title: "Fill the view with the model", keys: ["F"] },
-  { id: "model-home", title: "Standard view", keys: ["Home"] },
+  ...VIEW_KEYS.map(({ key, text }) => ({
+    id: `model-${key}`,
+    title: text,
+    keys: [key.length === 1 ? key.toUpperCase() : key],
+  })),
   { id: "model-turn", title: "Turn", keys: ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown"] },
   { id: "model-zoom", title: "Zoom", keys: ["+", "-"] },
 ];
