@@ -2,6 +2,7 @@ import { createRoot } from "react-dom/client";
 import { App } from "./app/App";
 import { exampleInAddress, keepAddress, showStateOn } from "./app/address";
 import { Session } from "./app/session";
+import { filesOf } from "./files/Files";
 
 const session = new Session();
 showStateOn(document.documentElement, session.store);
@@ -12,4 +13,6 @@ for (const name of ["pointerdown", "pointerup", "focusin"]) {
 }
 const root = document.getElementById("root");
 if (root) createRoot(root).render(<App session={session} />);
-void session.start(exampleInAddress());
+void filesOf(session)
+  .beginning()
+  .then((first) => session.start(exampleInAddress(), first));

@@ -1,4 +1,5 @@
 import { useEffect, useState, type ReactElement } from "react";
+import { FilesLayer } from "../files/FilesLayer";
 import { GraphPane } from "../graph/GraphPane";
 import { Examples } from "../panels/Examples";
 import { Panel } from "../panels/Panel";
@@ -78,6 +79,7 @@ export function App({ session }: { session: Session }): ReactElement {
         )}
       </main>
       <StatusBar />
+      <FilesLayer />
     </SessionContext>
   );
 }

@@ -71,17 +71,6 @@ export async function evaluate(
   }
 }
 
-/** The model alone in final quality, for a download. */
-export async function fetchModel(body: EvaluateBody): Promise<Uint8Array<ArrayBuffer> | Problem> {
-  const response = await fetch("v1/evaluate", {
-    method: "POST",
-    headers: { "content-type": "application/json", accept: MODEL },
-    body: JSON.stringify({ ...body, quality: "final" }),
-  });
-  if (!response.ok) return readProblem(response.status, await jsonOf(response));
-  return new Uint8Array(await response.arrayBuffer());
-}
-
 /** The control geometry alone; null if there is none, or the server cannot tell. Rejects only after `signal`. */
 export async function fetchPreview(body: EvaluateBody, signal: AbortSignal): Promise<Uint8Array<ArrayBuffer> | null> {
   try {
