@@ -98,7 +98,7 @@ void add_curves(Registry& registry) {
                    .details("A fixed point of the generator stays. Orbits that pass through infinity hold points at "
                             "infinity, which tubes "
                             "and surfaces leave out.")
-                   .input("point", "Where the orbit passes at t = 0.", defaults({1, 0, 0}).unit("m"))
+                   .input("point", "Where the orbit passes at t = 0.", defaults({1, 0, 0}).unit("m").position_handle())
                    .input("generator", "What moves the point.")
                    .input("from", "First t.", defaults(0).hard(-1e6, 1e6).soft(-4, 4))
                    .input("to", "Last t.", defaults(1).hard(-1e6, 1e6).soft(-4, 4))
@@ -107,6 +107,7 @@ void add_curves(Registry& registry) {
                    .input("rule", "The true exponential, or the paper's with the scalar part of the square only.",
                           defaults("exact"))
                    .axes(open_axis())
+                   .makes_curves()
                    .output("points", "The orbit, over the new axis."));
 
   registry.add(
@@ -121,10 +122,10 @@ void add_curves(Registry& registry) {
                    "found by the classical Runge-Kutta method, and stops where the field gives no direction: at a "
                    "fixed point, or "
                    "where points move along the normal. A zero normal is an error.")
-          .input("point", "Where the curve starts.", defaults({1, 0, 0}).unit("m"))
+          .input("point", "Where the curve starts.", defaults({1, 0, 0}).unit("m").position_handle())
           .input("generators", "Several links, or one family.", required().several())
           .input("over", "The axis to sum over; empty means the last of generators.", defaults("").names_axis())
-          .input("normal", "Normal of the plane of the curve.", defaults({0, 0, 1}))
+          .input("normal", "Normal of the plane of the curve.", defaults({0, 0, 1}).direction_handle("point"))
           .input("length", "Length of the curve; below 0 it runs the other way.",
                  defaults(4).hard(-1e6, 1e6).soft(-10, 10).unit("m"))
           .input("count", "How many points.", defaults(64).hard(1, 100'000).soft(2, 256))
@@ -139,6 +140,7 @@ void add_curves(Registry& registry) {
                  defaults("sum_generators"))
           .over({"over"})
           .axes(open_axis())
+          .makes_curves()
           .output("points", "The curve, over the new axis."));
 }
 

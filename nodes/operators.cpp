@@ -100,9 +100,9 @@ void add_operators(Registry& registry) {
               "The generator is simple, and both rules agree, only when a and b are parallel. Zero vectors leave out "
               "their part; all zero is the identity.")
           .input("shape", "Points, circles, spheres, generators or meshes.")
-          .input("a", "Direction of the boost.", defaults({1, 0, 0}))
+          .input("a", "Direction of the boost.", defaults({1, 0, 0}).direction_handle())
           .input("lambda", "Strength of the boost.", defaults(1).hard(-1e6, 1e6).soft(-4, 4).unit("1/m"))
-          .input("b", "Direction of the translation.", defaults({0, 1, 0}))
+          .input("b", "Direction of the translation.", defaults({0, 1, 0}).direction_handle())
           .input("gamma", "Strength of the translation.", defaults(1).hard(-1e6, 1e6).soft(-4, 4).unit("m"))
           .input("amount", "How far along the loxodrome.", defaults(1).soft(-4, 4))
           .input("rule", "The true exponential, or the paper's with the scalar part of the square only.",
@@ -119,9 +119,9 @@ void add_operators(Registry& registry) {
                    "everything "
                    "collapses to one point. K = 0 is an error.")
           .input("shape", "Points, circles, spheres, generators or meshes.")
-          .input("a", "First point.", defaults({0, 0, 1}).unit("m"))
+          .input("a", "First point.", defaults({0, 0, 1}).unit("m").position_handle())
           .input("weight_a", "Weight of its no coefficient.", defaults(1).hard(-1e6, 1e6).soft(-1, 1))
-          .input("b", "Second point.", defaults({0, 0, -1}).unit("m"))
+          .input("b", "Second point.", defaults({0, 0, -1}).unit("m").position_handle())
           .input("weight_b", "Weight of its no coefficient.", defaults(1).hard(-1e6, 1e6).soft(-1, 1))
           .input("amount", "Factor of the bivector part.", defaults(0.5).hard(-1e6, 1e6).soft(-1, 1))
           .output("shape", "The transformed shape."));

@@ -105,19 +105,20 @@ void add_rounds(Registry& registry) {
                    .family("elements")
                    .doc("The circle through three points, run from a over b to c.")
                    .details("Collinear points, or one at infinity, give the line. Two points that agree are an error.")
-                   .input("a", "First point.", defaults({1, 0, 0}).unit("m"))
-                   .input("b", "Second point.", defaults({0, 1, 0}).unit("m"))
-                   .input("c", "Third point.", defaults({-1, 0, 0}).unit("m"))
+                   .input("a", "First point.", defaults({1, 0, 0}).unit("m").position_handle())
+                   .input("b", "Second point.", defaults({0, 1, 0}).unit("m").position_handle())
+                   .input("c", "Third point.", defaults({-1, 0, 0}).unit("m").position_handle())
                    .output("circle", "The circle, or the line."));
 
-  registry.add(node("sphere", sphere_element)
-                   .title("Sphere")
-                   .family("elements")
-                   .doc("An oriented sphere as an element; transforms carry it, also into planes.")
-                   .details("A radius of zero gives the point sphere at the center. To draw one, see sphere mesh.")
-                   .input("center", "Its center.", defaults({0, 0, 0}).unit("m"))
-                   .input("radius", "Its radius.", defaults(1).hard(0, 1e9).soft(0, 4).unit("m"))
-                   .output("sphere", "The sphere."));
+  registry.add(
+      node("sphere", sphere_element)
+          .title("Sphere")
+          .family("elements")
+          .doc("An oriented sphere as an element; transforms carry it, also into planes.")
+          .details("A radius of zero gives the point sphere at the center. To draw one, see sphere mesh.")
+          .input("center", "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
+          .input("radius", "Its radius.", defaults(1).hard(0, 1e9).soft(0, 4).unit("m").radius_handle("center"))
+          .output("sphere", "The sphere."));
 
   registry.add(
       node("osculating_sphere", sphere_of_curvature)
@@ -127,8 +128,8 @@ void add_rounds(Registry& registry) {
           .source("Colapinto, Composing Surfaces with Conformal Rotors, AACA 27 (2017)")
           .details(
               "Its center is at position - normal / curvature; curvature 0 gives the plane. A zero normal is an error.")
-          .input("position", "Where it touches.", defaults({0, 0, 0}).unit("m"))
-          .input("normal", "Normal of the plane, of any length.", defaults({0, 0, 1}))
+          .input("position", "Where it touches.", defaults({0, 0, 0}).unit("m").position_handle())
+          .input("normal", "Normal of the plane, of any length.", defaults({0, 0, 1}).direction_handle("position"))
           .input("curvature", "One over the radius; below 0 it bends the other way.",
                  defaults(1).hard(-1e9, 1e9).soft(-4, 4).unit("1/m"))
           .output("sphere", "The sphere, or the plane."));

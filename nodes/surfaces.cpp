@@ -9,15 +9,13 @@
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 #include "nodes/choices.h"
+#include "nodes/draft.h"
 #include "nodes/finish_surface.h"
 #include "nodes/shapes.h"
 
 namespace dini {
 
 namespace {
-
-constexpr std::size_t draft_sides = 8;
-constexpr std::size_t draft_segments = 64;
 
 Attempt<SharedMesh> surface_of_points(const Context& context, const Block<Point, 2>& shape, std::int64_t,
                                       AtInfinity at_infinity, double clip_radius, const std::string&,
@@ -45,9 +43,9 @@ Attempt<SharedMesh> surface_of_circles(const Context& context, const Block<Circl
 
 SharedMesh tube_along(const Context& context, const Polyline& curve, double radius, std::int64_t sides,
                       double clip_radius) {
-  const auto wanted = static_cast<std::size_t>(sides);
-  const std::size_t used = context.quality() == Quality::draft ? std::min(wanted, draft_sides) : wanted;
-  return std::make_shared<const Mesh>(tube(curve, {radius, used, clip_radius}, context.cancel()));
+  const Segments used = tube_within_budget(context, curve.points.size(), sides);
+  return std::make_shared<const Mesh>(
+      tube(thinned(curve, used.along), {radius, used.across, clip_radius}, context.cancel()));
 }
 
 SharedMesh tube_of_points(const Context& context, const Block<Point, 1>& shape, double radius, std::int64_t,
@@ -61,8 +59,7 @@ Attempt<SharedMesh> tube_of_circle(const Context& context, const Circle& shape, 
                                    std::int64_t sides, double clip_radius, const std::string&) {
   const std::optional<CircleCoordinates> found = coordinates(shape);
   if (!found) return Failure{"degenerate", "there is no circle to put a tube around", "shape"};
-  const auto wanted = static_cast<std::size_t>(segments);
-  const std::size_t used = context.quality() == Quality::draft ? std::min(wanted, draft_segments) : wanted;
+  const std::size_t used = tube_within_budget(context, static_cast<std::size_t>(segments), sides).along;
   Polyline curve{Column<Point>(found->line ? 2 : used), !found->line};
   if (found->line) {
     // The chord of the clip sphere, a hair shorter so that round-off leaves its ends inside.
@@ -169,9 +166,9 @@ void add_surfaces(Registry& registry) {
           .input("b", "Generator at u = 1, v = 0.")
           .input("c", "Generator at u = 0, v = 1.")
           .input("d", "Generator at u = 1, v = 1.")
-          .input("center", "The middle.", defaults({0, 0, 0}).unit("m"))
-          .input("u_vector", "Half the extent along u.", defaults({1, 0, 0}).unit("m"))
-          .input("v_vector", "Half the extent along v.", defaults({0, 1, 0}).unit("m"))
+          .input("center", "The middle.", defaults({0, 0, 0}).unit("m").position_handle())
+          .input("u_vector", "Half the extent along u.", defaults({1, 0, 0}).unit("m").direction_handle("center"))
+          .input("v_vector", "Half the extent along v.", defaults({0, 1, 0}).unit("m").direction_handle("center"))
           .input("amount", "Factor of the blended generator.", defaults(1).soft(-2, 2))
           .input("count_u", "How many points along u.", defaults(96).hard(2, 65536).soft(8, 256))
           .input("count_v", "How many points along v.", defaults(96).hard(2, 65536).soft(8, 256))

@@ -111,7 +111,7 @@ void add_transforms(Registry& registry) {
                    .family("transforms")
                    .doc("Moves a shape.")
                    .input("shape", "Points, circles, spheres, generators or meshes.")
-                   .input("vector", "By how much.", defaults({0, 0, 0}).unit("m"))
+                   .input("vector", "By how much.", defaults({0, 0, 0}).unit("m").direction_handle())
                    .output("shape", "The moved shape."));
 
   registry.add(VersorNode<turn, Circle, double>::declare("rotate")
@@ -128,7 +128,7 @@ void add_transforms(Registry& registry) {
                    .family("transforms")
                    .doc("Scales a shape about a point.")
                    .input("shape", "Points, circles, spheres, generators or meshes.")
-                   .input("center", "The point that stays.", defaults({0, 0, 0}).unit("m"))
+                   .input("center", "The point that stays.", defaults({0, 0, 0}).unit("m").position_handle())
                    .input("factor", "The factor; it must be positive.", defaults(1).hard(1e-9, 1e9).soft(0.1, 4))
                    .output("shape", "The scaled shape."));
 }

@@ -47,6 +47,7 @@ test("the page opens with a finished example, and the gallery opens another", ()
     await settled(page);
     const first = await coverage(page);
     assert.ok(first > 0.05 && first < 0.95, `share of the view that is not background: ${first}`);
+    await page.getByRole("button", { name: "Examples" }).click();
     const gallery = page.getByRole("navigation", { name: "Examples" });
     assert.equal(await gallery.getByRole("listitem").count(), count);
     await gallery.getByRole("button", { name: new RegExp(`^${ring.title}`) }).click();
@@ -60,6 +61,7 @@ test("the page opens with a finished example, and the gallery opens another", ()
 test("the gallery shows a picture of every example", () =>
   withPage({}, async (page) => {
     await settled(page);
+    await page.getByRole("button", { name: "Examples" }).click();
     await page.waitForFunction((all) => document.querySelectorAll(".card-picture img").length === all, count, {
       timeout: 60_000,
     });
@@ -174,8 +176,8 @@ test("the export says what it makes before it is downloaded, as a GLB in full qu
     await settled(page);
     await page.getByRole("button", { name: "Export", exact: true }).click();
     const dialog = page.getByRole("dialog", { name: "Export" });
-    const result = dialog.getByRole("status");
-    await result.filter({ hasText: /kB · .* triangles · no point off by more than/ }).waitFor();
+    const result = dialog.getByRole("status").filter({ hasText: /kB · .* triangles · no point off by more than/ });
+    await result.waitFor();
     const before = await result.textContent();
     await dialog.getByRole("slider", { name: "Position bits" }).press("Home");
     await page.waitForFunction((text) => {

@@ -1,6 +1,8 @@
 import type { ReactElement } from "react";
 import { FileMenu, ShareMenus } from "../files/FileMenus";
-import { useCurrent } from "./context";
+import { EditButtons } from "./EditButtons";
+import { TitleField } from "./TitleField";
+import { useCurrentSession, useEditor } from "./context";
 import { Icon, Logo } from "./icons";
 import type { Theme } from "./theme";
 
@@ -12,7 +14,8 @@ interface TopBarProps {
 }
 
 export function TopBar({ theme, onTheme, galleryOpen, onGallery }: TopBarProps): ReactElement {
-  const title = useCurrent((state) => state.document?.title);
+  const session = useCurrentSession();
+  const editor = useEditor();
   const other = theme === "dark" ? "light" : "dark";
   return (
     <header className="top-bar">
@@ -26,10 +29,32 @@ export function TopBar({ theme, onTheme, galleryOpen, onGallery }: TopBarProps):
         <Icon name="gallery" />
         <span>Examples</span>
       </button>
-      <h1 className="document-title">{title ?? ""}</h1>
+      <button
+        type="button"
+        className="button"
+        title="Begin an empty graph"
+        aria-label="New graph"
+        onClick={() => session.newDocument()}
+      >
+        <Icon name="file" />
+        <span className="wide-only">New</span>
+      </button>
+      <span className="rule" />
+      <TitleField />
+      <span className="rule" />
+      <EditButtons />
       <span className="spacer" />
       <ShareMenus />
       <span className="rule" />
+      <button
+        type="button"
+        className="button icon-button"
+        aria-label="Keys and pointer"
+        title="Keys and pointer (?)"
+        onClick={() => editor.store.set({ help: true })}
+      >
+        <span aria-hidden="true">?</span>
+      </button>
       <button
         type="button"
         className="button icon-button"

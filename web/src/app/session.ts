@@ -8,7 +8,7 @@ import { fileOutput, viewGraph } from "../model/graph";
 import { History } from "../model/history";
 import { asArray, asObject, asString, type Json } from "../model/json";
 import { layeredLayout } from "../model/layout";
-import { withValue, type Parameter, type ParameterValue, type ParameterValues } from "../model/parameters";
+import { sameValue, withValue, type Parameter, type ParameterValue, type ParameterValues } from "../model/parameters";
 import { createStore, type Store } from "../model/store";
 import { getJson, type EvaluateBody } from "../net/api";
 import { localProblem } from "../net/problem";
@@ -251,9 +251,12 @@ function exampleOf(origin: Origin): string | null {
   return origin.kind === "example" ? origin.id : null;
 }
 
-/** The values of parameters that are still there. */
+/** The values of parameters that are still there and do not equal their default. */
 function knownValues(values: ParameterValues, { parameters }: GraphDocument): ParameterValues {
-  const known = Object.entries(values).filter(([name]) => parameters.some((parameter) => parameter.name === name));
+  const known = Object.entries(values).filter(([name, value]) => {
+    const parameter = parameters.find((item) => item.name === name);
+    return parameter && !sameValue(value, parameter.initial);
+  });
   return known.length === Object.keys(values).length ? values : Object.fromEntries(known);
 }
 

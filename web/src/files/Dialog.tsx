@@ -23,6 +23,7 @@ export function Dialog({ title, onClose, children, actions }: DialogProps): Reac
   return (
     <dialog
       ref={element}
+      role="dialog"
       className="dialog"
       aria-label={title}
       onCancel={(event) => {

@@ -1,38 +1,25 @@
-import { useEffect, type ReactElement } from "react";
+import type { ReactElement } from "react";
 import { commandLineText } from "../app/commands";
 import { useCurrent, useCurrentSession } from "../app/context";
 import { Icon } from "../app/icons";
+import { keyText } from "../app/shortcuts";
 import { filesOf } from "./Files";
 import { Menu } from "./Menu";
-
-const MOD = /Mac|iP/.test(navigator.platform) ? "⌘" : "Ctrl";
 
 /** Opening, saving and recovering. */
 export function FileMenu(): ReactElement {
   const session = useCurrentSession();
   const files = filesOf(session);
   const isOpen = useCurrent((state) => state.document !== null);
-  useEffect(() => {
-    const onKey = (event: KeyboardEvent): void => {
-      if (!(event.ctrlKey || event.metaKey) || event.altKey || document.querySelector("dialog[open]")) return;
-      const key = event.key.toLowerCase();
-      if (key !== "s" && key !== "o") return;
-      event.preventDefault();
-      if (key === "s") void files.save(event.shiftKey);
-      else void files.ask();
-    };
-    document.addEventListener("keydown", onKey);
-    return () => document.removeEventListener("keydown", onKey);
-  }, [files]);
   return (
     <Menu
       label="File"
       items={[
         { title: "New", run: () => session.newDocument() },
-        { title: "Open…", keys: `${MOD}+O`, run: () => void files.ask() },
+        { title: "Open…", keys: keyText("open-file"), run: () => void files.ask() },
         null,
-        { title: "Save", keys: `${MOD}+S`, disabled: !isOpen, run: () => void files.save() },
-        { title: "Save as…", keys: `${MOD}+Shift+S`, disabled: !isOpen, run: () => void files.save(true) },
+        { title: "Save", keys: keyText("save"), disabled: !isOpen, run: () => void files.save() },
+        { title: "Save as…", keys: keyText("save-as"), disabled: !isOpen, run: () => void files.save(true) },
         { title: "Recover…", run: () => files.show("recover") },
       ]}
     >
