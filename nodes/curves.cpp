@@ -128,27 +128,31 @@ InputSpec clip_radius_input() { return defaults(100).hard(1e-3, 1e6).soft(1, 100
 }  // namespace
 
 void add_curves(Registry& registry) {
-  registry.add(node("orbit", orbit_points)
-                   .title("Orbit")
-                   .family("fields")
-                   .doc("Where exp(t * generator) carries a point, for t along a new axis.")
-                   .source("Boosted Surfaces, section 4, fig. 8")
-                   .version(2)
-                   .details("A fixed point of the generator stays. Where the orbit leaves the clip radius it ends, "
-                            "on both sides of t = 0 (or of the end nearest to it): its points are then even in t over "
-                            "the part within. If it starts outside, every point is at infinity.")
-                   .input("point", "Where the orbit passes at t = 0.", defaults({1, 0, 0}).unit("m").position_handle())
-                   .input("generator", "What moves the point.")
-                   .input("from", "First t.", defaults(0).hard(-1e6, 1e6).soft(-4, 4))
-                   .input("to", "Last t.", defaults(1).hard(-1e6, 1e6).soft(-4, 4))
-                   .input("count", "How many points.", defaults(64).hard(1, 1'000'000).soft(2, 256))
-                   .input("clip_radius", "Distance from the origin at which the orbit ends.", clip_radius_input())
-                   .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
-                   .input("rule", "The true exponential, or the paper's with the scalar part of the square only.",
-                          defaults("exact"))
-                   .axes(open_axis())
-                   .makes_curves()
-                   .output("points", "The orbit, over the new axis."));
+  registry.add(
+      node("orbit", orbit_points)
+          .title("Orbit")
+          .family("fields")
+          .doc("Where exp(t * generator) carries a point, for t along a new axis.")
+          .source("Boosted Surfaces, section 4, fig. 8")
+          .version(2)
+          .details(
+              "Where the orbit leaves the clip radius it ends, on both sides of t = 0 (or of the end nearest to it): "
+              "its points are then even in t over the part within. If it starts outside, every point is at infinity.")
+          .degenerate("point at a generator", "Every point of the orbit is that point.")
+          .degenerate("isoclinic generators",
+                      "The two equal turns have a closed form of their own; nothing is divided by their difference.")
+          .input("point", "Where the orbit passes at t = 0.", defaults({1, 0, 0}).unit("m").position_handle())
+          .input("generator", "What moves the point.")
+          .input("from", "First t.", defaults(0).hard(-1e6, 1e6).soft(-4, 4))
+          .input("to", "Last t.", defaults(1).hard(-1e6, 1e6).soft(-4, 4))
+          .input("count", "How many points.", defaults(64).hard(1, 1'000'000).soft(2, 256))
+          .input("clip_radius", "Distance from the origin at which the orbit ends.", clip_radius_input())
+          .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
+          .input("rule", "The true exponential, or the paper's with the scalar part of the square only.",
+                 defaults("exact"))
+          .axes(open_axis())
+          .makes_curves()
+          .output("points", "The orbit, over the new axis."));
 
   registry.add(
       node("contour", contour_points)
@@ -158,13 +162,14 @@ void add_curves(Registry& registry) {
                "line.")
           .source("Boosted Surfaces, figs. 8, 9")
           .version(2)
-          .details(
-              "The field moves points as warp does with the same inputs. The curve ends after its length, where it "
-              "comes back to its start, where it leaves the clip radius, and where the field gives no direction: "
-              "at a fixed point, or where points move along the normal. Its points are at even distances over "
-              "what there is; the last one of a closed curve is the first. The displacements are finite, so a "
-              "contour closes only nearly: what is missing, up to 2 % of its length, is spread over it. A start "
-              "beyond the clip radius, or without a direction, gives that one point. A zero normal is an error.")
+          .details("The field moves points as warp does with the same inputs. The curve ends after its length, where "
+                   "it comes back to its start, where it leaves the clip radius, and where the field gives no "
+                   "direction: at a fixed point, or where points move along the normal. Its points are at even "
+                   "distances over what there is; the last one of a closed curve is the first. The displacements are "
+                   "finite, so a contour closes only nearly: what is missing, up to 2 % of its length, is spread over "
+                   "it. A start beyond the clip radius, or without a direction, gives that one point.")
+          .degenerate("point at a generator", "There is no direction: every point is the start.")
+          .degenerate("zero direction", "A zero normal is an error.")
           .input("point", "Where the curve starts.", defaults({1, 0, 0}).unit("m").position_handle())
           .input("generators", "Several links, or one family.", required().several())
           .input("over", "The axis to sum over; empty means the last of generators.", defaults("").names_axis())
