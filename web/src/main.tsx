@@ -3,6 +3,7 @@ import { App } from "./app/App";
 import { exampleInAddress, keepAddress, showStateOn } from "./app/address";
 import { Editor } from "./app/editor";
 import { Session } from "./app/session";
+import { filesOf } from "./files/Files";
 
 const session = new Session();
 showStateOn(document.documentElement, session.store);
@@ -13,4 +14,6 @@ for (const name of ["pointerdown", "pointerup", "focusin"]) {
 }
 const root = document.getElementById("root");
 if (root) createRoot(root).render(<App editor={new Editor(session)} />);
-void session.start(exampleInAddress());
+void filesOf(session)
+  .beginning()
+  .then((first) => session.start(exampleInAddress(), first));

@@ -1,4 +1,5 @@
 import { useEffect, useState, type ReactElement } from "react";
+import { FilesLayer } from "../files/FilesLayer";
 import { GraphPane } from "../graph/GraphPane";
 import { Examples } from "../panels/Examples";
 import { Panel } from "../panels/Panel";
@@ -90,6 +91,7 @@ export function App({ editor }: { editor: Editor }): ReactElement {
           )}
         </main>
         <StatusBar />
+        <FilesLayer />
         <Hint />
         <HelpDialog />
       </EditorContext>

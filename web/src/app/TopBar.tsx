@@ -1,9 +1,8 @@
-import { useState, type ReactElement } from "react";
-import { CopyMenu } from "./CopyMenu";
+import type { ReactElement } from "react";
+import { FileMenu, ShareMenus } from "../files/FileMenus";
 import { EditButtons } from "./EditButtons";
 import { TitleField } from "./TitleField";
-import { useCurrent, useCurrentSession, useEditor } from "./context";
-import { downloadModel } from "./download";
+import { useCurrentSession, useEditor } from "./context";
 import { Icon, Logo } from "./icons";
 import type { Theme } from "./theme";
 
@@ -17,14 +16,6 @@ interface TopBarProps {
 export function TopBar({ theme, onTheme, galleryOpen, onGallery }: TopBarProps): ReactElement {
   const session = useCurrentSession();
   const editor = useEditor();
-  const title = useCurrent((state) => state.document?.title);
-  const [saving, setSaving] = useState(false);
-  const [failure, setFailure] = useState("");
-  const download = async (): Promise<void> => {
-    setSaving(true);
-    setFailure(await downloadModel(session));
-    setSaving(false);
-  };
   const other = theme === "dark" ? "light" : "dark";
   return (
     <header className="top-bar">
@@ -33,6 +24,7 @@ export function TopBar({ theme, onTheme, galleryOpen, onGallery }: TopBarProps):
         <span>Dini</span>
       </span>
       <span className="rule" />
+      <FileMenu />
       <button type="button" className="button gallery-button" aria-expanded={galleryOpen} onClick={onGallery}>
         <Icon name="gallery" />
         <span>Examples</span>
@@ -51,23 +43,8 @@ export function TopBar({ theme, onTheme, galleryOpen, onGallery }: TopBarProps):
       <TitleField />
       <span className="rule" />
       <EditButtons />
-      {failure && (
-        <span className="top-failure" role="alert">
-          {failure}
-        </span>
-      )}
       <span className="spacer" />
-      <CopyMenu />
-      <button
-        type="button"
-        className="button"
-        disabled={!title || saving}
-        aria-label="Download GLB"
-        onClick={() => void download()}
-      >
-        <Icon name="download" />
-        <span className="wide-only">{saving ? "Preparing…" : "Download .glb"}</span>
-      </button>
+      <ShareMenus />
       <span className="rule" />
       <button
         type="button"

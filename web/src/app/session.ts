@@ -42,18 +42,23 @@ export class Session {
   private validateTimer = 0;
   private validation: AbortController | undefined;
 
-  /** Loads catalogue and examples and opens one: the wanted, else the first. Tries again until the server answers. */
-  async start(wanted: string | null): Promise<void> {
+  /**
+   * Loads catalogue and examples and opens a document: `first` if there is one, else the wanted example, else the first.
+   * Tries again until the server answers.
+   */
+  async start(wanted: string | null, first?: { json: Json; origin: Origin }): Promise<void> {
     try {
       const [nodes, list] = await Promise.all([getJson("v1/nodes"), getJson("v1/examples")]);
       const examples = asArray(asObject(list)["examples"]).map(readExample);
       this.store.set({ catalogue: readCatalogue(nodes), examples, away: false });
+      const isOpen = first && this.openDocument(first.json, first.origin) === undefined;
       const example = examples.find((item) => item.id === wanted) ?? finest(examples);
+      if (isOpen) return;
       if (example) this.openExample(example.id);
       else this.newDocument();
     } catch {
       this.store.set({ away: true });
-      window.setTimeout(() => void this.start(wanted), RETRY_MILLISECONDS);
+      window.setTimeout(() => void this.start(wanted, first), RETRY_MILLISECONDS);
     }
   }
 

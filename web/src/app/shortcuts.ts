@@ -15,6 +15,7 @@ import {
   toggleFlag,
 } from "./actions";
 import { VIEW_KEYS } from "../view3d/view_keys";
+import { filesOf } from "../files/Files";
 import type { Editor } from "./editor";
 import { goTo, openNode, rename, unfoldSelection } from "./focus";
 
@@ -91,6 +92,15 @@ const GRAPH: readonly Omit<Shortcut, "scope">[] = [
 const PAGE: readonly Omit<Shortcut, "scope">[] = [
   { id: "undo", title: "Undo", keys: ["Mod+Z"], run: ({ session }) => session.undo(), inFields: true },
   { id: "redo", title: "Redo", keys: ["Mod+Shift+Z", "Mod+Y"], run: ({ session }) => session.redo(), inFields: true },
+  { id: "open-file", title: "Open a file", keys: ["Mod+O"], run: ({ session }) => void filesOf(session).ask(), inFields: true },
+  { id: "save", title: "Save", keys: ["Mod+S"], run: ({ session }) => void filesOf(session).save(), inFields: true },
+  {
+    id: "save-as",
+    title: "Save as another file",
+    keys: ["Mod+Shift+S"],
+    run: ({ session }) => void filesOf(session).save(true),
+    inFields: true,
+  },
   { id: "help", title: "This list", keys: ["?"], run: (editor) => editor.store.set({ help: true }) },
 ];
 

@@ -1,8 +1,9 @@
 // The 3D view. Draws only when something changed; React never runs while it does.
 
 import { Group, Scene, Vector3, WebGLRenderer, type LineSegments } from "three";
+import type { ControlInfo } from "../app/state";
 import type { CameraPlace } from "../model/document";
-import { ControlGeometry, type ControlColors } from "./control_geometry";
+import { ControlGeometry } from "./control_geometry";
 import { Decoder, type DecodedModel } from "./decode";
 import { frame, framingOf, samplePositions, type Framing } from "./framing";
 import { GizmoLayer, type GizmoHost } from "./gizmos";
@@ -130,9 +131,9 @@ export class Viewer {
   }
 
   /** Replaces the control geometry over the model. */
-  showControl(model: DecodedModel | null, colors: ControlColors): void {
+  showControl(model: DecodedModel | null, info: ControlInfo): void {
     this.control?.dispose();
-    this.control = model ? new ControlGeometry(model, colors) : undefined;
+    this.control = model ? new ControlGeometry(model, { ...info, light: this.settings.light }) : undefined;
     if (this.control) {
       this.control.group.visible = this.settings.control;
       this.scene.add(this.control.group);
@@ -161,7 +162,10 @@ export class Viewer {
     if (changed("mode", "light", "curvatureKind")) this.dressModel();
     if (changed("light", "grid", "axes")) this.rebuildOverlays();
     if (changed("light", "section")) this.placeSection();
-    if (this.control) this.control.group.visible = settings.control;
+    if (this.control) {
+      this.control.group.visible = settings.control;
+      if (changed("light")) this.control.setLight(settings.light);
+    }
     if (!settings.control) this.gizmos.set([]);
     this.setHandles();
     this.draw();

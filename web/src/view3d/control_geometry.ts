@@ -18,15 +18,12 @@ import {
   type Material,
   type Object3D,
 } from "three";
+import type { ControlInfo } from "../app/state";
 import type { DecodedModel } from "./decode";
 import { pairsOf, segmentGeometry, thickLines, thickMaterial } from "./thick_lines";
 
-export interface ControlColors {
-  /** The color of a wire type. */
-  ofType(type: string): string;
+export interface ControlColors extends ControlInfo {
   light: boolean;
-  /** Nodes that are only consumed by the chosen ones; they are drawn fainter. */
-  faint: ReadonlySet<string>;
 }
 
 const WIDTH = 2;
@@ -39,6 +36,7 @@ const SURFACE = 0.35;
 export class ControlGeometry {
   readonly group = new Group();
   private readonly materials: Material[] = [];
+  private readonly painted: { color: Color; type: string }[] = [];
 
   constructor(
     private readonly model: DecodedModel,
@@ -47,6 +45,11 @@ export class ControlGeometry {
     model.scene.updateMatrixWorld(true);
     model.scene.traverse((object) => this.add(object));
     this.group.renderOrder = 5;
+  }
+
+  /** Another theme: the same colors, taken down on light ground. */
+  setLight(light: boolean): void {
+    for (const { color, type } of this.painted) color.copy(shade(this.colors.ofType(type), light));
   }
 
   dispose(): void {
@@ -59,7 +62,9 @@ export class ControlGeometry {
   private add(object: Object3D): void {
     const source = (object as Mesh).geometry as BufferGeometry | undefined;
     if (!source) return;
-    const color = colorOf(object, this.colors);
+    const type = extra(object, "type");
+    const color = shade(this.colors.ofType(type), this.colors.light);
+    this.painted.push({ color, type });
     const strength = isFaint(object, this.colors.faint) ? FAINT : 1;
     for (const [depth, opacity] of [
       [LessEqualDepth, strength],
@@ -81,7 +86,8 @@ export class ControlGeometry {
       const pairs = object instanceof LineSegments ? (index ? gathered(positions, index.array) : positions) : pairsOf(positions);
       return thickLines(segmentGeometry(pairs), this.keep(thickMaterial({ color, width: WIDTH, opacity, depthFunc })));
     }
-    const material = new MeshBasicMaterial({ color, side: DoubleSide, transparent: true, depthWrite: false });
+    const material = new MeshBasicMaterial({ side: DoubleSide, transparent: true, depthWrite: false });
+    material.color = color;
     material.opacity = SURFACE * opacity;
     material.depthFunc = depthFunc;
     return new Mesh(source, this.keep(material));
@@ -95,7 +101,8 @@ export class ControlGeometry {
 
 /** Round points of one size on the screen. */
 export function pointMaterial(color: Color, opacity: number, depthFunc: DepthModes): PointsMaterial {
-  const material = new PointsMaterial({ color, size: POINT_SIZE, sizeAttenuation: false, transparent: true, opacity });
+  const material = new PointsMaterial({ size: POINT_SIZE, sizeAttenuation: false, transparent: true, opacity });
+  material.color = color;
   material.depthFunc = depthFunc;
   material.depthWrite = false;
   material.onBeforeCompile = (shader) => {
@@ -126,10 +133,9 @@ function isFaint(object: Object3D, faint: ReadonlySet<string>): boolean {
   return faint.has(extra(object, "id"));
 }
 
-function colorOf(object: Object3D, { ofType, light }: ControlColors): Color {
-  const color = new Color(ofType(extra(object, "type")));
-  // The types' colors are made for dark ground; on light ground they are taken down until they are seen.
-  const { r, g, b } = color;
-  const bright = 0.21 * r + 0.72 * g + 0.07 * b;
+/** The types' colors are made for dark ground; on light ground they are taken down until they are seen. */
+function shade(text: string, light: boolean): Color {
+  const color = new Color(text);
+  const bright = 0.21 * color.r + 0.72 * color.g + 0.07 * color.b;
   return light && bright > 0.18 ? color.multiplyScalar(0.18 / bright) : color;
 }
