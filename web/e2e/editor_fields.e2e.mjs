@@ -32,7 +32,9 @@ test("a number is dragged and typed on the node; a drag is one step of undo; the
     const box = await field.boundingBox();
     const y = box.y + box.height / 2;
     await drag(page, { x: box.x + 20, y }, { x: box.x + 60, y });
-    const dragged = (await untilGraph(page, ({ nodes }) => nodes.circle.inputs.radius > 1)).nodes.circle.inputs.radius;
+    const dragged = Number(await field.inputValue());
+    assert.ok(dragged > 1);
+    await untilGraph(page, ({ nodes }) => nodes.circle.inputs.radius === dragged);
     await field.hover();
     await page.mouse.wheel(0, 300);
     await page.waitForTimeout(200);
@@ -75,7 +77,7 @@ test("vectors, choices, switches, colors, texts and lists have their fields in t
     await addNode(page, "color", 560, 460);
     await panel.getByLabel("color of Color").fill("#ff0000");
     await untilGraph(page, ({ nodes }) => nodes.color.inputs.color?.[0] === 1 && nodes.color.inputs.color[3] === 1);
-    await addNode(page, "list", 560, 640);
+    await addNode(page, "list", 110, 700);
     await panel.getByRole("textbox", { name: "items of List" }).fill("1, -1, 2*2");
     await page.keyboard.press("Enter");
     await untilGraph(page, ({ nodes }) => JSON.stringify(nodes.list.inputs.items) === "[1,-1,4]");
