@@ -1,5 +1,6 @@
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "cli/assets.h"
 #include "cli/commands.h"
@@ -18,6 +19,8 @@ struct Options {
   std::string report;
   std::string output;
   std::string quality = "final";
+  std::optional<std::int64_t> triangle_budget;
+  std::vector<std::string> preview;
   std::size_t deadline_ms = 0;
   Assets assets;
   Computing computing;
@@ -43,8 +46,9 @@ bool checks_hold(const Json& report) {
 
 /// `out: 1234 bytes, 10 vertices, 12 triangles`
 std::string summary(const Json& report) {
-  const Json model = report.value("model", Json::object());
-  std::string text = report.value("output", "") + ":";
+  const bool preview = !report.contains("model");
+  const Json model = report.value(preview ? "preview" : "model", Json::object());
+  std::string text = report.value("output", "preview") + ":";
   for (const auto* measure : {"bytes", "vertices", "triangles"}) {
     if (model.contains(measure)) text += (text.back() == ':' ? " " : ", ") + model.at(measure).dump() + " " + measure;
   }
@@ -72,7 +76,9 @@ int run(Options& options) {
   const auto prepared = engine.prepare({.graph = *graph,
                                         .parameters = *parameters,
                                         .output = options.output,
-                                        .quality = options.quality == "draft" ? Quality::draft : Quality::final});
+                                        .quality = options.quality == "draft" ? Quality::draft : Quality::final,
+                                        .triangle_budget = options.triangle_budget,
+                                        .preview = options.preview});
   if (!prepared) return fail(prepared.problems(), exit_code_for(prepared.problems(), Stage::checking));
   const auto evaluated = engine.evaluate(**prepared, cancel);
   if (!evaluated) return fail(evaluated.problems(), exit_code_for(evaluated.problems(), Stage::evaluating));
@@ -90,8 +96,8 @@ int run(Options& options) {
   if (options.model.empty() && options.report != "-") std::cout << summary(report) << "\n";
   // A check that fails is an answer about this model, so the model is written all the same.
   if (!options.model.empty()) {
-    if (const Problems wrong = write_output(options.model, *evaluated->glb); !wrong.empty())
-      return fail(wrong, exit_io);
+    const std::string& file = evaluated->glb != nullptr ? *evaluated->glb : *evaluated->preview;
+    if (const Problems wrong = write_output(options.model, file); !wrong.empty()) return fail(wrong, exit_io);
   }
   return checks_hold(report) ? exit_ok : exit_check_failed;
 }
@@ -107,9 +113,15 @@ void add_eval(CLI::App& program, Command& chosen) {
   command->add_option("-o,--out", options->model,
                       "Where the model goes, or - for standard output; without it the model is only described");
   command->add_option("--report", options->report, "Where the JSON report goes, or - for standard output");
-  command->add_option("--output", options->output, "The export node (default: the only one)");
+  auto* output = command->add_option("--output", options->output, "The export node (default: the only one)");
+  command
+      ->add_option("--preview", options->preview,
+                   "A node, or node.output, to draw with control geometry instead of the model; may be repeated")
+      ->allow_extra_args(false)
+      ->excludes(output);
   command->add_option("--quality", options->quality, "draft or final (default)")
       ->check(CLI::IsMember({"draft", "final"}));
+  command->add_option("--triangle-budget", options->triangle_budget, "About how many triangles a draft has");
   command->add_option("--deadline-ms", options->deadline_ms, "Give up after this many milliseconds")
       ->check(CLI::Range(std::size_t{1}, std::size_t{86'400'000}));
   options->assets.add_option(*command);

@@ -55,9 +55,12 @@ std::string stamp_extras(std::string_view glb, const nlohmann::json& extras) {
   auto document = nlohmann::json::parse(chunks->json, nullptr, false);
   if (!document.is_object() || !document["asset"].is_object()) return {};
   document["asset"]["extras"] = extras;
+  return join_glb(document, chunks->binary);
+}
+
+std::string join_glb(const nlohmann::json& document, std::string_view binary) {
   std::string json = document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   json.resize((json.size() + 3) / 4 * 4, ' ');
-  const std::string_view binary = chunks->binary;
   const std::size_t size =
       header_size + chunk_header_size + json.size() + (binary.empty() ? 0 : chunk_header_size + binary.size());
   if (size > std::numeric_limits<std::uint32_t>::max()) return {};

@@ -18,6 +18,10 @@ struct GlbChunks {
 /// Nothing if `glb` is not a complete GLB of version 2.
 std::optional<GlbChunks> split_glb(std::string_view glb);
 
+/// A GLB of a JSON chunk, keys in alphabetical order, and a binary chunk, which is left out when it is empty. Empty
+/// when it would be larger than GLB can address.
+std::string join_glb(const nlohmann::json& document, std::string_view binary);
+
 /// The same file with `extras` as `asset.extras`. Only the JSON chunk is rewritten, keys in alphabetical order, so the
 /// same arguments give the same bytes; the binary chunk is copied once. Empty if `glb` is not one of this layer's
 /// files.

@@ -10,6 +10,20 @@ Json names_of(const std::vector<WireType>& types) {
   return names;
 }
 
+Json handle_card(const Handle& handle) {
+  if (handle.kind == Handle::Kind::position) return {{"kind", "position"}};
+  Json json = {{"kind", handle.kind == Handle::Kind::direction ? "direction" : "radius"}};
+  if (!handle.at.empty()) json["at"] = handle.at;
+  if (!handle.normal.empty()) json["normal"] = handle.normal;
+  return json;
+}
+
+Json degenerate_card(const std::vector<Degenerate>& cases) {
+  Json list = Json::array();
+  for (const Degenerate& one : cases) list.push_back({{"input", one.input}, {"result", one.result}});
+  return list;
+}
+
 Json input_card(const InputPort& port) {
   Json json = {{"name", port.name},
                {"types", names_of(port.types)},
@@ -24,6 +38,7 @@ Json input_card(const InputPort& port) {
   if (port.spec.soft_maximum) json["soft_maximum"] = *port.spec.soft_maximum;
   if (!port.choices.empty()) json["choices"] = port.choices;
   if (port.names_file) json["names_file"] = true;
+  if (port.spec.handle) json["handle"] = handle_card(*port.spec.handle);
   return json;
 }
 
@@ -48,9 +63,16 @@ Json card(const NodeType& type) {
     if (follows_first_input(type, k)) output["same_as"] = type.inputs.front().name;
     outputs.push_back(std::move(output));
   }
-  return {{"id", type.id},           {"title", type.title},         {"family", type.family},
-          {"doc", type.doc},         {"source", type.source},       {"details", type.details},
-          {"version", type.version}, {"inputs", std::move(inputs)}, {"outputs", std::move(outputs)}};
+  return {{"id", type.id},
+          {"title", type.title},
+          {"family", type.family},
+          {"doc", type.doc},
+          {"source", type.source},
+          {"details", type.details},
+          {"version", type.version},
+          {"inputs", std::move(inputs)},
+          {"outputs", std::move(outputs)},
+          {"degenerate", degenerate_card(type.degenerate)}};
 }
 
 Json wire_type_cards() {

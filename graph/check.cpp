@@ -4,12 +4,13 @@
 #include <set>
 
 #include "graph/fingerprint.h"
+#include "graph/fixes.h"
 #include "graph/infer.h"
-#include "graph/json_reader.h"
 #include "graph/literal.h"
 #include "graph/nearest.h"
 #include "graph/order.h"
 #include "graph/resolve.h"
+#include "graph/thinning.h"
 
 namespace dini {
 
@@ -25,18 +26,24 @@ std::vector<std::string> keys_of(const Map& map) {
 class Checker {
  public:
   Checker(const Registry& registry, const Document& document, const std::map<std::string, Json>& parameters,
-          Quality quality, const Limits& limits, const AssetFinder& find_asset)
-      : registry_(registry), document_(document), limits_(limits), find_asset_(find_asset) {
+          Detail detail, const Limits& limits, const AssetFinder& find_asset, const CheckScope& scope)
+      : registry_(registry), document_(document), limits_(limits), find_asset_(find_asset), scope_(scope) {
     report_.plan.parameters = parameters;
-    report_.plan.quality = quality;
+    report_.plan.detail = detail;
+    needed_ = needed_for(document, scope.targets.empty() ? keys_of(document.nodes) : scope.targets);
   }
 
   CheckReport run() {
     for (const auto& [id, entry] : document_.nodes) check_names(id, entry);
     const Order order = evaluation_order(document_);
-    if (!order.cycle.empty()) report_cycle(order.cycle);
+    for (const std::vector<std::string>& cycle : order.cycles) report_cycle(cycle);
     for (const std::string& id : order.ids) plan(id, document_.nodes.at(id));
     find_blocked();
+    find_guards();
+    share_triangles(report_.plan, needed_);
+    for (PlannedNode& node : report_.plan.nodes) {
+      if (!node.bypass && !node.doubtful) node.fingerprint = fingerprint(node, report_.plan);
+    }
     add_up();
     return std::move(report_);
   }
@@ -44,70 +51,80 @@ class Checker {
  private:
   void add(Problem problem) {
     broken_.insert(problem.node);
-    report_.problems.push_back(std::move(problem));
-  }
-
-  static std::string pointer(const std::string& node, const std::string& port = "") {
-    return "/graph/nodes/" + node + (port.empty() ? "" : "/inputs/" + pointer_token(port));
+    (needed_.contains(problem.node) ? report_.problems : report_.elsewhere).push_back(std::move(problem));
   }
 
   /// Node types, port names and link targets: what can be wrong whatever the rest of the graph is.
   void check_names(const std::string& id, const NodeEntry& entry) {
     const NodeType* type = registry_.find(entry.type);
-    if (type == nullptr) {
-      const std::vector<std::string> known = keys_of(registry_.types());
-      const std::string near = nearest(entry.type, known);
-      Problem problem{"unknown-node-type",
-                      "there is no node type " + excerpt(entry.type) + did_you_mean(entry.type, known), id, "",
-                      pointer(id) + "/type"};
-      if (!near.empty()) problem.fix = {{{"op", "replace"}, {"path", problem.pointer}, {"value", near}}};
-      add(std::move(problem));
-    }
+    if (type == nullptr) report_unknown_type(id, entry);
     for (const auto& [port, input] : entry.inputs) {
       if (type != nullptr && type->find_input(port) == nullptr) report_unknown_port(*type, id, port);
-      for (const InputItem& item : input.items) {
-        if (const auto* link = std::get_if<Link>(&item)) check_link(id, port, *link);
-        if (const auto* reference = std::get_if<ParameterReference>(&item)) check_reference(id, port, *reference);
-      }
+      for (std::size_t item = 0; item < input.items.size(); ++item) check_item(id, port, input, item);
     }
+  }
+
+  void check_item(const std::string& id, const std::string& port, const InputEntry& input, std::size_t item) {
+    if (const auto* link = std::get_if<Link>(&input.items[item])) check_link(id, port, input, item, *link);
+    if (const auto* reference = std::get_if<ParameterReference>(&input.items[item])) {
+      check_reference(id, port, item_pointer(id, port, input, item), *reference);
+    }
+  }
+
+  void report_unknown_type(const std::string& id, const NodeEntry& entry) {
+    const std::vector<std::string> known = keys_of(registry_.types());
+    const std::string near = nearest(entry.type, known);
+    Problem problem{"unknown-node-type",
+                    "there is no node type " + excerpt(entry.type) + did_you_mean(entry.type, known), id, "",
+                    input_pointer(id, "") + "/type"};
+    if (!near.empty()) problem.fix = replacement(problem.pointer, near);
+    add(std::move(problem));
   }
 
   void report_unknown_port(const NodeType& type, const std::string& id, const std::string& port) {
     std::vector<std::string> known;
     for (const InputPort& input : type.inputs) known.push_back(input.name);
     Problem problem{"unknown-port", type.title + " has no input " + excerpt(port) + did_you_mean(port, known), id, port,
-                    pointer(id, port)};
+                    input_pointer(id, port)};
     const std::string near = nearest(port, known);
     if (!near.empty() && !document_.nodes.at(id).inputs.contains(near)) {
-      problem.fix = {{{"op", "move"}, {"from", problem.pointer}, {"path", pointer(id, near)}}};
+      problem.fix = {{{"op", "move"}, {"from", problem.pointer}, {"path", input_pointer(id, near)}}};
+    } else {
+      problem.fix = {{{"op", "remove"}, {"path", problem.pointer}}};
     }
     add(std::move(problem));
   }
 
-  void check_link(const std::string& id, const std::string& port, const Link& link) {
+  void check_link(const std::string& id, const std::string& port, const InputEntry& input, std::size_t item,
+                  const Link& link) {
     const auto source = document_.nodes.find(link.node);
     if (source == document_.nodes.end()) {
       add({"dangling-link",
            "there is no node " + excerpt(link.node) + did_you_mean(link.node, keys_of(document_.nodes)), id, port,
-           pointer(id, port)});
+           input_pointer(id, port), item_removal(id, port, input, item)});
       return;
     }
     const NodeType* type = registry_.find(source->second.type);
     if (type == nullptr || link.output.empty() || type->find_output(link.output) != nullptr) return;
     std::vector<std::string> known;
     for (const OutputPort& output : type->outputs) known.push_back(output.name);
+    const std::string near = nearest(link.output, known);
     add({"dangling-link",
          "node " + link.node + " (" + type->title + ") has no output " + excerpt(link.output) +
              did_you_mean(link.output, known),
-         id, port, pointer(id, port)});
+         id, port, input_pointer(id, port),
+         near.empty() ? item_removal(id, port, input, item)
+                      : replacement(item_pointer(id, port, input, item) + "/from", link.node + "." + near)});
   }
 
-  void check_reference(const std::string& id, const std::string& port, const ParameterReference& reference) {
+  void check_reference(const std::string& id, const std::string& port, const std::string& place,
+                       const ParameterReference& reference) {
     if (document_.parameters.contains(reference.name)) return;
+    const std::vector<std::string> known = keys_of(document_.parameters);
+    const std::string near = nearest(reference.name, known);
     add({"unknown-parameter",
-         "the graph has no parameter " + excerpt(reference.name) +
-             did_you_mean(reference.name, keys_of(document_.parameters)),
-         id, port, pointer(id, port)});
+         "the graph has no parameter " + excerpt(reference.name) + did_you_mean(reference.name, known), id, port,
+         input_pointer(id, port), near.empty() ? Json() : replacement(place + "/parameter", near)});
   }
 
   void report_cycle(const std::vector<std::string>& cycle) {
@@ -115,42 +132,90 @@ class Checker {
     std::string path;
     for (std::size_t i = 0; i < std::min(cycle.size(), most_named); ++i) path += cycle[i] + " -> ";
     if (cycle.size() > most_named) path += "... -> ";
-    add({"graph-has-cycle", "the links form a cycle: " + path + cycle.front(), cycle.front(), "",
-         pointer(cycle.front())});
+    const std::string& first = cycle.front();
+    add({"graph-has-cycle", "the links form a cycle: " + path + first, first, "", input_pointer(first, ""),
+         link_removal(first, document_.nodes.at(first), cycle.back())});
   }
 
-  /// Plans one node whose sources have all been looked at; skips it when any of them could not be planned.
+  /// Plans one node whose sources have all been looked at; skips it when nothing is known of one of them.
   void plan(const std::string& id, const NodeEntry& entry) {
     if (broken_.contains(id)) return;
+    bool doubtful = false;
     for (const std::string& source : sources_of(entry)) {
-      if (!report_.plan.index.contains(source)) return;
+      const auto found = report_.plan.index.find(source);
+      if (found == report_.plan.index.end()) return;
+      doubtful = doubtful || report_.plan.nodes[found->second].doubtful;
     }
     Resolved resolved = resolve_node(id, entry, *registry_.find(entry.type), document_, report_.plan, find_asset_);
-    for (Problem& problem : resolved.problems) add(std::move(problem));
-    if (broken_.contains(id)) return;
+    const bool sound = resolved.problems.empty();
+    const bool can_be_told = outputs_can_be_told(resolved);
+    // Behind a broken node problems may be consequences.
+    if (!doubtful) {
+      for (Problem& problem : resolved.problems) add(std::move(problem));
+    }
+    if (!can_be_told) return;
     PlannedNode& node = resolved.node;
     if (!node.bypass) {
       if (std::optional<Problem> problem = infer_axes(node, limits_)) {
-        problem->pointer = pointer(id, problem->port);
-        add(std::move(*problem));
+        problem->pointer = input_pointer(id, problem->port);
+        if (sound && !doubtful) add(std::move(*problem));
         return;
       }
-      node.fingerprint = fingerprint(node, report_.plan);
     }
+    node.doubtful = doubtful || !sound;
     report_.plan.index.emplace(id, report_.plan.nodes.size());
     report_.plan.nodes.push_back(std::move(node));
   }
 
-  void find_blocked() {
-    for (const auto& [id, entry] : document_.nodes) {
-      if (!report_.plan.index.contains(id) && !broken_.contains(id)) report_.blocked.push_back(id);
+  /// Whether types and axes of a node's outputs follow from what is known of its inputs.
+  static bool outputs_can_be_told(const Resolved& resolved) {
+    if (resolved.problems.empty()) return true;
+    const PlannedNode& node = resolved.node;
+    if (node.overload == nullptr) return false;
+    // Which function is meant shows at the first input.
+    const auto at_first = [&](const Problem& problem) { return problem.port == node.type->inputs.front().name; };
+    if (node.type->overloads.size() > 1 && std::any_of(resolved.problems.begin(), resolved.problems.end(), at_first)) {
+      return false;
     }
+    // Axes and sizes are made from literals.
+    for (std::size_t port = 0; port < node.inputs.size(); ++port) {
+      const bool literal = !node.overload->is_mixed(port) && info(node.overload->inputs[port]).literal_only;
+      if (literal && !node.literals.contains(node.type->inputs[port].name)) return false;
+    }
+    return true;
+  }
+
+  bool is_sound(const std::string& id) const {
+    const auto found = report_.plan.index.find(id);
+    return found != report_.plan.index.end() && !report_.plan.nodes[found->second].doubtful;
+  }
+
+  void find_blocked() {
+    for (const std::string& id : needed_) {
+      if (!is_sound(id) && !broken_.contains(id)) report_.blocked.push_back(id);
+    }
+  }
+
+  void find_guards() {
+    if (!scope_.guards) return;
+    for (std::size_t index = 0; index < report_.plan.nodes.size(); ++index) {
+      const PlannedNode& node = report_.plan.nodes[index];
+      if (node.type->always_evaluated && !node.bypass && !node.doubtful) report_.guards.push_back(index);
+    }
+  }
+
+  /// Everything that is going to run.
+  std::set<std::string> counted() const {
+    std::vector<std::string> ids(needed_.begin(), needed_.end());
+    for (const std::size_t guard : report_.guards) ids.push_back(report_.plan.nodes[guard].id);
+    return needed_for(document_, ids);
   }
 
   void add_up() {
     Cost& cost = report_.plan.cost;
+    const std::set<std::string> running = counted();
     for (const PlannedNode& node : report_.plan.nodes) {
-      if (node.bypass) continue;
+      if (node.bypass || node.doubtful || !running.contains(node.id)) continue;
       for (const WireShape& shape : node.outputs) {
         const std::size_t samples = sample_count(shape.axes);
         constexpr std::size_t bytes_per_sample = 10 * sizeof(double);
@@ -160,10 +225,11 @@ class Checker {
         if (shape.type == WireType::mesh) cost.vertices = std::max(cost.vertices, shape.vertices);
       }
       if (cost.bytes > limits_.request_bytes) {
-        add({"limit-exceeded",
-             "up to here the graph would need " + std::to_string(cost.bytes >> 20) + " MiB, at most " +
-                 std::to_string(limits_.request_bytes >> 20) + " MiB are accepted",
-             node.id, "", pointer(node.id)});
+        report_.problems.push_back({"limit-exceeded",
+                                    "up to here the graph would need " + std::to_string(cost.bytes >> 20) +
+                                        " MiB, at most " + std::to_string(limits_.request_bytes >> 20) +
+                                        " MiB are accepted",
+                                    node.id, "", input_pointer(node.id, "")});
         return;
       }
     }
@@ -174,15 +240,17 @@ class Checker {
   const Document& document_;
   const Limits& limits_;
   const AssetFinder& find_asset_;
+  const CheckScope& scope_;
   CheckReport report_;
+  std::set<std::string> needed_;
   std::set<std::string> broken_;
 };
 
 }  // namespace
 
 CheckReport check(const Registry& registry, const Document& document, const std::map<std::string, Json>& parameters,
-                  Quality quality, const Limits& limits, const AssetFinder& find_asset) {
-  return Checker(registry, document, parameters, quality, limits, find_asset).run();
+                  Detail detail, const Limits& limits, const AssetFinder& find_asset, const CheckScope& scope) {
+  return Checker(registry, document, parameters, detail, limits, find_asset, scope).run();
 }
 
 }  // namespace dini

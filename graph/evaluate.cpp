@@ -12,21 +12,6 @@ namespace dini {
 
 namespace {
 
-Problem stopped_problem(StopReason reason) {
-  switch (reason) {
-    case StopReason::superseded:
-      return {"superseded", "a newer request took this one's place"};
-    case StopReason::client_gone:
-      return {"client-gone", "the client went away"};
-    case StopReason::shutting_down:
-      return {"shutting-down", "the server is shutting down"};
-    case StopReason::none:
-    case StopReason::deadline:
-      break;
-  }
-  return {"deadline", "the evaluation did not finish before its deadline"};
-}
-
 /// The nodes that one node's inputs come from.
 std::vector<std::size_t> source_nodes(const PlannedNode& node) {
   std::vector<std::size_t> sources;
@@ -116,7 +101,7 @@ class Evaluator {
 
   void compute(const PlannedNode& node, Job& job) {
     const auto begin = std::chrono::steady_clock::now();
-    const Context context(cancel_, plan_.quality);
+    const Context context(cancel_, plan_.detail.quality, node.triangle_budget);
     const auto column = [this](const Source& source) -> const AnyColumn& {
       return jobs_.at(source.node).run.result->columns[source.output];
     };
@@ -153,6 +138,21 @@ class Evaluator {
 };
 
 }  // namespace
+
+Problem stopped_problem(StopReason reason) {
+  switch (reason) {
+    case StopReason::superseded:
+      return {"superseded", "a newer request took this one's place"};
+    case StopReason::client_gone:
+      return {"client-gone", "the client went away"};
+    case StopReason::shutting_down:
+      return {"shutting-down", "the server is shutting down"};
+    case StopReason::none:
+    case StopReason::deadline:
+      break;
+  }
+  return {"deadline", "the evaluation did not finish before its deadline"};
+}
 
 Value Evaluation::value(const Plan& plan, std::size_t node, std::size_t output) const {
   const PlannedNode& planned = plan.nodes[node];

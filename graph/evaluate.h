@@ -28,6 +28,9 @@ struct Evaluation {
   Value value(const Plan& plan, std::size_t node, std::size_t output) const;
 };
 
+/// What is said about work that was stopped.
+Problem stopped_problem(StopReason reason);
+
 /// Called after every node with how many of the needed nodes are done; from any thread.
 using Progress = std::function<void(std::size_t done, std::size_t needed)>;
 

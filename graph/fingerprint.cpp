@@ -51,7 +51,11 @@ Digest fingerprint(const PlannedNode& node, const Plan& plan) {
   DigestBuilder digest;
   digest.text(type.id).integer(static_cast<std::uint64_t>(type.version));
   digest.integer(static_cast<std::uint64_t>(node.overload - type.overloads.data()));
-  if (type.depends_on_quality) digest.text(plan.quality == Quality::draft ? "draft" : "final");
+  if (type.makes_meshes_by_quality()) {
+    digest.integer(node.triangle_budget);  // a mesh that a draft need not thin is the final one
+  } else if (type.depends_on_quality) {
+    digest.text(plan.detail.quality == Quality::draft ? "draft" : "final");
+  }
   AxisNumbers axes;
   for (std::size_t port = 0; port < node.inputs.size(); ++port) {
     if (type.inputs[port].spec.is_axis_name) continue;

@@ -70,6 +70,11 @@ class NodeBuilder {
   NodeBuilder&& doc(std::string text) && { return set(type_.doc, std::move(text)); }
   NodeBuilder&& source(std::string text) && { return set(type_.source, std::move(text)); }
   NodeBuilder&& details(std::string text) && { return set(type_.details, std::move(text)); }
+  /// What happens with one kind of singular input, in the words that all nodes use for it.
+  NodeBuilder&& degenerate(std::string input, std::string result) && {
+    type_.degenerate.push_back({std::move(input), std::move(result)});
+    return std::move(*this);
+  }
   NodeBuilder&& version(int number) && { return set(type_.version, number); }
 
   NodeBuilder&& input(std::string name, std::string doc, InputSpec spec = required()) && {
@@ -91,6 +96,7 @@ class NodeBuilder {
   /// The same for a node that refines the meshes it is given.
   NodeBuilder&& vertex_factor(VertexFactor factor) && { return set(type_.vertex_factor, std::move(factor)); }
   NodeBuilder&& depends_on_quality() && { return set(type_.depends_on_quality, true); }
+  NodeBuilder&& makes_curves() && { return set(type_.makes_curves, true); }
   NodeBuilder&& always_evaluated() && { return set(type_.always_evaluated, true); }
 
   operator NodeType() && { return std::move(type_); }

@@ -48,6 +48,12 @@ using VertexRule = std::function<std::size_t(const Literals&, const Axes& consum
 /// By how much a node multiplies the vertices of its mesh inputs, from its literals.
 using VertexFactor = std::function<std::size_t(const Literals&)>;
 
+/// What a node does with one kind of singular input.
+struct Degenerate {
+  std::string input;   ///< in words: "zero direction"
+  std::string result;  ///< one sentence
+};
+
 struct NodeType {
   std::string id;
   std::string title;
@@ -55,7 +61,8 @@ struct NodeType {
   std::string doc;
   std::string source;   ///< equation or figure of the paper, or another publication; may be empty
   std::string details;  ///< degenerate cases and anything else a user should know; may be empty
-  int version = 1;      ///< raised when results change; part of the fingerprint
+  std::vector<Degenerate> degenerate;
+  int version = 1;  ///< raised when results change; part of the fingerprint
 
   std::vector<InputPort> inputs;
   std::vector<OutputPort> outputs;
@@ -67,7 +74,13 @@ struct NodeType {
   VertexRule vertices;
   VertexFactor vertex_factor;  ///< where there is no rule; 1 when absent
   bool depends_on_quality = false;
+  bool makes_curves = false;      ///< points along the axis that it makes belong to one curve
   bool always_evaluated = false;  ///< runs even when the asked output does not need it (checks)
+
+  /// True for a node whose meshes a draft may thin.
+  bool makes_meshes_by_quality() const {
+    return depends_on_quality && !overloads.empty() && overloads.front().outputs.front() == WireType::mesh;
+  }
 
   const InputPort* find_input(std::string_view name) const;
   const OutputPort* find_output(std::string_view name) const;

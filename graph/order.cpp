@@ -2,33 +2,73 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 namespace dini {
 
 namespace {
 
-/// Walks backwards from a node that could not be ordered until a node repeats: that loop is a cycle.
-std::vector<std::string> find_cycle(const Document& document, const std::set<std::string>& ordered) {
-  std::string at;
-  for (const auto& [id, node] : document.nodes) {
-    if (!ordered.contains(id)) {
-      at = id;
-      break;
-    }
-  }
+/// Walks backwards from the first of some nodes that each wait for another of them, until a node repeats: that loop is
+/// a cycle.
+std::vector<std::string> find_cycle(const Document& document, const std::map<std::string, std::size_t>& waiting) {
+  std::string at = waiting.begin()->first;
   std::vector<std::string> walk;
-  while (std::find(walk.begin(), walk.end(), at) == walk.end()) {
+  std::map<std::string, std::size_t> steps;
+  while (steps.emplace(at, walk.size()).second) {
     walk.push_back(at);
     const std::vector<std::string> sources = sources_of(document.nodes.at(at));
-    at = *std::find_if(sources.begin(), sources.end(), [&](const std::string& source) {
-      return document.nodes.contains(source) && !ordered.contains(source);
-    });
+    at = *std::find_if(sources.begin(), sources.end(),
+                       [&](const std::string& source) { return waiting.contains(source); });
   }
-  std::vector<std::string> cycle(std::find(walk.begin(), walk.end(), at), walk.end());
+  std::vector<std::string> cycle(walk.begin() + static_cast<std::ptrdiff_t>(steps.at(at)), walk.end());
   std::reverse(cycle.begin(), cycle.end());
   return cycle;
 }
+
+/// Takes nodes away as nothing is left that they wait for.
+class Queue {
+ public:
+  explicit Queue(const Document& document) {
+    for (const auto& [id, node] : document.nodes) {
+      std::size_t& count = waiting_[id];
+      for (const std::string& source : sources_of(node)) {
+        if (!document.nodes.contains(source)) continue;
+        ++count;
+        followers_[source].push_back(id);
+      }
+    }
+    for (const auto& [id, count] : waiting_) {
+      if (count == 0) ready_.insert(id);
+    }
+  }
+
+  /// The nodes that still wait for others, with how many.
+  const std::map<std::string, std::size_t>& waiting() const { return waiting_; }
+
+  /// Everything that can be taken now.
+  std::vector<std::string> take_ready() {
+    std::vector<std::string> taken;
+    while (!ready_.empty()) {
+      taken.push_back(*ready_.begin());
+      take(taken.back());
+    }
+    return taken;
+  }
+
+  /// Takes a node although it waits for others.
+  void take(const std::string& id) {
+    ready_.erase(id);
+    waiting_.erase(id);
+    for (const std::string& follower : followers_[id]) {
+      const auto found = waiting_.find(follower);
+      if (found != waiting_.end() && --found->second == 0) ready_.insert(follower);
+    }
+  }
+
+ private:
+  std::map<std::string, std::size_t> waiting_;
+  std::map<std::string, std::vector<std::string>> followers_;
+  std::set<std::string> ready_;
+};
 
 }  // namespace
 
@@ -45,31 +85,28 @@ std::vector<std::string> sources_of(const NodeEntry& node) {
 }
 
 Order evaluation_order(const Document& document) {
-  std::map<std::string, std::size_t> waiting_for;
-  std::map<std::string, std::vector<std::string>> followers;
-  std::set<std::string> ready;
-  for (const auto& [id, node] : document.nodes) {
-    std::size_t& count = waiting_for[id];
-    for (const std::string& source : sources_of(node)) {
-      if (!document.nodes.contains(source)) continue;
-      ++count;
-      followers[source].push_back(id);
-    }
-    if (count == 0) ready.insert(id);
-  }
+  Queue queue(document);
   Order order;
-  std::set<std::string> ordered;
-  while (!ready.empty()) {
-    const std::string id = *ready.begin();
-    ready.erase(ready.begin());
-    order.ids.push_back(id);
-    ordered.insert(id);
-    for (const std::string& follower : followers[id]) {
-      if (--waiting_for[follower] == 0) ready.insert(follower);
-    }
+  order.ids = queue.take_ready();
+  while (!queue.waiting().empty()) {
+    order.cycles.push_back(find_cycle(document, queue.waiting()));
+    for (const std::string& id : order.cycles.back()) queue.take(id);
+    queue.take_ready();  // what was only behind that cycle
   }
-  if (ordered.size() < document.nodes.size()) order.cycle = find_cycle(document, ordered);
   return order;
+}
+
+std::set<std::string> needed_for(const Document& document, const std::vector<std::string>& targets) {
+  std::set<std::string> needed;
+  std::vector<std::string> stack = targets;
+  while (!stack.empty()) {
+    const std::string id = std::move(stack.back());
+    stack.pop_back();
+    const auto found = document.nodes.find(id);
+    if (found == document.nodes.end() || !needed.insert(id).second) continue;
+    for (std::string& source : sources_of(found->second)) stack.push_back(std::move(source));
+  }
+  return needed;
 }
 
 }  // namespace dini

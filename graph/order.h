@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -8,13 +9,17 @@
 namespace dini {
 
 /// The nodes of a document so that each stands after those it links to; ties by id. Links to nodes that do not exist
-/// are ignored. Nodes on a cycle, and nodes behind one, are left out; `cycle` then names one cycle in order.
+/// are ignored. Nodes on a cycle, and nodes behind one, are left out; `cycles` names the cycles, each in the order of
+/// its links. Of cycles that share a node one is named.
 struct Order {
   std::vector<std::string> ids;
-  std::vector<std::string> cycle;
+  std::vector<std::vector<std::string>> cycles;
 };
 
 Order evaluation_order(const Document& document);
+
+/// The nodes that `targets` depend on, those themselves included. Links to nodes that do not exist are ignored.
+std::set<std::string> needed_for(const Document& document, const std::vector<std::string>& targets);
 
 /// The nodes that `node` links to, each once, in order of its ports.
 std::vector<std::string> sources_of(const NodeEntry& node);

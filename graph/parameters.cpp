@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "graph/fixes.h"
 #include "graph/json_reader.h"
 #include "graph/literal.h"
 #include "graph/nearest.h"
@@ -55,8 +56,9 @@ class ParameterReader {
   }
 
  private:
-  void add(const std::string& member, std::string detail, std::string code = "type-mismatch") {
-    problems_.push_back({std::move(code), std::move(detail), "", "", pointer_ + "/" + pointer_token(member)});
+  void add(const std::string& member, std::string detail, std::string code = "type-mismatch", Json fix = nullptr) {
+    problems_.push_back(
+        {std::move(code), std::move(detail), "", "", pointer_ + "/" + pointer_token(member), std::move(fix)});
   }
 
   void refuse_unknown() {
@@ -103,8 +105,12 @@ class ParameterReader {
       return;
     }
     parameter_.default_value = json_["default"];
-    const LiteralOutcome outcome = read_literal(parameter_.default_value, parameter_.type, parameter_port(parameter_));
-    if (const auto* problem = std::get_if<LiteralProblem>(&outcome)) add("default", problem->detail, problem->code);
+    const InputPort port = parameter_port(parameter_);
+    const LiteralOutcome outcome = read_literal(parameter_.default_value, parameter_.type, port);
+    if (const auto* problem = std::get_if<LiteralProblem>(&outcome)) {
+      add("default", problem->detail, problem->code,
+          acceptable_literal(pointer_ + "/default", problem->code, parameter_.default_value, port));
+    }
   }
 
   const Json& json_;
@@ -138,14 +144,20 @@ Result<std::map<std::string, Json>> resolve_parameters(const Document& document,
     const std::string pointer = "/parameters/" + pointer_token(name);
     const auto parameter = document.parameters.find(name);
     if (parameter == document.parameters.end()) {
-      const std::string hint = did_you_mean(name, names_of(document.parameters));
-      problems.push_back({"unknown-parameter", "the graph has no parameter " + excerpt(name) + hint, "", "", pointer});
+      const std::vector<std::string> known = names_of(document.parameters);
+      const std::string near = nearest(name, known);
+      problems.push_back({"unknown-parameter",
+                          "the graph has no parameter " + excerpt(name) + did_you_mean(name, known), "", "", pointer,
+                          near.empty() || given.contains(near)
+                              ? Json{{{"op", "remove"}, {"path", pointer}}}
+                              : Json{{{"op", "move"}, {"from", pointer}, {"path", "/parameters/" + near}}}});
       continue;
     }
-    const LiteralOutcome outcome = read_literal(value, parameter->second.type, parameter_port(parameter->second));
+    const InputPort port = parameter_port(parameter->second);
+    const LiteralOutcome outcome = read_literal(value, parameter->second.type, port);
     if (const auto* problem = std::get_if<LiteralProblem>(&outcome)) {
-      problems.push_back(
-          {problem->code, parameter->second.label.value_or(name) + ": " + problem->detail, "", "", pointer});
+      problems.push_back({problem->code, parameter->second.label.value_or(name) + ": " + problem->detail, "", "",
+                          pointer, acceptable_literal(pointer, problem->code, value, port)});
       continue;
     }
     values[name] = value;

@@ -54,8 +54,10 @@ struct PlannedNode {
   Axes consumed;
   std::vector<Axes> made;
   std::vector<WireShape> outputs;
+  std::size_t triangle_budget = 0;  ///< for each mesh that the node makes; 0 is no limit
   Digest fingerprint{};
   std::set<std::string> parameters;  ///< all graph parameters that can change this node's outputs
+  bool doubtful = false;             ///< broken, or behind a broken node: its wires are known, but it cannot run
 };
 
 /// Predicted totals of a plan.
@@ -70,7 +72,7 @@ struct Plan {
   std::vector<PlannedNode> nodes;  ///< every node after the nodes it needs
   std::map<std::string, std::size_t> index;
   std::map<std::string, Json> parameters;
-  Quality quality = Quality::final;
+  Detail detail;
   Cost cost;
 };
 

@@ -10,6 +10,16 @@
 
 namespace dini {
 
+/// What a 3D view may offer to set an input with: a position to drag, a direction with its tip at `at` + direction, or
+/// the radius of a round about `at`, in the plane of `normal`. `at` and `normal` name inputs of the same node; an empty
+/// `at` is the origin, an empty `normal` stands for a sphere.
+struct Handle {
+  enum class Kind { position, direction, radius };
+  Kind kind = Kind::position;
+  std::string at = {};
+  std::string normal = {};
+};
+
 /// What a card says about an input beside its name and text: default, unit, ranges.
 /// The hard range is enforced for literals and wired numbers alike; the soft range is only the slider's extent.
 class InputSpec {
@@ -43,11 +53,26 @@ class InputSpec {
     return std::move(*this);
   }
 
+  InputSpec&& position_handle() && { return std::move(*this).handled({Handle::Kind::position}); }
+  InputSpec&& direction_handle(std::string at = "") && {
+    return std::move(*this).handled({Handle::Kind::direction, std::move(at)});
+  }
+  InputSpec&& radius_handle(std::string at, std::string normal = "") && {
+    return std::move(*this).handled({Handle::Kind::radius, std::move(at), std::move(normal)});
+  }
+
   Json default_value = nullptr;
   std::optional<double> minimum, maximum, soft_minimum, soft_maximum;
   std::string unit_text;
   bool takes_several = false;
   bool is_axis_name = false;
+  std::optional<Handle> handle;
+
+ private:
+  InputSpec&& handled(Handle given) && {
+    handle = std::move(given);
+    return std::move(*this);
+  }
 };
 
 /// The spec of an input that has a default; `required()` of one that must be given.

@@ -48,6 +48,25 @@ void check_input(const NodeType& type, const InputPort& input) {
   if (std::holds_alternative<LiteralProblem>(outcome)) refuse(type, input.name + ": default outside its own range");
 }
 
+/// A handle turns a drag into a literal, so it can only set points, vectors and numbers, and stands at inputs that are
+/// places.
+void check_handle(const NodeType& type, const InputPort& input) {
+  if (!input.spec.handle) return;
+  const auto takes = [](const InputPort* port, WireType wanted) {
+    return port != nullptr && std::find(port->types.begin(), port->types.end(), wanted) != port->types.end();
+  };
+  const auto& [kind, at, normal] = *input.spec.handle;
+  const WireType set = kind == Handle::Kind::position    ? WireType::point
+                       : kind == Handle::Kind::direction ? WireType::vector
+                                                         : WireType::number;
+  if (!takes(&input, set)) refuse(type, input.name + ": its handle sets another type");
+  if (!at.empty() && !takes(type.find_input(at), WireType::point))
+    refuse(type, input.name + ": its handle sits nowhere");
+  if (!normal.empty() && !takes(type.find_input(normal), WireType::vector)) {
+    refuse(type, input.name + ": the plane of its handle has no normal");
+  }
+}
+
 template <class Ports>
 void check_names(const NodeType& type, const Ports& ports) {
   std::set<std::string> names;
@@ -71,7 +90,10 @@ void Registry::add(NodeType type) {
   complete_ports(type);
   check_names(type, type.inputs);
   check_names(type, type.outputs);
-  for (const InputPort& input : type.inputs) check_input(type, input);
+  for (const InputPort& input : type.inputs) {
+    check_input(type, input);
+    check_handle(type, input);
+  }
   for (const std::string& port : type.over) {
     if (type.find_input(port) == nullptr) refuse(type, "no input names the consumed axis " + port);
   }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "graph/json_reader.h"
+#include "graph/fixes.h"
 #include "graph/literal.h"
 
 namespace dini {
@@ -10,10 +10,12 @@ namespace dini {
 namespace {
 
 /// Something given to an input, before its type is settled: a wire, or JSON from the document or from a parameter.
+/// `pointer` is its place in the document.
 struct Given {
   std::optional<PlannedItem> wire;
   Json literal;
   const Parameter* parameter = nullptr;
+  std::string pointer = {};
 };
 
 std::string names_of(const std::vector<WireType>& types) {
@@ -34,14 +36,6 @@ bool parameter_fits(WireType parameter, WireType port) {
     default:
       return false;
   }
-}
-
-/// `value` moved into the hard range of the port, for a fix.
-Json clamped(const Json& value, const InputSpec& spec) {
-  const double number = value.get<double>();
-  const double inside = std::clamp(number, spec.minimum.value_or(number), spec.maximum.value_or(number));
-  if (value.is_number_integer()) return static_cast<std::int64_t>(inside);
-  return inside;
 }
 
 class Resolver {
@@ -67,12 +61,8 @@ class Resolver {
   }
 
  private:
-  std::string pointer(const std::string& port) const {
-    return "/graph/nodes/" + id_ + (port.empty() ? "" : "/inputs/" + pointer_token(port));
-  }
-
-  Problem problem(std::string code, const std::string& port, std::string detail) const {
-    return {std::move(code), std::move(detail), id_, port, pointer(port)};
+  Problem problem(std::string code, const std::string& port, std::string detail, Json fix = nullptr) const {
+    return {std::move(code), std::move(detail), id_, port, input_pointer(id_, port), std::move(fix)};
   }
 
   void gather() {
@@ -87,9 +77,13 @@ class Resolver {
       if (literal != nullptr && literal->is_array() && type_.inputs[port].spec.takes_several) {
         listed_[port] = true;
         for (const Json& item : *literal) given_[port].push_back({{}, item});
-        continue;
+      } else {
+        for (const InputItem& item : input.items) given_[port].push_back(look_up(item, port));
       }
-      for (const InputItem& item : input.items) given_[port].push_back(look_up(item, port));
+      const std::string place = input_pointer(id_, type_.inputs[port].name);
+      for (std::size_t item = 0; item < given_[port].size(); ++item) {
+        given_[port][item].pointer = place + (listed_[port] ? "/" + std::to_string(item) : "");
+      }
     }
   }
 
@@ -185,7 +179,8 @@ class Resolver {
     if (card.required()) {
       const std::string more = card.spec.takes_several && listed_[port] ? "; the list is empty" : "";
       resolved.problems.push_back(problem("required-input-missing", card.name,
-                                          card.name + " is not given, it takes " + names_of(card.types) + more));
+                                          card.name + " is not given, it takes " + names_of(card.types) + more,
+                                          missing_input(id_, entry_, card)));
       return;
     }
     if (card.optional) return;
@@ -227,11 +222,11 @@ class Resolver {
                                  ? LiteralProblem{"type-mismatch", "expected a link to a " + names_of(card.types)}
                                  : read_literal(given.literal, wanted, card);
     if (auto* wrong = std::get_if<LiteralProblem>(&outcome)) {
-      Problem found = problem(wrong->code, card.name, card.name + ": " + wrong->detail);
-      if (wrong->code == "out-of-range" && given.parameter == nullptr && given.literal.is_number()) {
-        found.fix = {{{"op", "replace"}, {"path", found.pointer}, {"value", clamped(given.literal, card.spec)}}};
-      }
-      resolved.problems.push_back(std::move(found));
+      const bool written_here = given.parameter == nullptr && !given.pointer.empty();
+      resolved.problems.push_back(
+          problem(wrong->code, card.name, card.name + ": " + wrong->detail,
+                  written_here ? acceptable_literal(given.pointer, wrong->code, given.literal, card) : Json()));
+      stand_in(port, wanted, resolved);
       return;
     }
     Argument& argument = std::get<Argument>(outcome);
@@ -250,6 +245,17 @@ class Resolver {
     if (given.parameter != nullptr) note_parameter(given.parameter, input);
     if (const auto* literal = std::get_if<Literal>(&argument)) resolved.node.literals[card.name] = *literal;
     input.items.push_back({std::move(argument), {wanted, {}, 0}});
+  }
+
+  /// The default in place of a literal that was refused, so that types and axes of the outputs can still be told.
+  void stand_in(std::size_t port, WireType wanted, Resolved& resolved) const {
+    const InputPort& card = type_.inputs[port];
+    if (card.spec.default_value.is_null() || card.names_file || resolved.node.literals.contains(card.name)) return;
+    LiteralOutcome outcome = read_literal(card.spec.default_value, wanted, card);
+    auto* argument = std::get_if<Argument>(&outcome);
+    if (argument == nullptr) return;
+    if (const auto* literal = std::get_if<Literal>(argument)) resolved.node.literals[card.name] = *literal;
+    resolved.node.inputs[port].items.push_back({std::move(*argument), {wanted, {}, 0}});
   }
 
   void note_parameter(const Parameter* parameter, PlannedInput& input) const {

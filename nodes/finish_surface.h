@@ -6,7 +6,7 @@
 
 namespace dini {
 
-/// The mesh through a grid of points, at the resolution that the quality of the evaluation asks for. Where it leaves
+/// The mesh through a grid of points, within the triangle budget of the evaluation. Where it leaves
 /// the clip radius it is cut with a warning, or fails with `at-infinity`; `rows` names the place.
 Attempt<SharedMesh> finish_surface(const Context& context, const PointGrid& grid, AtInfinity at_infinity,
                                    double clip_radius, const Axis& rows);

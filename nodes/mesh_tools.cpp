@@ -9,6 +9,7 @@
 #include "geometry/subdivide.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
+#include "nodes/draft.h"
 
 namespace dini {
 
@@ -30,11 +31,19 @@ Attempt<SharedMesh> box(const Context& context, const Point& center, const Vecto
   if (!(size.x > 0) || !(size.y > 0) || !(size.z > 0)) {
     return Failure{"degenerate", "the edges of a box must have positive lengths", "size"};
   }
-  return std::make_shared<const Mesh>(box_mesh(center, size, static_cast<std::size_t>(segments), context.cancel()));
+  // Two triangles for each of the quads on six faces.
+  const Segments used = within_budget(context, 6 * segments, segments, {6, 1});
+  return std::make_shared<const Mesh>(box_mesh(center, size, used.across, context.cancel()));
 }
 
 SharedMesh subdivided(const Context& context, const SharedMesh& shape, std::int64_t levels) {
-  return std::make_shared<const Mesh>(subdivide(*shape, static_cast<std::size_t>(levels), context.cancel()));
+  const std::size_t budget = context.triangle_budget();
+  std::size_t used = 0;
+  for (std::size_t triangles = 4 * shape->triangles.size(); used < static_cast<std::size_t>(levels); triangles *= 4) {
+    if (budget != 0 && triangles > budget) break;
+    ++used;
+  }
+  return std::make_shared<const Mesh>(subdivide(*shape, used, context.cancel()));
 }
 
 std::tuple<SharedMesh, double, double> colored_by_curvature(const Context& context, const SharedMesh& shape,
@@ -78,10 +87,11 @@ void add_mesh_tools(Registry& registry) {
           .family("meshes")
           .doc("A box as a mesh with flat faces.")
           .details("Edges that are not positive are an error. Faces have vertices of their own along common edges.")
-          .input("center", "Its center.", defaults({0, 0, 0}).unit("m"))
+          .input("center", "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
           .input("size", "Lengths of its edges.", defaults({1, 1, 1}).unit("m"))
           .input("segments", "Quads along each edge; more of them bend better.", defaults(16).hard(1, 512).soft(1, 128))
           .vertices(box_vertices)
+          .depends_on_quality()
           .output("mesh", "The mesh."));
 
   registry.add(
@@ -93,6 +103,7 @@ void add_mesh_tools(Registry& registry) {
           .input("shape", "The mesh.")
           .input("levels", "How many times; each makes four triangles of one.", defaults(1).hard(0, 6).soft(0, 4))
           .vertex_factor(subdivided_factor)
+          .depends_on_quality()
           .output("shape", "The finer mesh."));
 
   registry.add(node("curvature_color", colored_by_curvature)

@@ -2,30 +2,24 @@
 #include "geometry/primitives.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
+#include "nodes/draft.h"
 
 namespace dini {
 
 namespace {
 
-constexpr std::size_t draft_segments = 96;
-
-std::size_t segments_for(const Context& context, std::int64_t wanted) {
-  const auto segments = static_cast<std::size_t>(wanted);
-  return context.quality() == Quality::draft ? std::min(segments, draft_segments) : segments;
-}
-
 SharedMesh sphere(const Context& context, const Point& center, double radius, std::int64_t segments,
                   std::int64_t rings) {
-  return std::make_shared<const Mesh>(
-      sphere_mesh(center, radius, segments_for(context, segments), segments_for(context, rings), context.cancel()));
+  const Segments used = within_budget(context, segments, rings, {8, 4});
+  return std::make_shared<const Mesh>(sphere_mesh(center, radius, used.along, used.across, context.cancel()));
 }
 
 Attempt<SharedMesh> torus(const Context& context, const Point& center, const Vector& axis, double major_radius,
                           double minor_radius, std::int64_t segments, std::int64_t sides) {
   if (axis == Vector{}) return Failure{"degenerate", "the axis of a torus must not be zero", "axis"};
-  return std::make_shared<const Mesh>(torus_mesh(center, axis, major_radius, minor_radius,
-                                                 segments_for(context, segments), segments_for(context, sides),
-                                                 context.cancel()));
+  const Segments used = within_budget(context, segments, sides, {8, 4});
+  return std::make_shared<const Mesh>(
+      torus_mesh(center, axis, major_radius, minor_radius, used.along, used.across, context.cancel()));
 }
 
 SharedMesh merged(const Context& context, const Several<WireType::mesh>& meshes) {
@@ -56,8 +50,9 @@ void add_meshes(Registry& registry) {
           .title("Sphere mesh")
           .family("meshes")
           .doc("A sphere as a mesh with clean poles.")
-          .input("center", "Its center.", defaults({0, 0, 0}).unit("m"))
-          .input("radius", "Its radius.", defaults(1).hard(1e-9, 1e6).soft(0.1, 4).unit("m"))
+          .degenerate("zero radius", "Refused as out of range.")
+          .input("center", "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
+          .input("radius", "Its radius.", defaults(1).hard(1e-9, 1e6).soft(0.1, 4).unit("m").radius_handle("center"))
           .input("segments", "Around the vertical axis.", defaults(96).hard(3, 8192).soft(8, 256))
           .input("rings", "From pole to pole.", defaults(48).hard(2, 8192).soft(4, 128))
           .vertices([](const Literals& literals, const Axes&) { return grid_vertices(literals, "segments", "rings"); })
@@ -69,11 +64,13 @@ void add_meshes(Registry& registry) {
           .title("Torus mesh")
           .family("meshes")
           .doc("A torus as a mesh.")
-          .details("A zero axis is an error.")
-          .input("center", "Its center.", defaults({0, 0, 0}).unit("m"))
-          .input("axis", "Direction of its axis, of any length.", defaults({0, 0, 1}))
+
+          .degenerate("zero radius", "Refused as out of range.")
+          .degenerate("zero direction", "A zero axis is an error.")
+          .input("center", "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
+          .input("axis", "Direction of its axis, of any length.", defaults({0, 0, 1}).direction_handle("center"))
           .input("major_radius", "From the center to the middle of the tube.",
-                 defaults(1).hard(1e-9, 1e6).soft(0.1, 4).unit("m"))
+                 defaults(1).hard(1e-9, 1e6).soft(0.1, 4).unit("m").radius_handle("center", "axis"))
           .input("minor_radius", "Of the tube.", defaults(0.3).hard(1e-9, 1e6).soft(0.05, 1).unit("m"))
           .input("segments", "Around the axis.", defaults(128).hard(3, 8192).soft(8, 256))
           .input("sides", "Around the tube.", defaults(48).hard(3, 8192).soft(4, 128))

@@ -96,13 +96,12 @@ void add_operators(Registry& registry) {
           .family("transforms")
           .doc("A boost at the origin and a translation in one exponential: exp(amount (lambda no^a + gamma b^ni)).")
           .source("Boosted Surfaces, section 3, fig. 3")
-          .details(
-              "The generator is simple, and both rules agree, only when a and b are parallel. Zero vectors leave out "
-              "their part; all zero is the identity.")
+          .details("The generator is simple, and both rules agree, only when a and b are parallel.")
+          .degenerate("zero direction", "A zero vector leaves out its part; without both it is the identity.")
           .input("shape", "Points, circles, spheres, generators or meshes.")
-          .input("a", "Direction of the boost.", defaults({1, 0, 0}))
+          .input("a", "Direction of the boost.", defaults({1, 0, 0}).direction_handle())
           .input("lambda", "Strength of the boost.", defaults(1).hard(-1e6, 1e6).soft(-4, 4).unit("1/m"))
-          .input("b", "Direction of the translation.", defaults({0, 1, 0}))
+          .input("b", "Direction of the translation.", defaults({0, 1, 0}).direction_handle())
           .input("gamma", "Strength of the translation.", defaults(1).hard(-1e6, 1e6).soft(-4, 4).unit("m"))
           .input("amount", "How far along the loxodrome.", defaults(1).soft(-4, 4))
           .input("rule", "The true exponential, or the paper's with the scalar part of the square only.",
@@ -118,27 +117,34 @@ void add_operators(Registry& registry) {
           .details("K = <ab>_0 + amount <ab>_2; each weight replaces the no coefficient of its point. Where K ~K = 0 "
                    "everything "
                    "collapses to one point. K = 0 is an error.")
+          .degenerate("coincident points", "Equal weights 1 give K = 0: an error.")
+          .degenerate("w = -1",
+                      "With both weights -1 the scalar part of a unit pair about the origin is 0: every amount gives "
+                      "the same map, and amount 0, where K = 0, is an error.")
           .input("shape", "Points, circles, spheres, generators or meshes.")
-          .input("a", "First point.", defaults({0, 0, 1}).unit("m"))
+          .input("a", "First point.", defaults({0, 0, 1}).unit("m").position_handle())
           .input("weight_a", "Weight of its no coefficient.", defaults(1).hard(-1e6, 1e6).soft(-1, 1))
-          .input("b", "Second point.", defaults({0, 0, -1}).unit("m"))
+          .input("b", "Second point.", defaults({0, 0, -1}).unit("m").position_handle())
           .input("weight_b", "Weight of its no coefficient.", defaults(1).hard(-1e6, 1e6).soft(-1, 1))
           .input("amount", "Factor of the bivector part.", defaults(0.5).hard(-1e6, 1e6).soft(-1, 1))
           .output("shape", "The transformed shape."));
 
-  registry.add(VersorNode<sphere_to_sphere, Sphere, Sphere, double>::declare("boost_between")
-                   .title("Boost between")
-                   .family("transforms")
-                   .doc("Applies a power of the simple rotor that takes one sphere or plane to another.")
-                   .source("Colapinto, Composing Surfaces with Conformal Rotors, AACA 27 (2017)")
-                   .details("Orientation does not count: the nearer of the two ways is taken. Equal spheres give the "
-                            "identity, parallel "
-                            "planes a translation. A sphere of radius zero is an error.")
-                   .input("shape", "Points, circles, spheres, generators or meshes.")
-                   .input("from", "The sphere that is moved.")
-                   .input("to", "The sphere that it is moved to.")
-                   .input("amount", "0 nothing, 1 the whole way.", defaults(1).hard(-1e6, 1e6).soft(0, 1))
-                   .output("shape", "The moved shape."));
+  registry.add(
+      VersorNode<sphere_to_sphere, Sphere, Sphere, double>::declare("boost_between")
+          .title("Boost between")
+          .family("transforms")
+          .doc("Applies a power of the simple rotor that takes one sphere or plane to another.")
+          .source("Colapinto, Composing Surfaces with Conformal Rotors, AACA 27 (2017)")
+          .details("Orientation does not count: the nearer of the two ways is taken. Equal spheres give the identity.")
+          .degenerate("zero radius", "A sphere of radius zero has no inverse: an error.")
+          .degenerate("parallel lines", "Parallel planes give a translation.")
+          .degenerate("opposite lines",
+                      "Orientation does not count: opposite planes give what equally oriented ones give.")
+          .input("shape", "Points, circles, spheres, generators or meshes.")
+          .input("from", "The sphere that is moved.")
+          .input("to", "The sphere that it is moved to.")
+          .input("amount", "0 nothing, 1 the whole way.", defaults(1).hard(-1e6, 1e6).soft(0, 1))
+          .output("shape", "The moved shape."));
 
   registry.add(node("hopf", hopf_fibre)
                    .title("Hopf fibre")
@@ -147,10 +153,10 @@ void add_operators(Registry& registry) {
                         "linked circles.")
                    .source("Boosted Surfaces, eqs. (9), (10), (11), (12), figs. 6, 7")
                    .details("For a base of radius 1 the squared radius less the squared distance of the center is 1 "
-                            "for every fibre of the "
-                            "exact method, as in the Hopf fibration, and 1 - latitude^2/4 for the paper's. Latitude 0 "
-                            "is the base, 1 its "
-                            "axis. A line, or a circle of radius zero, is an error.")
+                            "for every fibre of the exact method, as in the Hopf fibration, and 1 - latitude^2/4 for "
+                            "the paper's. Latitude 0 is the base, 1 its axis.")
+                   .degenerate("circle to line", "Latitude 1 is the axis, a line; a line as the base is an error.")
+                   .degenerate("zero radius", "An error: the base has no size to measure by.")
                    .input("shape", "The base circle.")
                    .input("theta", "Longitude; 1 is once around.", defaults(0).soft(0, 1).unit("turn"))
                    .input("latitude", "From the base circle to its axis: the paper's 1/2 + phi/pi.",

@@ -56,6 +56,8 @@ void add_sampling(Registry& registry) {
           .doc("Points along a circle, or along a piece of a line, on a new axis.")
           .details("A circle starts at a fixed direction that depends on its normal. A line is sampled about its point "
                    "nearest the origin.")
+          .degenerate("circle to line", "A piece of the line about its point nearest the origin.")
+          .degenerate("zero radius", "Every point is the center.")
           .input("shape", "A circle or a line.")
           .input("count", "How many points.", defaults(64).hard(1, 10'000'000).soft(3, 256))
           .input("closed", "Whether the last point joins the first; a closed circle does not repeat its start.",
@@ -63,25 +65,28 @@ void add_sampling(Registry& registry) {
           .input("length", "Length of the piece of a line.", defaults(10).hard(0, 1e9).soft(0, 20).unit("m"))
           .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
           .axes(one_axis("count", "axis", "closed"))
+          .makes_curves()
           .output("points", "The points, over the new axis."));
 
-  registry.add(node("grid", grid_points)
-                   .title("Grid")
-                   .family("sampling")
-                   .doc("Points of a flat parallelogram over two new axes, with their positions u and v from 0 to 1.")
-                   .details("It spans center - u_vector - v_vector to center + u_vector + v_vector. A count of 1 "
-                            "stands at the start.")
-                   .input("center", "The middle.", defaults({0, 0, 0}).unit("m"))
-                   .input("u_vector", "Half the extent along u.", defaults({1, 0, 0}).unit("m"))
-                   .input("v_vector", "Half the extent along v.", defaults({0, 1, 0}).unit("m"))
-                   .input("count_u", "How many points along u.", defaults(32).hard(1, 65536).soft(2, 256))
-                   .input("count_v", "How many points along v.", defaults(32).hard(1, 65536).soft(2, 256))
-                   .input("axis_u", "Name of the u axis.", defaults("u").names_axis())
-                   .input("axis_v", "Name of the v axis.", defaults("v").names_axis())
-                   .axes(grid_axes)
-                   .output("points", "The points, over u and v.")
-                   .output("u", "0 to 1 over the u axis.")
-                   .output("v", "0 to 1 over the v axis."));
+  registry.add(
+      node("grid", grid_points)
+          .title("Grid")
+          .family("sampling")
+          .doc("Points of a flat parallelogram over two new axes, with their positions u and v from 0 to 1.")
+          .details("It spans center - u_vector - v_vector to center + u_vector + v_vector. A count of 1 "
+                   "stands at the start.")
+          .degenerate("zero direction", "Points repeat along the axis of a zero vector.")
+          .input("center", "The middle.", defaults({0, 0, 0}).unit("m").position_handle())
+          .input("u_vector", "Half the extent along u.", defaults({1, 0, 0}).unit("m").direction_handle("center"))
+          .input("v_vector", "Half the extent along v.", defaults({0, 1, 0}).unit("m").direction_handle("center"))
+          .input("count_u", "How many points along u.", defaults(32).hard(1, 65536).soft(2, 256))
+          .input("count_v", "How many points along v.", defaults(32).hard(1, 65536).soft(2, 256))
+          .input("axis_u", "Name of the u axis.", defaults("u").names_axis())
+          .input("axis_v", "Name of the v axis.", defaults("v").names_axis())
+          .axes(grid_axes)
+          .output("points", "The points, over u and v.")
+          .output("u", "0 to 1 over the u axis.")
+          .output("v", "0 to 1 over the v axis."));
 }
 
 }  // namespace dini

@@ -9,15 +9,13 @@
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 #include "nodes/choices.h"
+#include "nodes/draft.h"
 #include "nodes/finish_surface.h"
 #include "nodes/shapes.h"
 
 namespace dini {
 
 namespace {
-
-constexpr std::size_t draft_sides = 8;
-constexpr std::size_t draft_segments = 64;
 
 Attempt<SharedMesh> surface_of_points(const Context& context, const Block<Point, 2>& shape, std::int64_t,
                                       AtInfinity at_infinity, double clip_radius, const std::string&,
@@ -45,9 +43,9 @@ Attempt<SharedMesh> surface_of_circles(const Context& context, const Block<Circl
 
 SharedMesh tube_along(const Context& context, const Polyline& curve, double radius, std::int64_t sides,
                       double clip_radius) {
-  const auto wanted = static_cast<std::size_t>(sides);
-  const std::size_t used = context.quality() == Quality::draft ? std::min(wanted, draft_sides) : wanted;
-  return std::make_shared<const Mesh>(tube(curve, {radius, used, clip_radius}, context.cancel()));
+  const Segments used = tube_within_budget(context, curve.points.size(), sides);
+  return std::make_shared<const Mesh>(
+      tube(thinned(curve, used.along), {radius, used.across, clip_radius}, context.cancel()));
 }
 
 SharedMesh tube_of_points(const Context& context, const Block<Point, 1>& shape, double radius, std::int64_t,
@@ -61,8 +59,7 @@ Attempt<SharedMesh> tube_of_circle(const Context& context, const Circle& shape, 
                                    std::int64_t sides, double clip_radius, const std::string&) {
   const std::optional<CircleCoordinates> found = coordinates(shape);
   if (!found) return Failure{"degenerate", "there is no circle to put a tube around", "shape"};
-  const auto wanted = static_cast<std::size_t>(segments);
-  const std::size_t used = context.quality() == Quality::draft ? std::min(wanted, draft_segments) : wanted;
+  const std::size_t used = tube_within_budget(context, static_cast<std::size_t>(segments), sides).along;
   Polyline curve{Column<Point>(found->line ? 2 : used), !found->line};
   if (found->line) {
     // The chord of the clip sphere, a hair shorter so that round-off leaves its ends inside.
@@ -128,6 +125,9 @@ void add_surfaces(Registry& registry) {
           .details("Closed axes are welded. Rows that shrink to a point become clean poles. Where the surface passes "
                    "through "
                    "infinity it is cut at the clip radius, with a warning, or the node fails, as at_infinity says.")
+          .degenerate("circle to line", "The row runs to the clip radius and is cut there.")
+          .degenerate("zero radius", "The row is one point, a clean pole.")
+          .degenerate("coincident points", "They become one vertex; without area the mesh is empty.")
           .input("shape", "Points over two axes, or circles over one.")
           .input("segments", "Points around each circle; points over two axes do not use it.",
                  defaults(96).hard(3, 65536).soft(8, 256))
@@ -146,6 +146,9 @@ void add_surfaces(Registry& registry) {
                    .family("surfaces")
                    .doc("A round tube along a curve: points over one axis, or a circle.")
                    .details("A closed axis makes a closed tube. Parts beyond the clip radius are left out.")
+                   .degenerate("circle to line", "A straight tube as long as the clip radius allows.")
+                   .degenerate("zero radius", "A circle of radius zero has no tube: an empty mesh.")
+                   .degenerate("coincident points", "Repeated points are skipped; if all agree the mesh is empty.")
                    .input("shape", "Points over one axis, or a circle or line.")
                    .input("radius", "Radius of the tube.", defaults(0.02).hard(1e-9, 1e6).soft(0.005, 0.2).unit("m"))
                    .input("segments", "Points along a circle; a curve of points does not use it.",
@@ -165,13 +168,15 @@ void add_surfaces(Registry& registry) {
           .doc("A surface patch: every point of a flat parallelogram moved by the bilinear blend of four generators.")
           .source("Boosted Surfaces, eq. (15), fig. 11")
           .details("The parallelogram spans center - u_vector - v_vector to center + u_vector + v_vector.")
+          .degenerate("point at a generator", "A corner that stands at its own null pair stays.")
+          .degenerate("zero direction", "Vectors that span no plane give an empty mesh.")
           .input("a", "Generator at u = 0, v = 0.")
           .input("b", "Generator at u = 1, v = 0.")
           .input("c", "Generator at u = 0, v = 1.")
           .input("d", "Generator at u = 1, v = 1.")
-          .input("center", "The middle.", defaults({0, 0, 0}).unit("m"))
-          .input("u_vector", "Half the extent along u.", defaults({1, 0, 0}).unit("m"))
-          .input("v_vector", "Half the extent along v.", defaults({0, 1, 0}).unit("m"))
+          .input("center", "The middle.", defaults({0, 0, 0}).unit("m").position_handle())
+          .input("u_vector", "Half the extent along u.", defaults({1, 0, 0}).unit("m").direction_handle("center"))
+          .input("v_vector", "Half the extent along v.", defaults({0, 1, 0}).unit("m").direction_handle("center"))
           .input("amount", "Factor of the blended generator.", defaults(1).soft(-2, 2))
           .input("count_u", "How many points along u.", defaults(96).hard(2, 65536).soft(8, 256))
           .input("count_v", "How many points along v.", defaults(96).hard(2, 65536).soft(8, 256))

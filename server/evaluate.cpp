@@ -33,32 +33,44 @@ std::string boundary_for(const std::string& tag) {
   return name.substr(0, 64);
 }
 
-std::string multipart(const std::string& boundary, const std::string& report, const std::string& model,
-                      const std::string& file) {
-  std::string body;
-  body.reserve(report.size() + model.size() + 512);
-  body += "--" + boundary + "\r\nContent-Disposition: form-data; name=\"report\"\r\nContent-Type: ";
-  body.append(report_type) += "\r\n\r\n";
-  body += report;
-  body += "\r\n--" + boundary + "\r\nContent-Disposition: form-data; name=\"model\"; filename=\"" + file +
-          "\"\r\nContent-Type: ";
-  body.append(model_type) += "\r\n\r\n";
-  body += model;
-  body += "\r\n--" + boundary + "--\r\n";
-  return body;
-}
+/// Text that becomes the body of a multipart answer, part by part.
+class Multipart {
+ public:
+  Multipart(const std::string& tag, std::size_t bytes) : boundary_(boundary_for(tag)) { body_.reserve(bytes + 1024); }
+
+  void add(std::string_view name, std::string_view type, std::string_view content, const std::string& file = "") {
+    body_ += (body_.empty() ? "--" : "\r\n--") + boundary_ + "\r\nContent-Disposition: form-data; name=\"";
+    body_.append(name) += "\"";
+    if (!file.empty()) body_ += "; filename=\"" + file + "\"";
+    body_.append("\r\nContent-Type: ").append(type).append("\r\n\r\n").append(content);
+  }
+
+  void finish(Reply& reply) && {
+    reply.type += "; boundary=" + boundary_;
+    reply.body = std::move(body_) + "\r\n--" + boundary_ + "--\r\n";
+  }
+
+ private:
+  std::string boundary_;
+  std::string body_;
+};
 
 void set_content(Reply& reply, std::string_view type, const Evaluated& evaluated, const std::string& tag,
-                 const std::string& file) {
+                 const std::string& output) {
   reply.type = type;
+  const std::string file = file_name(evaluated.glb != nullptr ? output : "preview");
   if (type == report_type) {
     reply.body = dump(evaluated.report());
   } else if (type == both_type) {
-    const std::string boundary = boundary_for(tag);
-    reply.type += "; boundary=" + boundary;
-    reply.body = multipart(boundary, dump(evaluated.report()), *evaluated.glb, file);
+    const auto size_of = [](const auto& bytes) { return bytes == nullptr ? 0 : bytes->size(); };
+    const std::string report = dump(evaluated.report());
+    Multipart parts(tag, report.size() + size_of(evaluated.glb) + size_of(evaluated.preview));
+    parts.add("report", report_type, report);
+    if (evaluated.glb != nullptr) parts.add("model", model_type, *evaluated.glb, file);
+    if (evaluated.preview != nullptr) parts.add("preview", model_type, *evaluated.preview, file_name("preview"));
+    std::move(parts).finish(reply);
   } else {
-    reply.body = *evaluated.glb;
+    reply.body = evaluated.glb != nullptr ? *evaluated.glb : *evaluated.preview;
     reply.headers.emplace_back("Content-Disposition", "inline; filename=\"" + file + "\"");
   }
 }
@@ -70,13 +82,16 @@ std::variant<std::shared_ptr<const KnownRequest>, Reply> read_request(Call& call
   if (auto known = call.application.known.find(key)) return known;
   auto json = read_json(call);
   if (!json) return problem_reply(json.problems(), call.exchange);
-  RequestBody body(*std::move(json), {"graph", "parameters", "output", "quality", "deadline_ms"});
+  RequestBody body(*std::move(json),
+                   {"graph", "parameters", "output", "preview", "quality", "triangle_budget", "deadline_ms"});
   KnownRequest read;
   const EvaluateRequest request{
       .graph = body.object("graph", true),
       .parameters = body.object("parameters", false),
       .output = body.text("output", false),
-      .quality = body.choice("quality", {"final", "draft"}) == "draft" ? Quality::draft : Quality::final};
+      .quality = body.choice("quality", {"final", "draft"}) == "draft" ? Quality::draft : Quality::final,
+      .triangle_budget = body.integer("triangle_budget"),
+      .preview = body.texts("preview")};
   read.deadline_milliseconds = body.positive_integer("deadline_ms");
   read.output = request.output;
   if (!body.problems().empty()) return problem_reply(body.problems(), call.exchange);
@@ -121,7 +136,7 @@ Reply evaluate(Call& call) {
   }();
   if (!evaluated) return problem_reply(evaluated.problems(), call.exchange);
   for (const auto& [step, took] : evaluated->milliseconds) call.exchange.timings.emplace_back(step, took);
-  set_content(reply, *type, *evaluated, tag, file_name(request.output));
+  set_content(reply, *type, *evaluated, tag, request.output);
   return reply;
 }
 

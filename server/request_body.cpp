@@ -93,6 +93,28 @@ std::optional<std::int64_t> RequestBody::positive_integer(std::string_view name)
   return static_cast<std::int64_t>(value->get<std::uint64_t>());
 }
 
+std::optional<std::int64_t> RequestBody::integer(std::string_view name) {
+  const Json* value = find(name, false);
+  if (value == nullptr) return std::nullopt;
+  constexpr auto largest = std::numeric_limits<std::int64_t>::max();
+  if (!value->is_number_integer()) {
+    wrong_type(name, "a whole number");
+    return std::nullopt;
+  }
+  if (value->is_number_unsigned() && value->get<std::uint64_t>() > static_cast<std::uint64_t>(largest)) return largest;
+  return value->get<std::int64_t>();
+}
+
+std::vector<std::string> RequestBody::texts(std::string_view name) {
+  const Json* value = find(name, false);
+  if (value == nullptr) return {};
+  if (!value->is_array() || !std::ranges::all_of(*value, [](const Json& item) { return item.is_string(); })) {
+    wrong_type(name, "a list of texts");
+    return {};
+  }
+  return value->get<std::vector<std::string>>();
+}
+
 const Json* RequestBody::find(std::string_view name, bool required) {
   const auto found = body_.find(std::string(name));
   if (found != body_.end()) return &*found;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "graph/problem.h"
 
@@ -22,6 +23,9 @@ class RequestBody {
   std::string choice(std::string_view name, std::initializer_list<std::string_view> choices);  ///< the first by default
   bool boolean(std::string_view name);                                                         ///< false by default
   std::optional<std::int64_t> positive_integer(std::string_view name);
+  std::optional<std::int64_t> integer(std::string_view name);
+  /// A list of texts; empty when it is missing.
+  std::vector<std::string> texts(std::string_view name);
 
   const Problems& problems() const { return problems_; }
 

@@ -1,6 +1,5 @@
 #include "service/engine.h"
 
-#include <algorithm>
 #include <chrono>
 
 #include "gltf/glb_container.h"
@@ -8,13 +7,14 @@
 #include "graph/card.h"
 #include "graph/check.h"
 #include "graph/evaluate.h"
-#include "graph/nearest.h"
 #include "graph/parameters.h"
 #include "graph/value_json.h"
 #include "nodes/all.h"
 #include "service/asset_reader.h"
 #include "service/asset_store.h"
-#include "service/prepared.h"
+#include "service/places.h"
+#include "service/prepare.h"
+#include "service/preview.h"
 #include "service/report.h"
 #include "service/single_flight.h"
 #include "service/version.h"
@@ -34,54 +34,6 @@ Json catalogue_of(const Registry& registry) {
           {"nodes", std::move(nodes)}};
 }
 
-/// The node to export: the one asked for, else the only one that makes a file.
-Result<std::size_t> find_output(const Plan& plan, const std::string& asked) {
-  std::vector<std::string> exports;
-  for (const PlannedNode& node : plan.nodes) {
-    if (!node.outputs.empty() && node.outputs.front().type == WireType::asset) exports.push_back(node.id);
-  }
-  std::string known;
-  for (const std::string& id : exports) known += (known.empty() ? "" : ", ") + id;
-  if (asked.empty()) {
-    if (exports.size() == 1) return plan.index.at(exports.front());
-    return Problem{
-        "unknown-output",
-        exports.empty() ? "the graph has no export node" : "the graph has several outputs, choose one of " + known, "",
-        "", "/output"};
-  }
-  if (std::find(exports.begin(), exports.end(), asked) == exports.end()) {
-    return Problem{"unknown-output",
-                   "\"" + asked + "\" is no export node of the graph" + did_you_mean(asked, exports) +
-                       (exports.empty() ? "" : "; there is " + known),
-                   "", "", "/output"};
-  }
-  return plan.index.at(asked);
-}
-
-Result<std::shared_ptr<Prepared>> check_graph(const Registry& registry, const Limits& limits, AssetStore& assets,
-                                              const Json& graph, const Json& parameters, Quality quality) {
-  auto prepared = std::make_shared<Prepared>();
-  Result<Document> document = read_document(graph, limits);
-  if (!document) return document.problems();
-  prepared->document = std::move(*document);
-  Result<std::map<std::string, Json>> values = resolve_parameters(prepared->document, parameters);
-  if (!values) return values.problems();
-  CheckReport report = check(registry, prepared->document, *values, quality, limits, assets.finder());
-  if (!report.problems.empty()) return report.problems;
-  prepared->plan = std::move(report.plan);
-  return prepared;
-}
-
-/// What the bytes of an answer depend on: the output's content, the checks that must pass, the parameters written into
-/// the file, and the engine.
-Digest entity_digest(const Prepared& prepared) {
-  DigestBuilder digest;
-  digest.text(engine_version);
-  for (const std::size_t target : prepared.targets) digest.digest(prepared.plan.nodes[target].fingerprint);
-  digest.text(prepared.extras.dump());
-  return digest.finish();
-}
-
 }  // namespace
 
 struct Engine::State {
@@ -89,6 +41,15 @@ struct Engine::State {
     add_all_nodes(registry);
     catalogue = catalogue_of(registry);
   }
+
+  Environment environment() const { return {registry, limits, assets.finder()}; }
+
+  /// The file of a finished export, with what it says about itself.
+  Result<SharedAsset> exported(const Prepared& prepared, const Evaluation& evaluation) const;
+
+  /// The drawn previews, from the cache or into it. `known` is what the cache had before the evaluation.
+  Result<SharedAsset> previewed(const Prepared& prepared, const Evaluation& evaluation,
+                                const std::shared_ptr<const NodeResult>& known, const Cancel& cancel) const;
 
   Limits limits;
   Registry registry;
@@ -137,91 +98,95 @@ Json Engine::validate(const Json& graph, const Json& parameters) const {
 }
 
 Result<std::shared_ptr<const Prepared>> Engine::prepare(const EvaluateRequest& request) const {
-  const auto begin = std::chrono::steady_clock::now();
-  Result<std::shared_ptr<Prepared>> checked =
-      check_graph(state_->registry, state_->limits, state_->assets, request.graph, request.parameters, request.quality);
-  if (!checked) return checked.problems();
-  Prepared& prepared = **checked;
-  Result<std::size_t> output = find_output(prepared.plan, request.output);
-  if (!output) return output.problems();
-  prepared.output = *output;
-  prepared.targets.push_back(*output);
-  for (std::size_t node = 0; node < prepared.plan.nodes.size(); ++node) {
-    const PlannedNode& planned = prepared.plan.nodes[node];
-    if (planned.type->always_evaluated && !planned.bypass) prepared.targets.push_back(node);
-  }
-  prepared.extras = file_extras(prepared.plan, *output);
-  prepared.entity_tag = "\"" + to_hex(entity_digest(prepared)) + "\"";
-  prepared.milliseconds = milliseconds_since(begin);
-  return std::shared_ptr<const Prepared>(std::move(*checked));
+  Result<std::shared_ptr<Prepared>> prepared = prepare_evaluation(state_->environment(), request);
+  if (!prepared) return prepared.problems();
+  return std::shared_ptr<const Prepared>(*std::move(prepared));
 }
 
 const std::string& Engine::entity_tag(const Prepared& prepared) { return prepared.entity_tag; }
 
+Result<SharedAsset> Engine::State::exported(const Prepared& prepared, const Evaluation& evaluation) const {
+  const Value value = evaluation.value(prepared.plan, *prepared.output, 0);
+  if (value.column.index() != static_cast<std::size_t>(WireType::asset) || sample_count(value.axes) != 1) {
+    return Problem{"axis-mismatch", "the output must be one file, it has axes",
+                   prepared.plan.nodes[*prepared.output].id};
+  }
+  return column_of<SharedAsset>(value)[0];
+}
+
+Result<SharedAsset> Engine::State::previewed(const Prepared& prepared, const Evaluation& evaluation,
+                                             const std::shared_ptr<const NodeResult>& known,
+                                             const Cancel& cancel) const {
+  if (known != nullptr) return (*std::get<SharedColumn<SharedAsset>>(known->columns.front()))[0];
+  Result<std::string> drawn = draw_previews(prepared.plan, evaluation, prepared.previews, limits, cancel);
+  if (!drawn) return drawn.problems();
+  const std::string digest = to_hex(prepared.preview_digest);
+  std::string glb = stamp_extras(*drawn, {{"engine", engine_version}, {"preview", digest}});
+  const SharedAsset asset = std::make_shared<const Asset>(Asset{"model/gltf-binary", std::move(glb)});
+  cache.insert(prepared.preview_digest, std::make_shared<const NodeResult>(NodeResult{{single_column(asset)}, {}}));
+  return asset;
+}
+
 Result<Evaluated> Engine::evaluate(const Prepared& prepared, const Cancel& cancel) const {
   return state_->flights.run(prepared.entity_tag, cancel, [&](const Cancel& shared) -> Result<Evaluated> {
     const auto begin = std::chrono::steady_clock::now();
-    Result<Evaluation> evaluation = dini::evaluate(prepared.plan, prepared.targets, state_->cache, shared);
-    if (!evaluation) return evaluation.problems();
-    const Value value = evaluation->value(prepared.plan, prepared.output, 0);
-    if (value.column.index() != static_cast<std::size_t>(WireType::asset) || sample_count(value.axes) != 1) {
-      return Problem{"axis-mismatch", "the output must be one file, it has axes",
-                     prepared.plan.nodes[prepared.output].id};
+    std::vector<std::size_t> targets = prepared.targets;
+    std::shared_ptr<const NodeResult> known_preview;
+    if (!prepared.previews.empty()) known_preview = state_->cache.find(prepared.preview_digest);
+    if (known_preview == nullptr) {
+      for (const Preview& preview : prepared.previews) targets.push_back(preview.node);
     }
-    const SharedAsset asset = column_of<SharedAsset>(value)[0];
-    const auto run = evaluation->runs.find(prepared.output);
+    Result<Evaluation> evaluation = dini::evaluate(prepared.plan, targets, state_->cache, shared);
+    if (!evaluation) return evaluation.problems();
     Evaluated answer;
-    answer.glb = std::make_shared<const std::string>(stamp_extras(asset->bytes, prepared.extras));
-    answer.milliseconds = {{"prepare", prepared.milliseconds},
-                           {"evaluate", milliseconds_since(begin)},
-                           {"encode", run == evaluation->runs.end() ? 0 : run->second.milliseconds}};
-    // Most callers want the file only, and the report of a large graph takes longer than finding it in the cache.
-    answer.report = [owner = prepared.shared_from_this(), kept = std::move(*evaluation), asset, glb = answer.glb,
-                     milliseconds = answer.milliseconds] {
-      return evaluation_report(*owner, kept, *asset, *glb, milliseconds);
+    answer.milliseconds = {{"prepare", prepared.milliseconds}, {"evaluate", milliseconds_since(begin)}};
+    SharedAsset model;
+    if (prepared.output) {
+      Result<SharedAsset> exported = state_->exported(prepared, *evaluation);
+      if (!exported) return exported.problems();
+      model = *exported;
+      answer.glb = std::make_shared<const std::string>(stamp_extras(model->bytes, prepared.extras));
+      const auto run = evaluation->runs.find(*prepared.output);
+      answer.milliseconds["encode"] = run == evaluation->runs.end() ? 0 : run->second.milliseconds;
+    }
+    if (!prepared.previews.empty()) {
+      const auto drawing = std::chrono::steady_clock::now();
+      Result<SharedAsset> drawn = state_->previewed(prepared, *evaluation, known_preview, shared);
+      if (!drawn) return drawn.problems();
+      answer.preview = std::shared_ptr<const std::string>(*drawn, &(*drawn)->bytes);
+      answer.milliseconds["preview"] = milliseconds_since(drawing);
+    }
+    // Most callers want the files only, and the report of a large graph takes longer than finding them in the cache.
+    answer.report = [owner = prepared.shared_from_this(), kept = std::move(*evaluation), model, glb = answer.glb,
+                     preview = answer.preview, milliseconds = answer.milliseconds] {
+      return evaluation_report(*owner, kept, {model.get(), glb.get(), preview.get()}, milliseconds);
     };
     return answer;
   });
 }
 
 Result<Json> Engine::inspect(const InspectRequest& request, const Cancel& cancel) const {
-  Result<std::shared_ptr<Prepared>> checked =
-      check_graph(state_->registry, state_->limits, state_->assets, request.graph, request.parameters, Quality::final);
-  if (!checked) return checked.problems();
-  const Plan& plan = (*checked)->plan;
-  const auto found = plan.index.find(request.node);
-  if (found == plan.index.end()) {
-    std::vector<std::string> known;
-    for (const auto& [id, node] : plan.index) known.push_back(id);
-    return Problem{"unknown-node", "the graph has no node \"" + request.node + "\"" + did_you_mean(request.node, known),
-                   request.node, "", "/node"};
-  }
-  const PlannedNode& node = plan.nodes[found->second];
+  const Result<Plan> plan = prepare_inspection(state_->environment(), request);
+  if (!plan) return plan.problems();
+  const std::size_t index = plan->index.at(request.node);
+  const PlannedNode& node = plan->nodes[index];
   std::size_t output = 0;
   if (!request.output.empty()) {
     const OutputPort* port = node.type->find_output(request.output);
-    if (port == nullptr) {
-      std::vector<std::string> known;
-      for (const OutputPort& one : node.type->outputs) known.push_back(one.name);
-      return Problem{
-          "unknown-port",
-          node.type->title + " has no output \"" + request.output + "\"" + did_you_mean(request.output, known),
-          request.node, request.output, "/output"};
-    }
+    if (port == nullptr) return unknown_output(*node.type, request.node, request.output, "/output");
     output = static_cast<std::size_t>(port - node.type->outputs.data());
   }
-  if (output >= node.outputs.size()) {
-    return Problem{"unknown-port", "a bypassed node has one output only", request.node, request.output, "/output"};
+  if (output >= node.outputs.size()) return bypassed_output(request.node, request.output, "/output");
+  const std::size_t count = sample_count(node.outputs[output].axes);
+  if (count > inspected_values) {
+    return Problem{
+        "limit-exceeded",
+        "there are " + std::to_string(count) + " values, at most " + std::to_string(inspected_values) + " are shown",
+        request.node, request.output, "/output"};
   }
-  if (sample_count(node.outputs[output].axes) > inspected_values) {
-    return Problem{"limit-exceeded",
-                   "there are " + std::to_string(sample_count(node.outputs[output].axes)) + " values, at most " +
-                       std::to_string(inspected_values) + " are shown",
-                   request.node, request.output, "/output"};
-  }
-  Result<Evaluation> evaluation = dini::evaluate(plan, {found->second}, state_->cache, cancel);
+  Result<Evaluation> evaluation = dini::evaluate(*plan, {index}, state_->cache, cancel);
   if (!evaluation) return evaluation.problems();
-  return to_json(evaluation->value(plan, found->second, output), request.full);
+  return to_json(evaluation->value(*plan, index, output), request.full);
 }
 
 Json to_json(const Problems& problems) {

@@ -3,12 +3,14 @@
 // The engine: one request answered, whoever asks. The server and the command line are two thin faces over this class,
 // so a graph gives the same bytes and the same problems through both.
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "geometry/cancel.h"
 #include "graph/context.h"
@@ -18,13 +20,18 @@
 
 namespace dini {
 
-/// What to evaluate: a graph document, values for its parameters by name, and the node to export.
-/// An empty `output` means the only export node of the graph; several are a problem that lists them.
+/// What to evaluate: a graph document, values for its parameters by name, the node to export, and nodes to draw.
 struct EvaluateRequest {
   Json graph;
   Json parameters = Json::object();
+  /// Empty: nothing when something is previewed, else the only export node of the graph; several are a problem that
+  /// lists them.
   std::string output;
   Quality quality = Quality::final;
+  /// About how many triangles a draft has, 100 to 10 million; refused for a final answer.
+  std::optional<std::int64_t> triangle_budget = {};
+  /// Nodes ("node") and single outputs ("node.output") to draw into a file of their own; their order does not count.
+  std::vector<std::string> preview = {};
 };
 
 /// What to look at: one output of one node. An empty `output` means the node's only or first output.
@@ -50,8 +57,9 @@ class Prepared;
 
 /// A finished evaluation.
 struct Evaluated {
-  std::shared_ptr<const std::string> glb;      ///< the finished file, extras included
-  std::map<std::string, double> milliseconds;  ///< by step: prepare, evaluate, encode
+  std::shared_ptr<const std::string> glb;      ///< the finished file, extras included; null without an output
+  std::shared_ptr<const std::string> preview;  ///< the previewed nodes as a file; null when none were asked for
+  std::map<std::string, double> milliseconds;  ///< by step: prepare, evaluate, encode, preview
   std::function<Json()> report;                ///< writes times, sizes, checks, warnings per node; see docs/http.md
 };
 
@@ -75,7 +83,9 @@ class Engine {
   /// {"valid": bool, "errors": [...], "wires": {...}, "cost": {...}}
   Json validate(const Json& graph, const Json& parameters) const;
 
-  /// Reads and checks; nothing is computed. The entity tag depends on everything that can influence the bytes.
+  /// Reads and checks what the output and the previews depend on; nothing is computed. Problems of other nodes never
+  /// stand in the way: the report lists them as warnings, and a check that cannot run as not passed. The entity tag
+  /// depends on everything that can influence the bytes.
   Result<std::shared_ptr<const Prepared>> prepare(const EvaluateRequest& request) const;
   static const std::string& entity_tag(const Prepared& prepared);
 

@@ -1,5 +1,6 @@
 #include "service/report.h"
 
+#include "graph/order.h"
 #include "graph/value_json.h"
 #include "service/engine.h"
 #include "service/version.h"
@@ -10,7 +11,8 @@ namespace {
 
 Json wire_json(const WireShape& shape) { return {{"type", name(shape.type)}, {"axes", to_json(shape.axes)}}; }
 
-Json node_json(const PlannedNode& node, const NodeRun* run) {
+/// `needed` is false for a node that nothing asked for.
+Json node_json(const PlannedNode& node, const NodeRun* run, bool needed) {
   Json outputs = Json::object();
   for (std::size_t output = 0; output < node.outputs.size(); ++output) {
     outputs[node.type->outputs[output].name] = wire_json(node.outputs[output]);
@@ -18,8 +20,16 @@ Json node_json(const PlannedNode& node, const NodeRun* run) {
   // A node that did not have to run stands behind a cached one.
   return {{"type", node.type->id},
           {"milliseconds", run != nullptr ? run->milliseconds : 0.0},
-          {"cached", run == nullptr || run->cached},
+          {"cached", needed && (run == nullptr || run->cached)},
           {"outputs", std::move(outputs)}};
+}
+
+/// Everything that had to run, or stands behind what is cached.
+std::set<std::string> needed_nodes(const Prepared& prepared) {
+  std::vector<std::string> ids;
+  for (const std::size_t target : prepared.targets) ids.push_back(prepared.plan.nodes[target].id);
+  for (const Preview& preview : prepared.previews) ids.push_back(prepared.plan.nodes[preview.node].id);
+  return needed_for(prepared.document, ids);
 }
 
 void add_warnings(Json& warnings, const PlannedNode& node, const NodeResult& result) {
@@ -39,9 +49,10 @@ Json file_extras(const Plan& plan, std::size_t output) {
   return {{"engine", engine_version}, {"graph", to_hex(node.fingerprint)}, {"parameters", std::move(parameters)}};
 }
 
-Json evaluation_report(const Prepared& prepared, const Evaluation& evaluation, const Asset& asset,
-                       const std::string& glb, const std::map<std::string, double>& milliseconds) {
+Json evaluation_report(const Prepared& prepared, const Evaluation& evaluation, const AnswerFiles& files,
+                       const std::map<std::string, double>& milliseconds) {
   const Plan& plan = prepared.plan;
+  const std::set<std::string> needed = needed_nodes(prepared);
   Json nodes = Json::object();
   Json warnings = Json::array();
   Json checks = Json::array();
@@ -49,7 +60,7 @@ Json evaluation_report(const Prepared& prepared, const Evaluation& evaluation, c
     const PlannedNode& node = plan.nodes[index];
     const auto found = evaluation.runs.find(index);
     const NodeRun* run = found == evaluation.runs.end() ? nullptr : &found->second;
-    nodes[node.id] = node_json(node, run);
+    nodes[node.id] = node_json(node, run, needed.contains(node.id));
     if (run == nullptr) continue;
     add_warnings(warnings, node, *run->result);
     if (node.type->always_evaluated) {
@@ -57,21 +68,33 @@ Json evaluation_report(const Prepared& prepared, const Evaluation& evaluation, c
       checks.push_back({{"node", node.id}, {"passed", true}, {"values", to_json(value)["values"]}});
     }
   }
-  return {{"engine", engine_version},
-          {"fingerprint", to_hex(plan.nodes[prepared.output].fingerprint)},
-          {"etag", prepared.entity_tag},
-          {"quality", plan.quality == Quality::draft ? "draft" : "final"},
-          {"output", plan.nodes[prepared.output].id},
-          {"milliseconds", milliseconds},
-          {"nodes", std::move(nodes)},
-          {"model",
-           {{"bytes", glb.size()},
-            {"vertices", asset.vertices},
-            {"triangles", asset.triangles},
-            {"position_error", asset.position_error},
-            {"sha256", to_hex(sha256(glb))}}},
-          {"checks", std::move(checks)},
-          {"warnings", std::move(warnings)}};
+  for (const BrokenCheck& broken : prepared.broken_checks) {
+    checks.push_back({{"node", broken.node}, {"passed", false}, {"message", broken.reason}});
+  }
+  for (Json& problem : to_json(prepared.elsewhere)) warnings.push_back(std::move(problem));
+  Json report = {{"engine", engine_version},
+                 {"etag", prepared.entity_tag},
+                 {"quality", plan.detail.quality == Quality::draft ? "draft" : "final"},
+                 {"milliseconds", milliseconds},
+                 {"nodes", std::move(nodes)},
+                 {"checks", std::move(checks)},
+                 {"warnings", std::move(warnings)}};
+  if (files.model != nullptr) {
+    report["fingerprint"] = to_hex(plan.nodes[*prepared.output].fingerprint);
+    report["output"] = plan.nodes[*prepared.output].id;
+    report["model"] = {{"bytes", files.glb->size()},
+                       {"vertices", files.model->vertices},
+                       {"triangles", files.model->triangles},
+                       {"position_error", files.model->position_error},
+                       {"sha256", to_hex(sha256(*files.glb))}};
+  }
+  if (files.preview != nullptr) {
+    Json shown = Json::array();
+    for (const Preview& preview : prepared.previews) shown.push_back(plan.nodes[preview.node].id);
+    report["preview"] = {
+        {"bytes", files.preview->size()}, {"nodes", std::move(shown)}, {"sha256", to_hex(sha256(*files.preview))}};
+  }
+  return report;
 }
 
 Json validation_report(const CheckReport& report, const Problems& problems) {

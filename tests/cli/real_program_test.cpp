@@ -77,6 +77,18 @@ TEST_CASE("a report is the engine's, beside the file") {
   CHECK(report["model"]["sha256"].get<std::string>().size() == 64);
 }
 
+TEST_CASE("a preview is drawn instead of the model, also where nothing is exported") {
+  const std::string graph = document({{"ring", make("circle")}, {"loose", make("boost")}}).dump();
+  const Outcome drawn = run({"eval", "-", "--preview", "ring", "-o", "-"}, graph);
+  CHECK(drawn.code == 0);
+  CHECK(drawn.out.starts_with("glTF"));
+  CHECK(run({"eval", "-", "--preview", "rong", "-o", "-"}, graph).code == 3);
+  CHECK(run({"eval", "-", "--preview", "ring", "--output", "out"}, graph).code == 2);
+  CHECK(run({"eval", "-", "--preview", "ring"}, graph).out.starts_with("preview: "));
+  CHECK(run({"eval", "-", "--preview", "ring", "--triangle-budget", "500"}, graph).code == 3);
+  CHECK(run({"eval", "-", "--preview", "ring", "--quality", "draft", "--triangle-budget", "500"}, graph).code == 0);
+}
+
 TEST_CASE("each way to fail ends with its own exit code") {
   const auto code = [](const Json& node, std::vector<std::string> more = {}) {
     std::vector<std::string> words = {"eval", "-"};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "graph/card.h"
+#include "graph/node_builder.h"
 #include "tests/nodes/node_inputs.h"
 
 using namespace dini;
@@ -92,6 +93,53 @@ TEST_CASE("every card tells in JSON what the declaration says") {
     }
     CHECK(shown["outputs"].size() == type.outputs.size());
   }
+}
+
+TEST_CASE("every handle sets a point, a vector or a number and stands at inputs of the same node") {
+  std::size_t handles = 0;
+  for (const auto& [id, type] : catalogue().types()) {
+    for (const InputPort& port : type.inputs) {
+      if (!port.spec.handle) continue;
+      CAPTURE(id, port.name);
+      ++handles;
+      const auto takes = [&](const std::string& name, WireType wanted) {
+        const InputPort* found = type.find_input(name);
+        REQUIRE(found != nullptr);
+        return std::count(found->types.begin(), found->types.end(), wanted) == 1;
+      };
+      const auto& [kind, at, normal] = *port.spec.handle;
+      CHECK(takes(port.name, kind == Handle::Kind::position    ? WireType::point
+                             : kind == Handle::Kind::direction ? WireType::vector
+                                                               : WireType::number));
+      if (!at.empty()) CHECK(takes(at, WireType::point));
+      if (!normal.empty()) CHECK(takes(normal, WireType::vector));
+      CHECK_FALSE(port.spec.takes_several);
+      CHECK(card(type)["inputs"][type.input_index(port.name)]["handle"]["kind"].is_string());
+    }
+  }
+  CHECK(handles > 40);
+  CHECK(card(*catalogue().find("circle"))["inputs"][2]["handle"] ==
+        Json({{"kind", "radius"}, {"at", "center"}, {"normal", "normal"}}));
+  CHECK_FALSE(card(*catalogue().find("twist"))["inputs"][2].contains("handle"));
+}
+
+TEST_CASE("a card whose handle stands at no place is refused") {
+  const auto add = [](InputSpec spec) {
+    Registry registry;
+    registry.add(node(
+                     "move", +[](const Point& a, const Vector&) { return a; })
+                     .title("Move")
+                     .family("toys")
+                     .doc("Moves.")
+                     .input("a", "P.")
+                     .input("b", "V.", std::move(spec))
+                     .output("point", "P."));
+  };
+  CHECK_NOTHROW(add(required().direction_handle("a")));
+  CHECK_THROWS_AS(add(required().direction_handle("b")), std::logic_error);
+  CHECK_THROWS_AS(add(required().direction_handle("c")), std::logic_error);
+  CHECK_THROWS_AS(add(required().position_handle()), std::logic_error);
+  CHECK_THROWS_AS(add(required().radius_handle("a")), std::logic_error);
 }
 
 TEST_CASE("every function of every node runs with its defaults, and with everything wired") {

@@ -1,4 +1,5 @@
 #include <future>
+#include <set>
 
 #include "tests/server/fixture.h"
 
@@ -217,4 +218,70 @@ TEST_CASE("Large models arrive whole") {
   const auto answer = post(server.port(), "/v1/evaluate", toy_body({{"bytes", 20'000'000}}));
   REQUIRE(answer);
   CHECK(answer->body == std::string(20'000'000, 'g'));
+}
+
+TEST_CASE("A preview comes beside the model or instead of it") {
+  const Running server;
+  Json body = Json::parse(toy_body({{"bytes", 3}}));
+  body["preview"] = {"ring"};
+  const std::string alone = body.dump();
+  const auto glb = post(server.port(), "/v1/evaluate", alone);
+  REQUIRE(glb);
+  CHECK(glb->body == "ppp");
+  CHECK(glb->header("content-disposition") == "inline; filename=\"preview.glb\"");
+  const std::string tag = glb->header("etag");
+  CHECK(post(server.port(), "/v1/evaluate", alone, "If-None-Match: " + tag + "\r\n")->status == 304);
+  const std::string parts = "Accept: multipart/form-data\r\n";
+  const auto without_model = post(server.port(), "/v1/evaluate", alone, parts);
+  CHECK(without_model->body.find("name=\"model\"") == std::string::npos);
+  CHECK(without_model->body.find("name=\"preview\"; filename=\"preview.glb\"\r\nContent-Type: "
+                                 "model/gltf-binary\r\n\r\nppp\r\n--") != std::string::npos);
+
+  body["output"] = "out";
+  const auto both = post(server.port(), "/v1/evaluate", body.dump(), parts);
+  REQUIRE(both);
+  const std::size_t report = both->body.find("name=\"report\""), model = both->body.find("\r\n\r\nggg\r\n"),
+                    preview = both->body.find("\r\n\r\nppp\r\n");
+  CHECK(report < model);
+  CHECK(model < preview);
+  CHECK(preview != std::string::npos);
+  CHECK(post(server.port(), "/v1/evaluate", body.dump())->body == "ggg");
+  CHECK(post(server.port(), "/v1/evaluate", body.dump())->header("etag") != tag);
+}
+
+TEST_CASE("Requests that differ in their preview or their budget are told apart") {
+  const Running server;
+  std::set<std::string> tags;
+  for (const Json& more : {Json::object(), Json{{"preview", {"a"}}}, Json{{"preview", {"a", "b"}}},
+                           Json{{"triangle_budget", 500}}, Json{{"triangle_budget", 501}}}) {
+    Json body = Json::parse(toy_body({{"bytes", 3}}));
+    body.update(more);
+    for (int again = 0; again < 2; ++again) {
+      const auto answer = post(server.port(), "/v1/evaluate", body.dump());
+      REQUIRE(answer);
+      CHECK(answer->status == 200);
+      tags.insert(answer->header("etag"));
+    }
+  }
+  CHECK(tags.size() == 5);
+}
+
+TEST_CASE("A preview and a budget of the wrong type are refused") {
+  const Running server;
+  for (const auto& [name, wrong] : std::vector<std::pair<std::string, Json>>{{"preview", "ring"},
+                                                                             {"preview", {1, 2}},
+                                                                             {"preview", {{"ring", true}}},
+                                                                             {"preview", {1, "ring"}},
+                                                                             {"triangle_budget", 1.5},
+                                                                             {"triangle_budget", "many"},
+                                                                             {"triangle_budget", nullptr}}) {
+    CAPTURE(name, wrong);
+    Json body = Json::parse(toy_body({{"bytes", 3}}));
+    body[name] = wrong;
+    const auto answer = post(server.port(), "/v1/evaluate", body.dump());
+    REQUIRE(answer);
+    CHECK(answer->status == 422);
+    CHECK(answer->json()["errors"][0]["code"] == "type-mismatch");
+    CHECK(answer->json()["errors"][0]["pointer"] == "/" + name);
+  }
 }

@@ -68,11 +68,21 @@ std::vector<Fault> faults() {
       {"graph-has-cycle", "/graph/nodes/loop", cycle},
       {"unknown-member", "/graph/nodez", with("/nodez", Json::object())},
       {"unknown-member", "/graph/nodes/skin/imputs", with("/nodes/skin/imputs", Json::object())},
+      {"limit-exceeded", "/graph/nodes/skin",
+       with("/nodes/skin", make("sphere_mesh", {{"segments", 8192}, {"rings", 8192}}))},
+  };
+}
+
+/// The same of nodes that the output does not depend on: an evaluation does not mind them.
+std::vector<Fault> faults_elsewhere() {
+  return {
       {"out-of-range", "/graph/nodes/k/inputs/count", with("/nodes/k", make("range", {{"count", 1'000'000'000}}))},
       {"limit-exceeded", "/graph/nodes/sheet",
        with("/nodes/sheet", make("grid", {{"count_u", 65536}, {"count_v", 65536}}))},
-      {"limit-exceeded", "/graph/nodes/out2",
-       with("/nodes/out2", make("sphere_mesh", {{"segments", 8192}, {"rings", 8192}}))},
+      {"unknown-node-type", "/graph/nodes/b/type", with("/nodes/b", make("bost", {{"shape", from("skin")}}))},
+      {"required-input-missing", "/graph/nodes/b/inputs/generator",
+       with("/nodes/b", make("boost", {{"shape", from("skin")}}))},
+      {"graph-has-cycle", "/graph/nodes/loop", with("/nodes/loop", make("translate", {{"shape", from("loop")}}))},
   };
 }
 
@@ -101,6 +111,38 @@ TEST_CASE("validation and evaluation find the same problems") {
     CHECK(verdict["errors"] == to_json(engine().prepare(request_for(fault.graph, fault.parameters)).problems()));
   }
   CHECK(engine().validate(sound(), Json::object())["valid"] == true);
+}
+
+TEST_CASE("a fault elsewhere is a warning of the evaluation and a problem of the validation") {
+  const Result<Evaluated> usual = answered(engine(), request_for(sound()));
+  REQUIRE(usual);
+  for (const Fault& fault : faults_elsewhere()) {
+    CAPTURE(fault.code, fault.pointer);
+    const Result<Evaluated> answer = answered(engine(), request_for(fault.graph));
+    require_none(answer ? Problems{} : answer.problems());
+    CHECK(*answer->glb == *usual->glb);
+    const Json warnings = answer->report()["warnings"];
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0]["code"] == fault.code);
+    CHECK(warnings[0]["pointer"] == fault.pointer);
+    const Json verdict = engine().validate(fault.graph, Json::object());
+    CHECK(verdict["errors"] == warnings);
+    const auto seen = engine().inspect(
+        {.graph = fault.graph, .parameters = Json::object(), .node = "ring", .output = "", .full = false}, Cancel());
+    CHECK(seen);
+  }
+}
+
+TEST_CASE("a check that cannot run has not passed, but does not keep the model back") {
+  Json graph = with("/nodes/limit", make("check", {{"value", from("size")}, {"maximum", 5}}));
+  graph["nodes"]["size"] = make("expression", {{"formula", "x"}, {"y", from("nowhere")}});
+  const Result<Evaluated> answer = answered(engine(), request_for(graph));
+  require_none(answer ? Problems{} : answer.problems());
+  const Json report = answer->report();
+  REQUIRE(report["checks"].size() == 1);
+  CHECK(report["checks"][0]["node"] == "limit");
+  CHECK(report["checks"][0]["passed"] == false);
+  CHECK(report["checks"][0]["message"] == "the check stands behind a broken node, so it did not run");
 }
 
 TEST_CASE("outputs and nodes that are not there are named with what is") {

@@ -19,6 +19,7 @@ class Prepared {
  public:
   Json inputs;
   std::string output;
+  std::vector<std::string> preview;
   std::string tag;
 };
 
@@ -117,8 +118,10 @@ Result<std::shared_ptr<const Prepared>> Engine::prepare(const EvaluateRequest& r
   if (!problems.empty()) return problems;
   auto prepared = std::make_shared<Prepared>();
   prepared->inputs = inputs_of(request.graph);
-  prepared->output = request.output.empty() ? "out" : request.output;
-  const std::string key = prepared->inputs.dump() + request.parameters.dump() + prepared->output;
+  prepared->preview = request.preview;
+  prepared->output = request.output.empty() && request.preview.empty() ? "out" : request.output;
+  const std::string key = prepared->inputs.dump() + request.parameters.dump() + prepared->output +
+                          Json(prepared->preview).dump() + std::to_string(request.triangle_budget.value_or(0));
   prepared->tag = "\"toy-" + std::to_string(std::hash<std::string>()(key)) + "\"";
   return std::shared_ptr<const Prepared>(prepared);
 }
@@ -137,9 +140,12 @@ Result<Evaluated> Engine::evaluate(const Prepared& prepared, const Cancel& cance
   }
   if (prepared.inputs.value("throws", false)) throw std::runtime_error("a secret of the inside");
   if (prepared.inputs.contains("problem")) return problem_of(prepared.inputs.at("problem").get<std::string>());
-  auto glb = std::make_shared<std::string>(prepared.inputs.value("bytes", std::size_t{8}), 'g');
-  const std::size_t size = glb->size();
-  return Evaluated{.glb = std::move(glb),
+  const std::size_t size = prepared.inputs.value("bytes", std::size_t{8});
+  const auto file = [size](bool asked, char letter) {
+    return asked ? std::make_shared<std::string>(size, letter) : nullptr;
+  };
+  return Evaluated{.glb = file(!prepared.output.empty(), 'g'),
+                   .preview = file(!prepared.preview.empty(), 'p'),
                    .milliseconds = {{"evaluate", 1.5}, {"encode", 0.5}},
                    .report = [tag = prepared.tag, output = prepared.output, size]() -> Json {
                      return {{"etag", tag},

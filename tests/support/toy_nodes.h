@@ -5,12 +5,27 @@
 #include "graph/node_builder.h"
 #include "graph/registry.h"
 
+namespace dini {
+
+namespace toy {
+enum class Word { first, second };
+}  // namespace toy
+
+template <>
+struct ChoiceNames<toy::Word> {
+  static constexpr std::array<std::string_view, 2> names = {"first", "second"};
+};
+
+}  // namespace dini
+
 namespace dini::toy {
 
 /// How often `count_runs` has run since the program started.
 inline std::atomic<int> runs = 0;
 
 inline double constant(double value) { return value; }
+
+inline double chosen(Word word) { return word == Word::first ? 1 : 2; }
 
 inline double sum(double a, double b) { return a + b; }
 
@@ -72,6 +87,12 @@ inline Registry registry() {
   nodes.add(value_node(node("root", root)));
   nodes.add(value_node(node("reciprocal", reciprocal)));
   nodes.add(value_node(node("endless", endless)));
+  nodes.add(node("chooser", chosen)
+                .title("Chooser")
+                .family("toys")
+                .doc("1 or 2.")
+                .input("word", "Which.", defaults("first"))
+                .output("value", "The number."));
   nodes.add(node("sum", sum)
                 .title("Sum")
                 .family("toys")

@@ -81,7 +81,7 @@ export function launchBrowser() {
 
 /** A page that keeps account of everything that must not happen: `page.offences`. */
 export async function openPage(browser, url, options = {}) {
-  const { hash = "", theme = "dark", width = 1280, height = 720, expectOutage = false } = options;
+  const { hash = "", theme = "dark", width = 1280, height = 720, expectOutage = false, firstRun = false } = options;
   const context = await browser.newContext({ viewport: { width, height }, colorScheme: theme, acceptDownloads: true });
   await context.addInitScript(() => {
     window.cspViolations = [];
@@ -89,6 +89,8 @@ export async function openPage(browser, url, options = {}) {
       window.cspViolations.push(event.violatedDirective + " " + event.blockedURI),
     );
   });
+  // What is said to someone new lies over the page until it is closed.
+  if (!firstRun) await context.addInitScript(() => localStorage.setItem("dini.hint", "yes"));
   const page = await context.newPage();
   const offences = [];
   const origin = new URL(url).origin;

@@ -47,6 +47,7 @@ test("the page opens with a finished example, and the gallery opens another", ()
     await settled(page);
     const first = await coverage(page);
     assert.ok(first > 0.05 && first < 0.95, `share of the view that is not background: ${first}`);
+    await page.getByRole("button", { name: "Examples" }).click();
     const gallery = page.getByRole("navigation", { name: "Examples" });
     assert.equal(await gallery.getByRole("listitem").count(), count);
     await gallery.getByRole("button", { name: new RegExp(`^${ring.title}`) }).click();
@@ -60,6 +61,7 @@ test("the page opens with a finished example, and the gallery opens another", ()
 test("the gallery shows a picture of every example", () =>
   withPage({}, async (page) => {
     await settled(page);
+    await page.getByRole("button", { name: "Examples" }).click();
     await page.waitForFunction((all) => document.querySelectorAll(".card-picture img").length === all, count, {
       timeout: 60_000,
     });
@@ -169,15 +171,27 @@ test("a value out of range is refused next to its field, and the last picture st
     assert.equal(await page.getByRole("region", { name: "Model" }).getAttribute("data-stale"), "false");
   }));
 
-test("the download is a GLB in full quality, named after the example", () =>
+test("the export says what it makes before it is downloaded, as a GLB in full quality", () =>
   withPage({ hash: `#example=${RING}` }, async (page) => {
     await settled(page);
+    await page.getByRole("button", { name: "Export", exact: true }).click();
+    const dialog = page.getByRole("dialog", { name: "Export" });
+    const result = dialog.getByRole("status").filter({ hasText: /kB · .* triangles · no point off by more than/ });
+    await result.waitFor();
+    const before = await result.textContent();
+    await dialog.getByRole("slider", { name: "Position bits" }).press("Home");
+    await page.waitForFunction((text) => {
+      const now = document.querySelector(".export-result")?.textContent ?? "";
+      return now !== text && now.includes("triangles");
+    }, before);
     const [download] = await Promise.all([
       page.waitForEvent("download"),
-      page.getByRole("button", { name: "Download GLB" }).click(),
+      dialog.getByRole("button", { name: /^Download boosted-ring.glb/ }).click(),
     ]);
     assert.match(download.suggestedFilename(), /^[a-z0-9-]+\.glb$/);
     const bytes = readFileSync(await download.path());
     assert.equal(bytes.toString("latin1", 0, 4), "glTF");
     assert.equal(bytes.readUInt32LE(8), bytes.length);
+    assert.equal(await dialog.count(), 0);
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.revision), "1", "the graph is as it was");
   }));

@@ -1,7 +1,9 @@
 import { createRoot } from "react-dom/client";
 import { App } from "./app/App";
 import { exampleInAddress, keepAddress, showStateOn } from "./app/address";
+import { Editor } from "./app/editor";
 import { Session } from "./app/session";
+import { filesOf } from "./files/Files";
 
 const session = new Session();
 showStateOn(document.documentElement, session.store);
@@ -11,5 +13,7 @@ for (const name of ["pointerdown", "pointerup", "focusin"]) {
   document.addEventListener(name, () => session.endGesture(), { capture: true });
 }
 const root = document.getElementById("root");
-if (root) createRoot(root).render(<App session={session} />);
-void session.start(exampleInAddress());
+if (root) createRoot(root).render(<App editor={new Editor(session)} />);
+void filesOf(session)
+  .beginning()
+  .then((first) => session.start(exampleInAddress(), first));

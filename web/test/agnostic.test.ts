@@ -17,9 +17,10 @@ const IDS =
   "scale transform loxodrome product hopf warp orbit contour sample grid surface tube patch curvature_patch sphere_mesh " +
   "torus_mesh box_mesh import subdivide merge color curvature_color measure check export";
 
-// Ids that are also parameter types, words of CSS, SVG or the DOM, or names of the page's own things (icons, settings).
+// Ids that are also parameter types, words of CSS, SVG or the DOM, names of the page's own things (icons, settings), or
+// kinds of handles in the catalogue's hints.
 const ORDINARY = new Set(
-  "number vector point circle line color grid range list scale rotate translate check add patch".split(" "),
+  "number vector point circle line color grid range list scale rotate translate check add patch direction".split(" "),
 );
 
 function sources(folder: string): string[] {

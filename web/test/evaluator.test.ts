@@ -23,16 +23,21 @@ function setUp({ evaluate = () => 10, decode = () => 5, answer }: Setup = {}) {
     shown: [] as (Stamp & { body: number })[],
     failed: [] as Stamp[],
     sent: [] as string[],
+    budgets: [] as number[],
     away: 0,
     busy: false,
     most: 0,
     live: 0,
     aborted: 0,
   };
-  const modelOf = (body: number): Answer => ({ kind: "model", report: readReport({}), model: new Uint8Array([body]) });
+  const modelOf = (body: number): Answer => ({
+    kind: "model",
+    report: readReport({ model: { triangles: 1e6 } }),
+    model: new Uint8Array([body]), preview: null });
   const evaluator = new Evaluator<number, number>({
-    async send(body, quality, signal) {
+    async send(body, { quality, triangles }, signal) {
       log.sent.push(`${body} ${quality}`);
+      if (quality === "draft") log.budgets.push(triangles);
       log.most = Math.max(log.most, ++log.live);
       let isOver = false;
       const aborted = new Promise<never>((_, reject) => {
@@ -147,7 +152,7 @@ test("a refused value is reported for the newest input only", async () => {
   const refuse: Setup["answer"] = (body) =>
     body === 2
       ? { kind: "problem", problem: localProblem("wrong", "") }
-      : { kind: "model", report: readReport({}), model: new Uint8Array([body]) };
+      : { kind: "model", report: readReport({}), model: new Uint8Array([body]), preview: null };
   const { clock, evaluator, log } = setUp({ answer: refuse });
   evaluator.input(1, false);
   await clock.advance(100);
@@ -165,7 +170,7 @@ test("a request the server dropped for a newer one is no failure", async () => {
   const answer: Setup["answer"] = (body) =>
     body === 1
       ? { kind: "problem", problem: { ...localProblem("superseded", ""), status: 409 } }
-      : { kind: "model", report: readReport({}), model: new Uint8Array([body]) };
+      : { kind: "model", report: readReport({}), model: new Uint8Array([body]), preview: null };
   const { clock, evaluator, log } = setUp({ answer });
   evaluator.input(1, true);
   evaluator.input(2, true);
@@ -177,7 +182,7 @@ test("a request the server dropped for a newer one is no failure", async () => {
 test("a server that is away is asked again until it answers, for the newest input", async () => {
   let isAway = true;
   const answer: Setup["answer"] = (body) =>
-    isAway ? { kind: "away" } : { kind: "model", report: readReport({}), model: new Uint8Array([body]) };
+    isAway ? { kind: "away" } : { kind: "model", report: readReport({}), model: new Uint8Array([body]), preview: null };
   const { clock, evaluator, log } = setUp({ answer });
   evaluator.input(1, false);
   await clock.advance(2000);
@@ -202,4 +207,61 @@ test("after a reset nothing of the old document is shown", async () => {
   evaluator.input(2, false);
   await clock.advance(500);
   assert.equal(log.shown.at(-1)?.body, 2);
+});
+
+test("drafts get coarser while round trips are slow, and finer while they are quick", async () => {
+  const slow = setUp({ evaluate: () => 90 });
+  for (let body = 1; body <= 40; body++) {
+    slow.evaluator.input(body, true);
+    await slow.clock.advance(33);
+  }
+  assert.equal(slow.log.budgets[0], 20_000);
+  assert.equal(slow.log.budgets.at(-1), 1250);
+  assert.ok(slow.log.budgets.every((budget, at) => at === 0 || budget <= (slow.log.budgets[at - 1] ?? 0)));
+  const quick = setUp({ evaluate: () => 5, decode: () => 5 });
+  for (let body = 1; body <= 40; body++) {
+    quick.evaluator.input(body, true);
+    await quick.clock.advance(33);
+  }
+  assert.equal(quick.log.budgets.at(-1), 320_000);
+  const even = setUp({ evaluate: () => 30, decode: () => 5 });
+  for (let body = 1; body <= 40; body++) {
+    even.evaluator.input(body, true);
+    await even.clock.advance(33);
+  }
+  assert.deepEqual(new Set(even.log.budgets), new Set([20_000]));
+});
+
+test("whatever happens, nothing older than what is shown is shown", async () => {
+  for (let seed = 1; seed <= 60; seed++) {
+    let state = seed * 7919;
+    const random = (below: number): number => (state = (state * 48271) % 2147483647) % below;
+    const answer: Setup["answer"] = (body) => {
+      const kind = random(12);
+      if (kind === 0) return { kind: "away", retryAfter: random(2) ? 100 + random(400) : undefined };
+      if (kind === 1) return { kind: "problem", problem: { ...localProblem("wrong", ""), status: random(2) ? 422 : 409 } };
+      return { kind: "model", report: readReport({}), model: new Uint8Array([body]), preview: null };
+    };
+    const { clock, evaluator, log } = setUp({ evaluate: () => random(200), decode: () => random(150), answer });
+    let [lastReset, shownAtReset] = [0, 0];
+    for (let body = 1; body <= 50; body++) {
+      if (random(15) === 0) {
+        evaluator.reset();
+        lastReset = body - 1;
+        shownAtReset = log.shown.length;
+      }
+      if (random(20) === 0) evaluator.resume();
+      const revision = evaluator.input(body, random(4) > 0);
+      assert.equal(revision, body);
+      await clock.advance(random(120));
+      assertNeverOlder(log.shown);
+      const since = log.shown.slice(shownAtReset);
+      assert.ok(since.every((stamp) => stamp.revision > lastReset), `seed ${seed}: nothing of the last document`);
+      assert.ok(evaluator.inFlight <= 2 && log.most <= 2, `seed ${seed}`);
+    }
+    await clock.advance(10_000);
+    assertNeverOlder([...log.shown]);
+    const newest = Math.max(log.shown.at(-1)?.revision ?? 0, log.failed.at(-1)?.revision ?? 0);
+    assert.equal(newest, 50, `seed ${seed}: the newest input has its answer`);
+  }
 });

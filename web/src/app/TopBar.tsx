@@ -1,7 +1,8 @@
-import { useState, type ReactElement } from "react";
-import { CopyMenu } from "./CopyMenu";
-import { useCurrent, useCurrentSession } from "./context";
-import { downloadModel } from "./download";
+import type { ReactElement } from "react";
+import { FileMenu, ShareMenus } from "../files/FileMenus";
+import { EditButtons } from "./EditButtons";
+import { TitleField } from "./TitleField";
+import { useCurrentSession, useEditor } from "./context";
 import { Icon, Logo } from "./icons";
 import type { Theme } from "./theme";
 
@@ -14,14 +15,7 @@ interface TopBarProps {
 
 export function TopBar({ theme, onTheme, galleryOpen, onGallery }: TopBarProps): ReactElement {
   const session = useCurrentSession();
-  const title = useCurrent((state) => state.document?.title);
-  const [saving, setSaving] = useState(false);
-  const [failure, setFailure] = useState("");
-  const download = async (): Promise<void> => {
-    setSaving(true);
-    setFailure(await downloadModel(session));
-    setSaving(false);
-  };
+  const editor = useEditor();
   const other = theme === "dark" ? "light" : "dark";
   return (
     <header className="top-bar">
@@ -30,29 +24,37 @@ export function TopBar({ theme, onTheme, galleryOpen, onGallery }: TopBarProps):
         <span>Dini</span>
       </span>
       <span className="rule" />
+      <FileMenu />
       <button type="button" className="button gallery-button" aria-expanded={galleryOpen} onClick={onGallery}>
         <Icon name="gallery" />
         <span>Examples</span>
       </button>
-      <h1 className="document-title">{title ?? ""}</h1>
-      {failure && (
-        <span className="top-failure" role="alert">
-          {failure}
-        </span>
-      )}
-      <span className="spacer" />
-      <CopyMenu />
       <button
         type="button"
         className="button"
-        disabled={!title || saving}
-        aria-label="Download GLB"
-        onClick={() => void download()}
+        title="Begin an empty graph"
+        aria-label="New graph"
+        onClick={() => session.newDocument()}
       >
-        <Icon name="download" />
-        <span className="wide-only">{saving ? "Preparing…" : "Download .glb"}</span>
+        <Icon name="file" />
+        <span className="wide-only">New</span>
       </button>
       <span className="rule" />
+      <TitleField />
+      <span className="rule" />
+      <EditButtons />
+      <span className="spacer" />
+      <ShareMenus />
+      <span className="rule" />
+      <button
+        type="button"
+        className="button icon-button"
+        aria-label="Keys and pointer"
+        title="Keys and pointer (?)"
+        onClick={() => editor.store.set({ help: true })}
+      >
+        <span aria-hidden="true">?</span>
+      </button>
       <button
         type="button"
         className="button icon-button"

@@ -18,6 +18,13 @@ export function keepAddress(session: Session): void {
   let written: string | null = null;
   session.store.subscribe(() => {
     const { exampleId, document: open } = session.store.get();
+    if (exampleId === null && open) {
+      // Whatever the address names is not what is open any more.
+      if (location.hash) history.replaceState(null, "", location.pathname + location.search);
+      written = "";
+      document.title = `${open.title} · Dini`;
+      return;
+    }
     if (exampleId === written || exampleId === null) return;
     const first = written === null;
     written = exampleId;
@@ -29,6 +36,8 @@ export function keepAddress(session: Session): void {
   window.addEventListener("hashchange", () => {
     const wanted = exampleInAddress();
     if (wanted !== null) session.openExample(wanted);
+    // A link with a graph, pasted into the address of an open page, begins like a new one.
+    else if (location.hash.startsWith("#g=")) location.reload();
   });
 }
 

@@ -13,17 +13,24 @@ export function curlText(session: Session): string | undefined {
   return `curl -sf ${quoted(address)} -H 'content-type: application/json' -o ${fileName(title)}.glb -d ${quoted(json)}`;
 }
 
-/** The same on the command line; the graph is taken from the examples' folder. */
+/**
+ * The same on the command line: an unchanged example or file by its name, anything else through standard input, so that
+ * the command works wherever it is pasted.
+ */
 export function commandLineText(session: Session): string | undefined {
-  const { exampleId, values, document: open } = session.store.get();
-  if (!open || exampleId === null) return undefined;
+  const { origin, isChanged, values, document: open } = session.store.get();
+  if (!open) return undefined;
   const settings = Object.entries(values).map(([name, value]) => {
     const text = typeof value === "object" ? JSON.stringify(value) : String(value);
     return ` --set ${quoted(`${name}=${text}`)}`;
   });
-  return `dini eval examples/${exampleId}.json${settings.join("")} -o ${fileName(open.title)}.glb`;
+  const command = (graph: string): string => `dini eval ${graph}${settings.join("")} -o ${fileName(open.title)}.glb`;
+  if (!isChanged && origin.kind === "example") return command(`examples/${origin.id}.json`);
+  if (!isChanged && origin.kind === "file") return command(quoted(origin.name));
+  // The JSON is one line, so no line of it can be the word that ends it.
+  return `${command("-")} <<'GRAPH'\n${JSON.stringify(open.json)}\nGRAPH`;
 }
 
 function quoted(text: string): string {
-  return /^[\w./:=-]+$/.test(text) ? text : `'${text.replaceAll("'", `'\\''`)}'`;
+  return /^[\w./:=-]+$/.test(text) && !text.startsWith("-") ? text : `'${text.replaceAll("'", `'\\''`)}'`;
 }

@@ -1,30 +1,12 @@
-// The model as a file, always in final quality.
+// Files that the browser saves.
 
-import { fileName } from "../model/format";
-import { fetchModel } from "../net/api";
-import { problemText } from "../net/problem";
-import type { Session } from "./session";
+const KEPT_MILLISECONDS = 10_000;
 
-/** Saves the model of the present values. Answers what went wrong, or an empty text. */
-export async function downloadModel(session: Session): Promise<string> {
-  const { document: open, shown, revision, problem } = session.store.get();
-  const body = session.body();
-  if (!open || !body) return "Nothing is open.";
-  const isCurrent = shown?.revision === revision && shown.quality === "final" && !problem;
-  try {
-    const model = isCurrent ? shown.model : await fetchModel(body);
-    if (!(model instanceof Uint8Array)) return problemText(model);
-    save(new Blob([model], { type: "model/gltf-binary" }), `${fileName(open.title)}.glb`);
-    return "";
-  } catch {
-    return "The server did not answer.";
-  }
-}
-
-function save(blob: Blob, name: string): void {
+/** Hands a file to the browser to save. */
+export function saveBlob(blob: Blob, name: string): void {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);
   link.download = name;
   link.click();
-  window.setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+  window.setTimeout(() => URL.revokeObjectURL(link.href), KEPT_MILLISECONDS);
 }

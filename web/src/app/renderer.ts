@@ -3,14 +3,22 @@
 
 import type { CameraPlace } from "../model/document";
 import type { Store } from "../model/store";
-import { evaluate, isAlive, type EvaluateBody } from "../net/api";
+import { evaluate, isAlive, type Answer, type Effort, type EvaluateBody } from "../net/api";
 import { Evaluator, type ModelAnswer, type Stamp } from "../net/evaluator";
+import { localProblem } from "../net/problem";
+import { ControlLoader } from "./control";
 import type { Picture, PictureViewer, SessionState, Shown } from "./state";
 
 const PING_MILLISECONDS = 1500;
 
+/** What one answer shows: the model, and what is drawn over it. */
+interface Shape {
+  model: Picture;
+  control: Picture | null;
+}
+
 export class Renderer {
-  private readonly evaluator: Evaluator<EvaluateBody, Picture>;
+  private readonly evaluator: Evaluator<EvaluateBody, Shape>;
   private readonly supersedeKey = `page-${crypto.getRandomValues(new Uint32Array(2)).join("-")}`;
   private viewer: Promise<PictureViewer>;
   private giveViewer: (viewer: PictureViewer) => void = () => undefined;
@@ -18,6 +26,9 @@ export class Renderer {
   private shownViewer: PictureViewer | undefined;
   private pinging = false;
   private isFirst = true;
+  private readonly control: ControlLoader;
+  /** For which wish the control geometry of an answer was drawn. */
+  private readonly wishes = new WeakMap<Answer, string>();
 
   constructor(private readonly store: Store<SessionState>) {
     this.viewer = new Promise((resolve, reject) => {
@@ -25,14 +36,23 @@ export class Renderer {
       this.refuseViewer = reject;
     });
     this.viewer.catch(() => undefined);
-    this.evaluator = new Evaluator<EvaluateBody, Picture>({
-      // Only full evaluations supersede each other: a newer draft must not cancel the older one, or a slow graph
-      // would show nothing while a slider moves.
-      send: (body, quality, signal) =>
-        evaluate(body, quality, signal, quality === "final" ? this.supersedeKey : undefined),
-      decode: async (answer) => (await this.viewer).decode(answer.model),
-      show: (picture, answer, stamp) => this.show(picture, answer, stamp),
-      discard: (picture) => picture.dispose(),
+    this.control = new ControlLoader(store, this.viewer);
+    this.evaluator = new Evaluator<EvaluateBody, Shape>({
+      send: (body, effort, signal) => this.send(body, effort, signal),
+      decode: async (answer) => {
+        const viewer = await this.viewer;
+        const [model, control] = await Promise.all([
+          viewer.decode(answer.model),
+          // A broken drawing of points must not keep the model from being shown.
+          answer.preview && viewer.decode(answer.preview).catch(() => null),
+        ]);
+        return { model, control };
+      },
+      show: (shape, answer, stamp) => this.show(shape, answer, stamp),
+      discard: ({ model, control }) => {
+        model.dispose();
+        control?.dispose();
+      },
       fail: (problem) => store.set({ problem, away: false }),
       away: () => this.lost(),
       busy: (busy) => store.set({ busy }),
@@ -46,13 +66,21 @@ export class Renderer {
 
   /** Asks for the picture of a new input. Answers the revision it will have. */
   input(body: EvaluateBody, moving: boolean): number {
-    return this.evaluator.input(body, moving);
+    const { names } = this.control.expect();
+    return this.evaluator.input(names.length > 0 ? { ...body, preview: names } : body, moving);
   }
 
   /** There is nothing to ask for; what is under way is of no use. */
   rest(): void {
     this.evaluator.reset();
     this.store.set({ busy: false });
+  }
+
+  /** Gives up what is under way. */
+  stop(): void {
+    this.evaluator.reset();
+    const detail = "The evaluation was stopped. The next change starts it again.";
+    this.store.set({ busy: false, problem: localProblem("Stopped", detail) });
   }
 
   /** Another document: the next picture is its first. */
@@ -67,6 +95,8 @@ export class Renderer {
     this.giveViewer(viewer);
     this.viewer = Promise.resolve(viewer);
     this.shownViewer = viewer;
+    this.control.viewer = this.viewer;
+    this.control.refresh();
     const { shown } = this.store.get();
     if (shown) void viewer.decode(shown.model).then((picture) => viewer.open(picture, this.camera()));
   }
@@ -79,10 +109,25 @@ export class Renderer {
     return this.store.get().document?.camera ?? null;
   }
 
-  private show(picture: Picture, answer: ModelAnswer, stamp: Stamp): void {
+  private async send(body: EvaluateBody, effort: Effort, signal: AbortSignal): Promise<Answer> {
+    // Only full evaluations supersede each other: a newer draft must not cancel the older one, or a slow graph would
+    // show nothing while a slider moves.
+    const key = effort.quality === "final" ? this.supersedeKey : undefined;
+    const wish = this.control.key;
+    const answer = await evaluate(body, effort, signal, key);
+    this.wishes.set(answer, wish);
+    // What is wrong with a node that is only looked at must not hide the model.
+    if (answer.kind === "problem" && answer.problem.status === 422 && body.preview) {
+      return evaluate({ ...body, preview: undefined }, effort, signal, key);
+    }
+    return answer;
+  }
+
+  private show({ model: picture, control }: Shape, answer: ModelAnswer, stamp: Stamp): void {
     if (this.isFirst) this.shownViewer?.open(picture, this.camera());
     else this.shownViewer?.show(picture);
     this.isFirst = false;
+    this.control.shown(control, this.wishes.get(answer));
     const { triangles, vertices, decodeMilliseconds } = picture;
     const { report, model } = answer;
     const shown: Shown = { ...stamp, report, model, triangles, vertices, decodeMilliseconds };

@@ -8,7 +8,7 @@ import { fileOutput, viewGraph } from "../model/graph";
 import { History } from "../model/history";
 import { asArray, asObject, asString, type Json } from "../model/json";
 import { layeredLayout } from "../model/layout";
-import { withValue, type Parameter, type ParameterValue, type ParameterValues } from "../model/parameters";
+import { sameValue, withValue, type Parameter, type ParameterValue, type ParameterValues } from "../model/parameters";
 import { createStore, type Store } from "../model/store";
 import { getJson, type EvaluateBody } from "../net/api";
 import { localProblem } from "../net/problem";
@@ -42,18 +42,23 @@ export class Session {
   private validateTimer = 0;
   private validation: AbortController | undefined;
 
-  /** Loads catalogue and examples and opens one: the wanted, else the first. Tries again until the server answers. */
-  async start(wanted: string | null): Promise<void> {
+  /**
+   * Loads catalogue and examples and opens a document: `first` if there is one, else the wanted example, else the first.
+   * Tries again until the server answers.
+   */
+  async start(wanted: string | null, first?: { json: Json; origin: Origin }): Promise<void> {
     try {
       const [nodes, list] = await Promise.all([getJson("v1/nodes"), getJson("v1/examples")]);
       const examples = asArray(asObject(list)["examples"]).map(readExample);
       this.store.set({ catalogue: readCatalogue(nodes), examples, away: false });
+      const isOpen = first && this.openDocument(first.json, first.origin) === undefined;
       const example = examples.find((item) => item.id === wanted) ?? finest(examples);
+      if (isOpen) return;
       if (example) this.openExample(example.id);
       else this.newDocument();
     } catch {
       this.store.set({ away: true });
-      window.setTimeout(() => void this.start(wanted), RETRY_MILLISECONDS);
+      window.setTimeout(() => void this.start(wanted, first), RETRY_MILLISECONDS);
     }
   }
 
@@ -98,10 +103,15 @@ export class Session {
     this.edit(`Change ${port}`, setInput(node, port, value), { gesture: `input ${node}.${port}`, ...options });
   }
 
-  setParameter(parameter: Parameter, value: ParameterValue, moving: boolean): void {
+  setParameter(
+    parameter: Parameter,
+    value: ParameterValue,
+    moving: boolean,
+    gesture = `parameter ${parameter.name}`,
+  ): void {
     const { document, values } = this.store.get();
     if (!document) return;
-    this.history.record({ document, values }, `Change ${parameter.label}`, `parameter ${parameter.name}`);
+    this.history.record({ document, values }, `Change ${parameter.label}`, gesture);
     this.replace({ document, values: withValue(values, parameter, value) }, moving);
   }
 
@@ -123,6 +133,16 @@ export class Session {
   /** The hand has let go: the next change is a step of its own. */
   endGesture(): void {
     this.history.endGesture();
+  }
+
+  /** The gesture did not happen: everything is as before it, and nothing is left to undo or redo of it. */
+  cancelGesture(gesture: string): void {
+    this.travel(() => this.history.cancel(gesture));
+  }
+
+  /** Gives up waiting for the server; what is shown stays, marked as out of date. */
+  stop(): void {
+    this.renderer.stop();
   }
 
   /** Selects nodes by their names, frames and notes by their keys, and nothing else. */
@@ -231,9 +251,12 @@ function exampleOf(origin: Origin): string | null {
   return origin.kind === "example" ? origin.id : null;
 }
 
-/** The values of parameters that are still there. */
+/** The values of parameters that are still there and do not equal their default. */
 function knownValues(values: ParameterValues, { parameters }: GraphDocument): ParameterValues {
-  const known = Object.entries(values).filter(([name]) => parameters.some((parameter) => parameter.name === name));
+  const known = Object.entries(values).filter(([name, value]) => {
+    const parameter = parameters.find((item) => item.name === name);
+    return parameter && !sameValue(value, parameter.initial);
+  });
   return known.length === Object.keys(values).length ? values : Object.fromEntries(known);
 }
 

@@ -35,11 +35,21 @@ export interface Picture {
   dispose(): void;
 }
 
+/** What the page says of the control geometry that it shows. */
+export interface ControlInfo {
+  /** Color of a wire type. */
+  ofType(type: string): string;
+  /** Nodes that are drawn fainter. */
+  faint: ReadonlySet<string>;
+}
+
 export interface PictureViewer {
   decode(model: Uint8Array<ArrayBuffer>): Promise<Picture>;
   show(picture: Picture): void;
   /** Shows the first picture of a document, from its camera if it has one. */
   open(picture: Picture, camera: CameraPlace | null): void;
+  /** Shows control geometry over the model; null takes it away. */
+  showControl(picture: Picture | null, info: ControlInfo): void;
   clear(): void;
   /** A small picture on a clear background, as an address for an <img>. */
   thumbnail(picture: Picture, width: number, height: number): Promise<string>;

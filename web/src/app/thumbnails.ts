@@ -7,6 +7,7 @@ import type { Example, PictureViewer, Session } from "./session";
 
 const WIDTH = 240;
 const HEIGHT = 150;
+const DRAFT = { quality: "draft", triangles: 20_000 } as const;
 const PAUSE_MILLISECONDS = 60;
 
 /** Fills in the pictures that the list of examples came without. Ends silently where one cannot be made. */
@@ -28,7 +29,7 @@ async function pictureOf(example: Example, session: Session, viewer: PictureView
   if (!catalogue || "error" in result) return "";
   const { json } = result.document;
   const body = { graph: json, parameters: {}, output: fileOutput(result.document, catalogue) };
-  const answer = await evaluate(body, "draft");
+  const answer = await evaluate(body, DRAFT);
   if (answer.kind !== "model") return "";
   try {
     const picture = await viewer.decode(answer.model);

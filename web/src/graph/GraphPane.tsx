@@ -1,131 +1,149 @@
-import { Background, BackgroundVariant, MiniMap, ReactFlow, type Edge, type ReactFlowInstance } from "@xyflow/react";
-import { useEffect, useMemo, useRef, useState, type CSSProperties, type ReactElement } from "react";
-import { useCurrent, useCurrentSession } from "../app/context";
-import { Icon } from "../app/icons";
+import { useMemo, useRef, useState, type CSSProperties, type ReactElement } from "react";
+import {
+  ReactFlow,
+  SelectionMode,
+  Background,
+  BackgroundVariant,
+  MiniMap,
+  type ReactFlowInstance,
+} from "@xyflow/react";
+import { useCurrent, useEditing, useEditor } from "../app/context";
 import { wireType } from "../model/catalogue";
-import { NODE_WIDTH } from "../model/layout";
-import { NodeView, type GraphNodeData } from "./NodeView";
+import { FrameView, NoteView } from "./areas";
+import { CanvasTools } from "./CanvasTools";
+import { EmptyCanvas } from "./EmptyCanvas";
+import { useFlowNodes, type FlowNode } from "./flow_nodes";
+import { useHandlers } from "./handlers";
+import { NodeView } from "./NodeView";
+import { Overlays } from "./Overlays";
+import { useCanvas } from "./use_canvas";
+import { WireView, type WireEdge } from "./WireView";
 
-const NODE_TYPES = { graph: NodeView };
+const NODE_TYPES = { graph: NodeView, frame: FrameView, note: NoteView };
+const EDGE_TYPES = { wire: WireView };
 const MINIMAP_FROM = 30;
 const MINIMAP_TO = 300;
+/** Nodes outside the pane are left out from this number on; below it, bringing them back costs more than it saves. */
 const ONLY_VISIBLE_FROM = 150;
-const FIT = { padding: 0.09, maxZoom: 1.15, minZoom: 0.2 };
+export const FIT = { padding: 0.09, maxZoom: 1.15, minZoom: 0.2 };
+/** The middle and the right button move the canvas while the left one draws boxes. */
+const OTHER_BUTTONS = [1, 2];
 
-type Flow = ReactFlowInstance<GraphNodeData, Edge>;
+export type Flow = ReactFlowInstance<FlowNode, WireEdge>;
 
-/** The graph, to look at and to select in. */
+/** The graph: a canvas on which it is built. */
 export function GraphPane(): ReactElement {
-  const session = useCurrentSession();
-  const view = useCurrent((state) => state.view);
-  const positions = useCurrent((state) => state.document?.positions);
-  const catalogue = useCurrent((state) => state.catalogue);
+  const editor = useEditor();
+  const isReady = useCurrent((state) => state.view !== null);
   const opened = useCurrent((state) => state.opened);
-  const selected = useCurrent((state) => state.selected);
+  const count = useCurrent((state) => state.view?.nodes.length ?? 0);
+  const leftPans = useEditing((state) => state.leftPans);
+  const isWiring = useEditing((state) => state.wiring !== null);
+  // A graph that is opened is fitted into the pane; one that is begun stays where its first node was put.
+  const isFull = useRef({ opened: -1, value: false });
+  if (isFull.current.opened !== opened) isFull.current = { opened, value: count > 0 };
+  const [nodes, onNodesChange] = useFlowNodes();
+  const edges = useWires();
   const [flow, setFlow] = useState<Flow | null>(null);
   const element = useRef<HTMLElement>(null);
-  const wasMoved = useRef(false);
-
-  const nodes = useMemo<GraphNodeData[]>(
-    () =>
-      (view?.nodes ?? []).map((node) => ({
-        id: node.id,
-        type: "graph" as const,
-        position: positions?.get(node.id) ?? { x: 0, y: 0 },
-        width: NODE_WIDTH,
-        selected: node.id === selected,
-        data: { node },
-        ariaLabel: `${node.title}, ${node.id}`,
-        domAttributes: { "aria-roledescription": "node" },
-      })),
-    [view, positions, selected],
-  );
-  const edges = useMemo<Edge[]>(
-    () =>
-      (view?.wires ?? []).map((wire) => ({
-        id: wire.id,
-        source: wire.from,
-        sourceHandle: wire.output,
-        target: wire.to,
-        targetHandle: wire.input,
-        focusable: false,
-        ariaLabel: `${wire.type || "Wire"} from ${wire.from} to ${wire.input} of ${wire.to}`,
-        className: selected !== null && (wire.from === selected || wire.to === selected) ? "wire-near" : undefined,
-        style: { "--wire": catalogue ? wireType(catalogue, wire.type).color : undefined } as CSSProperties,
-      })),
-    [view, catalogue, selected],
-  );
-
-  // The graph stays in view while the pane changes its size, until a person has moved it.
-  useEffect(() => {
-    wasMoved.current = false;
-    if (!flow || !element.current) return undefined;
-    const fit = (): void => {
-      if (!wasMoved.current) void flow.fitView(FIT);
-    };
-    const observer = new ResizeObserver(fit);
-    observer.observe(element.current);
-    return () => observer.disconnect();
-  }, [flow]);
-
-  const fit = (): void => {
-    wasMoved.current = false;
-    void flow?.fitView(FIT);
-  };
+  const { noteMove, fitAll } = useCanvas(flow, element);
+  const handlers = useHandlers(flow);
   return (
-    <section
-      ref={element}
-      className="graph-pane"
-      aria-label="Graph"
-      onKeyDown={(event) => {
-        if (event.key.toLowerCase() === "f" || event.key === "Home") fit();
-      }}
-    >
-      {view ? (
-        <ReactFlow<GraphNodeData, Edge>
+    <section ref={element} className="graph-pane" aria-label="Graph" data-wiring={isWiring} {...handlers.pane}>
+      {isReady ? (
+        <ReactFlow<FlowNode, WireEdge>
           key={opened}
           nodes={nodes}
           edges={edges}
           nodeTypes={NODE_TYPES}
+          edgeTypes={EDGE_TYPES}
           onInit={setFlow}
-          onNodeClick={(_, node) => session.select([node.id])}
-          onPaneClick={() => session.select([])}
-          onNodesChange={(changes) => {
-            for (const change of changes) if (change.type === "select" && change.selected) session.select([change.id]);
-          }}
-          onMoveStart={(event) => {
-            if (event) wasMoved.current = true;
-          }}
-          fitView
+          onNodesChange={onNodesChange}
+          {...handlers.flow}
+          onMoveStart={noteMove}
+          fitView={isFull.current.value}
           fitViewOptions={FIT}
           minZoom={0.1}
           maxZoom={2.5}
-          nodesDraggable={false}
-          nodesConnectable={false}
-          edgesFocusable={false}
+          selectionOnDrag={!leftPans}
+          panOnDrag={leftPans ? true : OTHER_BUTTONS}
+          selectionMode={SelectionMode.Partial}
+          selectionKeyCode="Shift"
+          multiSelectionKeyCode={MULTI}
           deleteKeyCode={null}
-          selectionKeyCode={null}
-          onlyRenderVisibleElements={nodes.length > ONLY_VISIBLE_FROM}
+          zoomOnDoubleClick={false}
+          elevateNodesOnSelect
+          nodeDragThreshold={3}
+          connectionRadius={24}
+          reconnectRadius={6}
+          edgesFocusable={false}
+          disableKeyboardA11y
+          onlyRenderVisibleElements={count > ONLY_VISIBLE_FROM}
         >
           <Background variant={BackgroundVariant.Dots} gap={24} size={1.4} />
-          {nodes.length > MINIMAP_FROM && nodes.length <= MINIMAP_TO && (
-            <MiniMap pannable zoomable ariaLabel="Map of the graph" />
-          )}
+          {count > MINIMAP_FROM && count <= MINIMAP_TO && <Map />}
         </ReactFlow>
       ) : (
         <p className="pane-wait">Loading the graph…</p>
       )}
-      <div className="pane-tools">
-        <button
-          type="button"
-          className="tool"
-          title="Fit the graph into the pane (F)"
-          aria-label="Fit graph"
-          onClick={fit}
-        >
-          <Icon name="frame" />
-        </button>
-      </div>
+      {isReady && count === 0 && <EmptyCanvas />}
+      <CanvasTools onFit={fitAll} />
+      <Overlays editor={editor} />
     </section>
   );
+}
+
+const MULTI = ["Shift", "Meta", "Control"];
+
+/** The wires as React Flow draws them; a wire that is as before stays the same object. */
+function useWires(): WireEdge[] {
+  const wires = useCurrent((state) => state.view?.wires);
+  const catalogue = useCurrent((state) => state.catalogue);
+  const selection = useCurrent((state) => state.selection);
+  const bypassed = useCurrent((state) => bypassedIn(state.view?.nodes ?? []));
+  const chosen = useEditing((state) => state.wires);
+  const known = useRef(new WeakMap<object, WireEdge>());
+  return useMemo(
+    () =>
+      (wires ?? []).map((wire) => {
+        const near = selection.size < 20 && (selection.has(wire.from) || selection.has(wire.to));
+        const selected = chosen.has(wire.id);
+        const passed = bypassed.split(" ").includes(wire.to);
+        const className = [near && "wire-near", passed && "wire-passed"].filter(Boolean).join(" ");
+        const old = known.current.get(wire);
+        if (old && old.selected === selected && old.className === className) return old;
+        const edge: WireEdge = {
+          id: wire.id,
+          type: "wire",
+          source: wire.from,
+          sourceHandle: wire.output,
+          target: wire.to,
+          targetHandle: wire.input,
+          data: { wire },
+          selected,
+          className,
+          reconnectable: "target",
+          ariaLabel: `${wire.type || "Wire"} from ${wire.from} to ${wire.input} of ${wire.to}`,
+          style: { "--wire": catalogue ? wireType(catalogue, wire.type).color : undefined } as CSSProperties,
+        };
+        known.current.set(wire, edge);
+        return edge;
+      }),
+    [wires, catalogue, selection, bypassed, chosen],
+  );
+}
+
+/** Names of the bypassed nodes as one text, which is the same as long as they are. */
+function bypassedIn(nodes: readonly { id: string; bypass: boolean }[]): string {
+  return nodes.flatMap((node) => (node.bypass ? [node.id] : [])).join(" ");
+}
+
+function Map(): ReactElement {
+  const wrong = useCurrent((state) => (state.problem?.errors ?? []).map((entry) => entry.node).join(" "));
+  const colorOf = (node: FlowNode): string => {
+    if (node.type !== "graph") return "transparent";
+    if (wrong.split(" ").includes(node.id)) return "var(--error)";
+    return node.selected ? "var(--accent)" : "var(--line2)";
+  };
+  return <MiniMap<FlowNode> pannable zoomable ariaLabel="Map of the graph" nodeColor={colorOf} nodeStrokeWidth={0} />;
 }

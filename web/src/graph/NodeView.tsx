@@ -1,100 +1,173 @@
 import { useUpdateNodeInternals, type Node, type NodeProps } from "@xyflow/react";
 import { memo, useEffect, useState, type ReactElement } from "react";
-import { useCurrent, useCurrentSession } from "../app/context";
+import { toggleFlag } from "../app/actions";
+import { useCurrent, useCurrentSession, useEditing, useEditor } from "../app/context";
+import { socketKey } from "../app/editor";
 import { Icon } from "../app/icons";
+import { FILE_TYPE } from "../model/catalogue";
 import { millisecondText, plural } from "../model/format";
 import type { InputRow, ViewNode } from "../model/graph";
-import { nodeErrors } from "../net/problem";
+import { problemsOf } from "../net/problem";
+import { InputControl } from "./InputControl";
+import { NameField } from "./NameField";
 import { Socket } from "./Socket";
 
-export type GraphNodeData = Node<{ node: ViewNode }, "graph">;
+export type GraphNodeData = Node<{ id: string }, "graph">;
 
-const LEAST_SHOWN_MILLISECONDS = 0.05;
+const LEAST_SHOWN_MILLISECONDS = 0.1;
 
 /** A node: its title and time, a row per input that is given, its outputs, and what is wrong with it. */
-export const NodeView = memo(function NodeView({ data, selected }: NodeProps<GraphNodeData>): ReactElement {
-  const session = useCurrentSession();
+export const NodeView = memo(function NodeView({ data, selected }: NodeProps<GraphNodeData>): ReactElement | null {
+  const node = useCurrent((state) => state.view?.byId.get(data.id));
+  return node ? <Face node={node} isSelected={selected} /> : null;
+});
+
+function Face({ node, isSelected }: { node: ViewNode; isSelected: boolean }): ReactElement {
   const update = useUpdateNodeInternals();
-  const [unfolded, setUnfolded] = useState(false);
-  const { node } = data;
-  const error = useCurrent((state) => nodeErrors(state.problem?.errors ?? [], node.id)[0]?.detail);
-  const warning = useCurrent((state) => nodeErrors(state.shown?.report.warnings ?? [], node.id)[0]?.detail);
-  const blocked = useCurrent((state) => state.problem?.blocked.includes(node.id) ?? false);
-  const tone = error ? "error" : warning ? "warning" : blocked ? "blocked" : undefined;
-  useEffect(() => update(node.id), [unfolded, node.id, update]);
-  const choose = (): void => session.select([node.id]);
+  const isUnfolded = useEditing((state) => state.unfolded.has(node.id));
+  const [isOver, setIsOver] = useState(false);
+  // A wire under the hand opens the node it is over, if it fits an input that is folded away.
+  const isWanted = useEditing(
+    ({ wiring }) =>
+      isOver &&
+      wiring?.start.side === "output" &&
+      node.folded.some(
+        (row) => row.hasSocket && !wiring.refusals.has(socketKey({ node: node.id, side: "input", name: row.name })),
+      ),
+  );
+  const tone = useCurrent((state) => problemsOf(state, node.id)?.tone);
+  const text = useCurrent((state) => problemsOf(state, node.id)?.text);
+  const isOpen = isUnfolded || isWanted;
+  useEffect(() => update(node.id), [isOpen, node.rows, node.collapsed, text, node.id, update]);
   return (
-    <div className="node" data-tone={tone} data-selected={selected} data-bypass={node.bypass} data-known={node.known}>
-      <div className="node-head">
-        {(error || warning) && <Icon name="alert" />}
-        <span className="node-title" title={`${node.title} (${node.id})${node.doc ? `\n${node.doc}` : ""}`}>
-          {node.title}
-        </span>
-        <Timing id={node.id} />
-      </div>
-      <div className="node-rows">
-        {node.inputs.map((row) => (
-          <Input key={row.name} row={row} node={node} onChoose={choose} />
-        ))}
-        {unfolded && node.folded.map((row) => <Input key={row.name} row={row} node={node} onChoose={choose} />)}
-        {node.folded.length > 0 && (
-          <button
-            type="button"
-            className="node-fold nodrag"
-            aria-expanded={unfolded}
-            tabIndex={-1}
-            onClick={() => setUnfolded(!unfolded)}
-          >
-            {unfolded ? "Hide defaults" : plural(node.folded.length, "default")}
-            <Icon name="chevron" />
-          </button>
-        )}
-        {node.outputs.map((row) => (
-          <div className="node-row node-output" key={row.name}>
-            <span className="row-name">{row.name}</span>
-            <Socket
-              side="output"
-              name={row.name}
-              type={row.type}
-              nodeTitle={node.title}
-              doc={row.doc}
-              onChoose={choose}
-            />
-          </div>
-        ))}
-      </div>
-      {(error || warning) && <p className="node-message">{error ?? warning}</p>}
+    <div
+      className="node"
+      data-tone={tone}
+      data-selected={isSelected}
+      data-bypass={node.bypass}
+      data-known={node.known}
+      data-collapsed={node.collapsed}
+      onPointerEnter={() => setIsOver(true)}
+      onPointerLeave={() => setIsOver(false)}
+    >
+      <Head node={node} tone={tone} />
+      {node.collapsed ? <Ports node={node} /> : <Rows node={node} isOpen={isOpen} isUnfolded={isUnfolded} />}
+      {text && !node.collapsed && <p className="node-message">{text}</p>}
       {!node.known && <p className="node-message">The server does not know this node.</p>}
+    </div>
+  );
+}
+
+const Head = memo(function Head({ node, tone }: { node: ViewNode; tone?: string }): ReactElement {
+  const editor = useEditor();
+  const isRenaming = useEditing((state) => state.renaming === node.id);
+  const hasPicture = node.outputs.some((row) => row.type !== FILE_TYPE && isDrawn(row.type));
+  const hint = `${node.title} (${node.id})${node.doc ? `\n${node.doc}` : ""}\nDouble-click to rename`;
+  return (
+    <div className="node-head" onDoubleClick={() => editor.store.set({ renaming: node.id })}>
+      {(tone === "error" || tone === "warning") && <Icon name="alert" />}
+      {isRenaming ? (
+        <NameField id={node.id} />
+      ) : (
+        <span className="node-title" title={hint}>
+          {node.title}
+          {!isPlainName(node) && <span className="node-name">{node.id}</span>}
+        </span>
+      )}
+      <Timing id={node.id} />
+      {hasPicture && (
+        <button
+          type="button"
+          className="node-eye nodrag"
+          tabIndex={-1}
+          data-stop
+          aria-pressed={node.preview}
+          aria-label={`Preview ${node.title}`}
+          title="Preview in the model (V)"
+          onClick={() => toggleFlag(editor, "preview", [node.id])}
+        >
+          <Icon name="eye" />
+        </button>
+      )}
     </div>
   );
 });
 
-function Input({ row, node, onChoose }: { row: InputRow; node: ViewNode; onChoose(): void }): ReactElement {
+function Rows({ node, isOpen, isUnfolded }: { node: ViewNode; isOpen: boolean; isUnfolded: boolean }): ReactElement {
+  const editor = useEditor();
+  return (
+    <div className="node-rows">
+      {(isOpen ? node.rows : node.inputs).map((row) => (
+        <Input key={row.name} row={row} id={node.id} title={node.title} />
+      ))}
+      {node.folded.length > 0 && (
+        <button
+          type="button"
+          className="node-fold nodrag"
+          aria-expanded={isUnfolded}
+          tabIndex={-1}
+          data-stop
+          onClick={() => editor.unfold([node.id], !isUnfolded)}
+        >
+          {isUnfolded ? "Hide defaults" : plural(node.folded.length, "default")}
+          <Icon name="chevron" />
+        </button>
+      )}
+      {node.outputs.map((row) => (
+        <div className="node-row node-output" key={row.name}>
+          <span className="row-name">{row.name}</span>
+          <Socket node={node.id} side="output" name={row.name} type={row.type} nodeTitle={node.title} doc={row.doc} />
+        </div>
+      ))}
+    </div>
+  );
+}
+
+const Input = memo(function Input({ row, id, title }: { row: InputRow; id: string; title: string }): ReactElement {
+  const session = useCurrentSession();
+  const reset = (): void => session.setInput(id, row.name, undefined);
   return (
     <div className="node-row" data-default={row.isDefault}>
-      <Socket side="input" name={row.name} type={row.type} nodeTitle={node.title} doc={row.doc} onChoose={onChoose} />
-      <span className="row-name">{row.name}</span>
+      {row.hasSocket && (
+        <Socket node={id} side="input" name={row.name} type={row.type} nodeTitle={title} doc={row.doc} />
+      )}
+      <span className="row-name" title={row.doc} onDoubleClick={row.linked || row.isDefault ? undefined : reset}>
+        {row.name}
+      </span>
       {row.parameter !== undefined ? (
         <span className="row-parameter" title={`Driven by the parameter “${row.parameter}”`}>
           <span aria-hidden="true">◈</span> {row.parameter}
         </span>
-      ) : (
-        row.value &&
-        !row.linked && (
-          <span className="row-value" title={row.value}>
-            {row.value}
-          </span>
-        )
+      ) : row.linked ? null : (
+        <InputControl node={id} title={title} row={row} onNode />
       )}
+    </div>
+  );
+});
+
+/** The sockets of a collapsed node, on its head. */
+function Ports({ node }: { node: ViewNode }): ReactElement {
+  const common = { node: node.id, nodeTitle: node.title };
+  return (
+    <div className="node-ports">
+      {node.inputs
+        .filter((row) => row.linked)
+        .map((row) => (
+          <Socket key={`in ${row.name}`} {...common} side="input" name={row.name} type={row.type} doc={row.doc} />
+        ))}
+      {node.outputs.map((row) => (
+        <Socket key={`out ${row.name}`} {...common} side="output" name={row.name} type={row.type} doc={row.doc} />
+      ))}
     </div>
   );
 }
 
 /** The node's time, or a mark that its value was already there. */
 function Timing({ id }: { id: string }): ReactElement | null {
+  const isShown = useEditing((state) => state.times);
   const text = useCurrent((state) => {
     const report = state.shown?.report.nodes.get(id);
-    if (!report) return "";
+    if (!report || !isShown) return "";
     if (report.cached) return "cached";
     return report.milliseconds < LEAST_SHOWN_MILLISECONDS ? "" : millisecondText(report.milliseconds);
   });
@@ -107,6 +180,17 @@ function Timing({ id }: { id: string }): ReactElement | null {
       title="Not computed again: its value was in the cache"
     />
   ) : (
-    <span className="node-time">{text}</span>
+    <span className="node-time" title="Time to compute it">
+      {text}
+    </span>
   );
+}
+
+/** True for a name the page gave by itself; it says no more than the title. */
+function isPlainName({ id, type }: ViewNode): boolean {
+  return id === type || (id.startsWith(`${type}_`) && /^\d+$/.test(id.slice(type.length + 1)));
+}
+
+function isDrawn(type: string): boolean {
+  return type !== "" && type !== "number";
 }

@@ -1,33 +1,57 @@
 import { Handle, Position } from "@xyflow/react";
 import { memo, type CSSProperties, type ReactElement } from "react";
-import { useCurrent } from "../app/context";
+import { useCurrent, useEditor, useEditing } from "../app/context";
+import { socketKey } from "../app/editor";
 import { wireType } from "../model/catalogue";
+import { inspectSocket } from "./inspection";
 
 interface SocketProps {
+  node: string;
   side: "input" | "output";
   name: string;
   type: string;
   nodeTitle: string;
   doc: string;
-  onChoose(): void;
 }
 
 /** The place where wires end: its color tells the family, its shape the kind, its name both. */
-export const Socket = memo(function Socket({ side, name, type, nodeTitle, doc, onChoose }: SocketProps): ReactElement {
+export const Socket = memo(function Socket({ node, side, name, type, nodeTitle, doc }: SocketProps): ReactElement {
+  const editor = useEditor();
   const look = useCurrent((state) => (state.catalogue ? wireType(state.catalogue, type) : undefined));
-  const title = [`${name}: ${type || "unknown"}`, doc].filter(Boolean).join("\n");
+  const fit = useEditing(({ wiring }) => {
+    if (!wiring) return undefined;
+    const key = socketKey({ node, side, name });
+    if (socketKey(wiring.start) === key) return "start";
+    return wiring.start.side === side || wiring.refusals.has(key) ? "no" : "yes";
+  });
+  const open = (element: HTMLElement): void => {
+    const box = element.getBoundingClientRect();
+    editor.openConnect({ node, side, name }, { x: box.left + box.width / 2, y: box.bottom + 8 });
+  };
+  const shown = { node, side, name, type, doc };
   return (
     <Handle
       id={name}
       type={side === "input" ? "target" : "source"}
       position={side === "input" ? Position.Left : Position.Right}
-      isConnectable={false}
       className="socket"
       role="button"
       tabIndex={-1}
+      data-stop
+      data-fit={fit}
       aria-label={`${side === "input" ? "Input" : "Output"} ${name} of ${nodeTitle}, ${type || "unknown type"}`}
-      title={title}
-      onClick={onChoose}
+      aria-haspopup="dialog"
+      onPointerEnter={(event) => inspectSocket(editor, shown, event.currentTarget)}
+      onPointerLeave={() => inspectSocket(editor, null)}
+      onFocus={(event) => inspectSocket(editor, shown, event.currentTarget)}
+      onBlur={() => inspectSocket(editor, null)}
+      onKeyDown={(event) => {
+        if (event.key !== "Enter" && event.key !== " ") return;
+        event.preventDefault();
+        event.stopPropagation();
+        inspectSocket(editor, null);
+        open(event.currentTarget);
+      }}
     >
       <span className="mark" data-shape={look?.shape} style={{ "--socket": look?.color } as CSSProperties} />
     </Handle>

@@ -32,6 +32,15 @@ export interface InputCard {
   choices: string[];
   /** The text names a file kept by the server. */
   namesFile: boolean;
+  /** How the value is dragged in space, where it can be. */
+  handle?: HandleHint;
+}
+
+/** A value in space; `at` and `normal` name the inputs of the same node that say where it is. */
+export interface HandleHint {
+  kind: "position" | "direction" | "radius";
+  at?: string;
+  normal?: string;
 }
 
 /** An output of a node type; `sameAs` names the input whose type it repeats. */
@@ -146,7 +155,13 @@ function readInput(item: Record<string, Json>): InputCard {
     step: asNumber(item["step"]),
     choices: asArray(item["choices"]).map(asString),
     namesFile: item["names_file"] === true,
+    handle: readHandle(asObject(item["handle"])),
   };
+}
+
+function readHandle({ kind, at, normal }: Record<string, Json>): HandleHint | undefined {
+  if (kind !== "position" && kind !== "direction" && kind !== "radius") return undefined;
+  return { kind, at: asString(at) || undefined, normal: asString(normal) || undefined };
 }
 
 function readOutput(item: Record<string, Json>): OutputCard {

@@ -47,8 +47,11 @@ export interface ViewNode {
   bypass: boolean;
   preview: boolean;
   collapsed: boolean;
+  /** Every input, in the catalogue's order. */
+  rows: InputRow[];
+  /** Inputs that are given or required: those shown while the others are folded away. */
   inputs: InputRow[];
-  /** Inputs that stand at their default and are folded away. */
+  /** Inputs that stand at their default. */
   folded: InputRow[];
   outputs: OutputRow[];
 }
@@ -82,8 +85,8 @@ export function viewGraph(document: GraphDocument, catalogue: Catalogue, before 
   const nodes: ViewNode[] = [];
   const wires: ViewWire[] = [];
   for (const node of document.nodes.values()) {
-    const drawn = viewNode(node, document, catalogue, labels, types);
     const old = before.byId.get(node.id);
+    const drawn = viewNode(node, document, catalogue, labels, types, old?.rows);
     nodes.push(old && isEqual(old, drawn) ? old : drawn);
     for (const [input, sources] of node.inputs) wires.push(...wiresInto(node.id, input, sources, types));
   }
@@ -111,14 +114,16 @@ function viewNode(
   catalogue: Catalogue,
   labels: Map<string, string>,
   types: OutputTypes,
+  before: readonly InputRow[] = [],
 ): ViewNode {
   const card = catalogue.nodes.get(node.type);
   const names = [...(card?.inputs.map((input) => input.name) ?? [])];
   for (const name of node.inputs.keys()) if (!names.includes(name)) names.push(name);
   const rows = names.map((name) => {
     const input = card?.inputs.find((candidate) => candidate.name === name);
-    const row = inputRow(name, input, node.inputs.get(name) ?? [], labels, types);
-    return { ...row, hasSocket: row.linked || (input !== undefined && takesWires(catalogue, input)) };
+    const bare = inputRow(name, input, node.inputs.get(name) ?? [], labels, types);
+    const row = { ...bare, hasSocket: bare.linked || (input !== undefined && takesWires(catalogue, input)) };
+    return before.find((old) => old.name === name && isEqual(old, row)) ?? row;
   });
   return {
     id: node.id,
@@ -132,6 +137,7 @@ function viewNode(
     bypass: node.bypass,
     preview: document.previews.has(node.id),
     collapsed: document.collapsed.has(node.id),
+    rows,
     inputs: rows.filter((row) => !row.isDefault || row.required),
     folded: rows.filter((row) => row.isDefault && !row.required),
     outputs: (card?.outputs ?? []).map((output) => ({

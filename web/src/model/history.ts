@@ -28,6 +28,13 @@ export class History<State> {
     this.gesture = undefined;
   }
 
+  /** The gesture that is under way did not happen: the state before it, and no step to redo. */
+  cancel(gesture: string): State | undefined {
+    if (gesture !== this.gesture) return undefined;
+    this.gesture = undefined;
+    return this.past.pop()?.state;
+  }
+
   undo(present: State): State | undefined {
     return this.move(this.past, this.future, present);
   }

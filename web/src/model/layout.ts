@@ -4,7 +4,7 @@ import type { Position } from "./document";
 import type { ViewGraph, ViewNode } from "./graph";
 
 /** Measures of a drawn node in pixels; the style sheet uses the same (graph.css). */
-export const NODE_WIDTH = 192;
+export const NODE_WIDTH = 208;
 export const HEADER_HEIGHT = 34;
 export const ROW_HEIGHT = 24;
 const NODE_PADDING = 12;
@@ -13,35 +13,45 @@ const COLUMN_GAP = 54;
 const ROW_GAP = 22;
 const SWEEPS = 8;
 
+type Drawn = Pick<ViewGraph, "nodes" | "wires">;
+type HeightOf = (node: ViewNode) => number;
+
 /** Height of a node with its inputs folded. */
 export function nodeHeight(node: ViewNode): number {
+  if (node.collapsed) return HEADER_HEIGHT;
   const rows = node.inputs.length + node.outputs.length + (node.folded.length > 0 ? 1 : 0);
   return HEADER_HEIGHT + NODE_PADDING + rows * ROW_HEIGHT;
 }
 
+/** Height of a node with all its inputs shown. */
+export function fullHeight(node: ViewNode): number {
+  return nodeHeight({ ...node, inputs: [...node.inputs, ...node.folded] });
+}
+
 /** A position for every node; no two nodes overlap. Cycles do no harm. */
-export function layeredLayout(graph: ViewGraph): Map<string, Position> {
+export function layeredLayout(graph: Drawn, heightOf = nodeHeight): Map<string, Position> {
   const columns = columnsOf(graph);
-  const neighbors = neighborsOf(graph);
+  const neighbors = neighborsOf(graph, heightOf);
   const centers = new Map<string, number>();
   for (const column of columns)
     stack(
       column,
       column.map((_, index) => index * 1e-3),
       centers,
+      heightOf,
     );
   for (let sweep = 0; sweep < SWEEPS; sweep++) {
     const forward = sweep % 2 === 0;
     for (const column of forward ? columns : [...columns].reverse()) {
       const wanted = column.map((node) => mean(neighbors.get(node.id) ?? [], centers) ?? centers.get(node.id) ?? 0);
-      stack(column, wanted, centers);
+      stack(column, wanted, centers, heightOf);
     }
   }
-  return positions(columns, centers);
+  return positions(columns, centers, heightOf);
 }
 
 /** Nodes by distance: each one stands left of everything it feeds, as far right as that allows. */
-function columnsOf(graph: ViewGraph): ViewNode[][] {
+function columnsOf(graph: Drawn): ViewNode[][] {
   const order = topological(graph);
   const targets = new Map<string, string[]>();
   for (const wire of graph.wires) push(targets, wire.from, wire.to);
@@ -62,7 +72,7 @@ function columnsOf(graph: ViewGraph): ViewNode[][] {
 }
 
 /** Kahn's order; what a cycle leaves over follows in document order. */
-function topological(graph: ViewGraph): string[] {
+function topological(graph: Drawn): string[] {
   const waiting = new Map(graph.nodes.map((node) => [node.id, 0]));
   const targets = new Map<string, string[]>();
   for (const wire of graph.wires) {
@@ -89,13 +99,13 @@ interface Neighbor {
   shift: number;
 }
 
-function neighborsOf(graph: ViewGraph): Map<string, Neighbor[]> {
+function neighborsOf(graph: Drawn, heightOf: HeightOf): Map<string, Neighbor[]> {
   const nodes = new Map(graph.nodes.map((node) => [node.id, node]));
   const neighbors = new Map<string, Neighbor[]>();
   for (const wire of graph.wires) {
     const [from, to] = [nodes.get(wire.from), nodes.get(wire.to)];
     if (!from || !to) continue;
-    const shift = inputHeight(to, wire.input) - outputHeight(from, wire.output);
+    const shift = inputHeight(to, wire.input, heightOf) - outputHeight(from, wire.output, heightOf);
     push(neighbors, wire.from, { id: wire.to, shift });
     push(neighbors, wire.to, { id: wire.from, shift: -shift });
   }
@@ -103,20 +113,20 @@ function neighborsOf(graph: ViewGraph): Map<string, Neighbor[]> {
 }
 
 /** Height of an input's socket below the node's center. */
-function inputHeight(node: ViewNode, name: string): number {
+function inputHeight(node: ViewNode, name: string, heightOf: HeightOf): number {
   const row = node.inputs.findIndex((input) => input.name === name);
-  return HEADER_HEIGHT + NODE_PADDING / 2 + (row + 0.5) * ROW_HEIGHT - nodeHeight(node) / 2;
+  return HEADER_HEIGHT + NODE_PADDING / 2 + (row + 0.5) * ROW_HEIGHT - heightOf(node) / 2;
 }
 
 /** Height of an output's socket below the node's center; outputs are the last rows. */
-function outputHeight(node: ViewNode, name: string): number {
+function outputHeight(node: ViewNode, name: string, heightOf: HeightOf): number {
   const row = node.outputs.findIndex((output) => output.name === name);
-  return nodeHeight(node) / 2 - NODE_PADDING / 2 - (node.outputs.length - row - 0.5) * ROW_HEIGHT;
+  return heightOf(node) / 2 - NODE_PADDING / 2 - (node.outputs.length - row - 0.5) * ROW_HEIGHT;
 }
 
 /** Sorts a column by the wanted centers and moves its nodes apart as little as keeps them from overlapping. */
-function stack(column: ViewNode[], wanted: number[], centers: Map<string, number>): void {
-  const items = column.map((node, index) => ({ node, wanted: wanted[index] ?? 0, half: nodeHeight(node) / 2 }));
+function stack(column: ViewNode[], wanted: number[], centers: Map<string, number>, heightOf: HeightOf): void {
+  const items = column.map((node, index) => ({ node, wanted: wanted[index] ?? 0, half: heightOf(node) / 2 }));
   items.sort((a, b) => a.wanted - b.wanted);
   // Blocks of touching nodes sit at the mean of what their members want (as in isotonic regression).
   const blocks: { start: number; size: number; sum: number; height: number; members: typeof items }[] = [];
@@ -148,11 +158,11 @@ function stack(column: ViewNode[], wanted: number[], centers: Map<string, number
   }
 }
 
-function positions(columns: ViewNode[][], centers: Map<string, number>): Map<string, Position> {
+function positions(columns: ViewNode[][], centers: Map<string, number>, heightOf: HeightOf): Map<string, Position> {
   const places = new Map<string, Position>();
   columns.forEach((column, index) => {
     for (const node of column) {
-      const y = (centers.get(node.id) ?? 0) - nodeHeight(node) / 2;
+      const y = (centers.get(node.id) ?? 0) - heightOf(node) / 2;
       places.set(node.id, { x: index * (NODE_WIDTH + COLUMN_GAP), y: Math.round(y) });
     }
   });

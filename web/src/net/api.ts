@@ -12,10 +12,18 @@ export interface EvaluateBody {
   graph: JsonObject;
   parameters: ParameterValues;
   output?: string;
+  /** Nodes, or outputs of them, to draw beside the model. */
+  preview?: string[];
+}
+
+/** How good an answer has to be. Drafts have about `triangles` triangles. */
+export interface Effort {
+  quality: Quality;
+  triangles: number;
 }
 
 export type Answer =
-  | { kind: "model"; report: Report; model: Uint8Array<ArrayBuffer> }
+  | { kind: "model"; report: Report; model: Uint8Array<ArrayBuffer>; preview: Uint8Array<ArrayBuffer> | null }
   | { kind: "problem"; problem: Problem }
   /** Nothing usable came: no connection, or the server asks to wait. */
   | { kind: "away"; retryAfter?: number };
@@ -43,7 +51,7 @@ export async function isAlive(): Promise<boolean> {
 /** Evaluates a graph to report and model. Never rejects, except with AbortError after `signal`. */
 export async function evaluate(
   body: EvaluateBody,
-  quality: Quality,
+  { quality, triangles }: Effort,
   signal?: AbortSignal,
   supersedeKey?: string,
 ): Promise<Answer> {
@@ -53,7 +61,7 @@ export async function evaluate(
     const response = await fetch("v1/evaluate", {
       method: "POST",
       headers,
-      body: JSON.stringify({ ...body, quality }),
+      body: JSON.stringify({ ...body, quality, ...(quality === "draft" ? { triangle_budget: triangles } : {}) }),
       signal,
     });
     return await readAnswer(response);
@@ -63,15 +71,20 @@ export async function evaluate(
   }
 }
 
-/** The model alone in final quality, for a download. */
-export async function fetchModel(body: EvaluateBody): Promise<Uint8Array<ArrayBuffer> | Problem> {
-  const response = await fetch("v1/evaluate", {
-    method: "POST",
-    headers: { "content-type": "application/json", accept: MODEL },
-    body: JSON.stringify({ ...body, quality: "final" }),
-  });
-  if (!response.ok) return readProblem(response.status, await jsonOf(response));
-  return new Uint8Array(await response.arrayBuffer());
+/** The control geometry alone; null if there is none, or the server cannot tell. Rejects only after `signal`. */
+export async function fetchPreview(body: EvaluateBody, signal: AbortSignal): Promise<Uint8Array<ArrayBuffer> | null> {
+  try {
+    const response = await fetch("v1/evaluate", {
+      method: "POST",
+      headers: { "content-type": "application/json", accept: MODEL },
+      body: JSON.stringify({ ...body, output: undefined, quality: "draft" }),
+      signal,
+    });
+    return response.ok ? new Uint8Array(await response.arrayBuffer()) : null;
+  } catch (error) {
+    if (signal.aborted) throw error;
+    return null;
+  }
 }
 
 async function readAnswer(response: Response): Promise<Answer> {
@@ -90,7 +103,8 @@ async function readAnswer(response: Response): Promise<Answer> {
     return { kind: "problem", problem };
   }
   const json = JSON.parse(new TextDecoder().decode(report.data)) as Json;
-  return { kind: "model", report: readReport(json), model: model.data.slice() };
+  const preview = parts?.find((part) => part.name === "preview")?.data.slice() ?? null;
+  return { kind: "model", report: readReport(json), model: model.data.slice(), preview };
 }
 
 async function jsonOf(response: Response): Promise<Json> {

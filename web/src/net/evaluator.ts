@@ -1,7 +1,7 @@
 // Keeps the picture up with the inputs: the newest input wins, no answer older than the shown one is shown, and the
 // server never has more than two of our requests. Knows neither the page nor HTTP, so it runs against a fake clock.
 
-import type { Answer, Quality } from "./api";
+import type { Answer, Effort, Quality } from "./api";
 import { localProblem, type Problem } from "./problem";
 
 export type ModelAnswer = Extract<Answer, { kind: "model" }>;
@@ -19,7 +19,7 @@ export interface Stamp {
 
 /** What the evaluator asks of the page. `Body` is the request, `Model` a decoded picture. */
 export interface EvaluatorHost<Body, Model> {
-  send(body: Body, quality: Quality, signal: AbortSignal): Promise<Answer>;
+  send(body: Body, effort: Effort, signal: AbortSignal): Promise<Answer>;
   decode(answer: ModelAnswer): Promise<Model>;
   show(model: Model, answer: ModelAnswer, stamp: Stamp): void;
   discard(model: Model): void;
@@ -35,6 +35,13 @@ export interface EvaluatorHost<Body, Model> {
 export const SETTLE_MILLISECONDS = 120;
 const QUICK_ROUND_TRIP = 33;
 const MOST_IN_FLIGHT = 2;
+const SUPERSEDED = 409;
+/** A draft that takes longer than this from asking to showing is halved the next time, a quicker one is doubled. */
+const SLOW_DRAFT = 50;
+const QUICK_DRAFT = 20;
+const FIRST_BUDGET = 20_000;
+const SMALLEST_BUDGET = 1250;
+const LARGEST_BUDGET = 320_000;
 const RETRY_MILLISECONDS = [500, 1000, 2000, 4000];
 
 interface Flight extends Stamp {
@@ -54,6 +61,7 @@ export class Evaluator<Body, Model> {
   private retryTimer: unknown;
   private retries = 0;
   private roundTrip = 0;
+  private budget = FIRST_BUDGET;
   /** Rank of the newest answer that is shown, being decoded or reported as failed. */
   private answered = -1;
   private settled = -1;
@@ -118,15 +126,28 @@ export class Evaluator<Body, Model> {
   private async fly(flight: Flight, wanted: Wanted<Body>): Promise<void> {
     const started = this.host.clock.now();
     try {
-      const answer = await this.host.send(wanted.body, wanted.quality, flight.abort.signal);
+      const effort = { quality: wanted.quality, triangles: this.budget };
+      const answer = await this.host.send(wanted.body, effort, flight.abort.signal);
       if (this.flights.has(flight)) await this.receive(answer, flight, wanted);
-      if (answer.kind !== "away") this.roundTrip = this.host.clock.now() - started;
+      if (answer.kind !== "away") this.measured(this.host.clock.now() - started, answer, effort);
     } catch (error) {
       // A dropped request ends here; its place is already free.
       if (!flight.abort.signal.aborted) throw error;
     } finally {
       this.flights.delete(flight);
       this.pump();
+    }
+  }
+
+  /** What a round trip teaches: how many to have under way, and how fine a draft may be. */
+  private measured(milliseconds: number, answer: Answer, effort: Effort): void {
+    this.roundTrip = milliseconds;
+    // Two drafts under way teach the same thing once: only one that was sent with the present budget counts.
+    if (answer.kind !== "model" || effort.quality !== "draft" || effort.triangles !== this.budget) return;
+    if (milliseconds > SLOW_DRAFT) this.budget = Math.max(SMALLEST_BUDGET, this.budget / 2);
+    // A draft below its budget is as fine as the model; a larger budget changes nothing but the next surprise.
+    else if (milliseconds < QUICK_DRAFT && answer.report.triangles > this.budget / 2) {
+      this.budget = Math.min(LARGEST_BUDGET, this.budget * 2);
     }
   }
 
@@ -137,8 +158,15 @@ export class Evaluator<Body, Model> {
     }
     this.retries = 0;
     if (rank(flight) <= this.answered) return;
+    if (answer.kind === "problem" && answer.problem.status === SUPERSEDED) {
+      // The server dropped it for another request of ours. If that was an older one that came late, ask again.
+      const isNewest = wanted.revision === this.revision && wanted.quality === "final";
+      if (isNewest && !this.pending) this.pending = wanted;
+      return;
+    }
     if (answer.kind === "problem") {
-      this.failed(answer.problem, flight);
+      this.answered = rank(flight);
+      this.conclude(answer.problem, flight);
       return;
     }
     this.answered = rank(flight);
@@ -158,13 +186,6 @@ export class Evaluator<Body, Model> {
     this.settled = rank(flight);
     this.host.show(model, answer, { revision: flight.revision, quality: flight.quality });
     this.reportRest();
-  }
-
-  private failed(problem: Problem, flight: Flight): void {
-    // The server dropped this one for a newer request of ours.
-    if (problem.status === 409) return;
-    this.answered = rank(flight);
-    this.conclude(problem, flight);
   }
 
   private conclude(problem: Problem, flight: Flight): void {

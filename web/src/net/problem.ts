@@ -56,6 +56,32 @@ export function nodeErrors(entries: readonly ProblemEntry[], node: string): Prob
   return entries.filter((entry) => entry.node === node);
 }
 
+/** True if both say the same of the same place. */
+export function isSameEntry(a: ProblemEntry, b: ProblemEntry): boolean {
+  return (
+    a.code === b.code && a.node === b.node && a.port === b.port && (!a.pointer || !b.pointer || a.pointer === b.pointer)
+  );
+}
+
+/** What is wrong with one node: the first error, else a warning, else that it waits for others. */
+export function problemsOf(
+  state: {
+    problem: Problem | null;
+    checked: { errors: ProblemEntry[]; blocked: string[] } | null;
+    shown: { report: { warnings: ProblemEntry[] } } | null;
+  },
+  node: string,
+): { tone: "error" | "warning" | "blocked"; text?: string } | undefined {
+  const names = (entry: ProblemEntry): boolean => entry.node === node;
+  const error = state.problem?.errors.find(names) ?? state.checked?.errors.find(names);
+  // An input that waits for its wire is no mistake; it is only not finished.
+  if (error) return { tone: error.code === "required-input-missing" ? "warning" : "error", text: error.detail };
+  const warning = state.shown?.report.warnings.find(names);
+  if (warning) return { tone: "warning", text: warning.detail };
+  const isBlocked = state.problem?.blocked.includes(node) || state.checked?.blocked.includes(node);
+  return isBlocked ? { tone: "blocked" } : undefined;
+}
+
 export function parameterOf(entry: ProblemEntry): string | undefined {
   const name = PARAMETER_POINTER.exec(entry.pointer)?.[1];
   return name?.replaceAll("~1", "/").replaceAll("~0", "~");

@@ -20,8 +20,9 @@ export function NumberField({
   const least = parameter.type === "integer" ? 1 : step / 10;
   const { minimum, maximum } = parameter;
   const hasRange = minimum !== undefined && maximum !== undefined && maximum > minimum;
-  /** Drags and arrows stay inside the bounds; Shift makes the steps ten times finer. */
-  const move = (next: number, fine: boolean): void => onChange(clamp(parameter, snap(next, fine ? least : step)), true);
+  /** Drags and arrows stay inside the bounds. */
+  const move = (next: number, scale: number): void =>
+    onChange(clamp(parameter, snap(next, Math.max(least, step * scale))), true);
   return (
     <div className="number-field" data-range={hasRange}>
       {hasRange && (

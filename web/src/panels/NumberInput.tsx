@@ -1,4 +1,4 @@
-import { useRef, useState, type KeyboardEvent, type PointerEvent, type ReactElement } from "react";
+import { useRef, useState, type CSSProperties, type KeyboardEvent, type PointerEvent, type ReactElement } from "react";
 import { evaluateExpression } from "../model/expression";
 import { numberText } from "../model/format";
 
@@ -11,9 +11,14 @@ interface NumberInputProps {
   step: number;
   invalid: boolean;
   describedBy?: string;
+  /** The range that a bar behind the number shows, and that a drag over the whole width runs through. */
+  range?: { minimum: number; maximum: number };
+  /** One of the stops inside a node: Tab reaches it only from there. */
+  isStop?: boolean;
   /** A typed value; it is passed on as it is, so that the server can say what is wrong with it. */
   onType(value: number): void;
-  onMove(value: number, fine: boolean): void;
+  /** A dragged or stepped value, in steps of `scale` times the step: 0.1 with Shift, 10 with Ctrl. */
+  onMove(value: number, scale: number): void;
   onUnreadable(message: string): void;
 }
 
@@ -22,7 +27,8 @@ const PIXELS_PER_STEP = 4;
 
 /** A number that is typed (formulas too), dragged sideways, or stepped with the arrow keys. */
 export function NumberInput(props: NumberInputProps): ReactElement {
-  const { id, label, value, decimals, unit = "", step, invalid, describedBy, onType, onMove, onUnreadable } = props;
+  const { id, label, value, decimals, unit = "", step, invalid, describedBy, range, isStop } = props;
+  const { onType, onMove, onUnreadable } = props;
   const [text, setText] = useState<string | null>(null);
   const [textFor, setTextFor] = useState(value);
   const drag = useRef({ x: 0, value: 0, moved: false });
@@ -53,7 +59,7 @@ export function NumberInput(props: NumberInputProps): ReactElement {
       event.preventDefault();
       setText(null);
       const sign = event.key === "ArrowUp" ? 1 : -1;
-      onMove(value + sign * step * (event.shiftKey ? 0.1 : 1), event.shiftKey);
+      onMove(value + sign * step * scaleOf(event), scaleOf(event));
     }
   };
   const onPointerDown = (event: PointerEvent<HTMLInputElement>): void => {
@@ -67,9 +73,11 @@ export function NumberInput(props: NumberInputProps): ReactElement {
       return;
     if (!state.moved && Math.abs(event.clientX - state.x) < DRAG_THRESHOLD) return;
     state.moved = true;
-    state.value += ((event.clientX - state.x) / PIXELS_PER_STEP) * step * (event.shiftKey ? 0.1 : 1);
+    const width = event.currentTarget.getBoundingClientRect().width;
+    const perPixel = range ? (range.maximum - range.minimum) / Math.max(60, width) : step / PIXELS_PER_STEP;
+    state.value += (event.clientX - state.x) * perPixel * scaleOf(event);
     state.x = event.clientX;
-    onMove(state.value, event.shiftKey);
+    onMove(state.value, scaleOf(event));
   };
   const onPointerUp = (event: PointerEvent<HTMLInputElement>): void => {
     const input = event.currentTarget;
@@ -78,7 +86,8 @@ export function NumberInput(props: NumberInputProps): ReactElement {
     input.select();
   };
   return (
-    <span className="number-input" data-invalid={invalid}>
+    <span className="number-input nodrag" data-invalid={invalid}>
+      {range && <span className="number-fill" style={{ "--fill": shareOf(value, range) } as CSSProperties} />}
       <input
         id={id}
         type="text"
@@ -86,6 +95,9 @@ export function NumberInput(props: NumberInputProps): ReactElement {
         autoComplete="off"
         spellCheck={false}
         aria-label={label}
+        tabIndex={isStop ? -1 : undefined}
+        data-stop={isStop}
+        data-typing={text !== null}
         aria-invalid={invalid}
         aria-describedby={describedBy}
         value={text ?? numberText(value, decimals)}
@@ -107,4 +119,14 @@ export function NumberInput(props: NumberInputProps): ReactElement {
       )}
     </span>
   );
+}
+
+/** Shift makes steps finer, Ctrl coarser. */
+function scaleOf(event: { shiftKey: boolean; ctrlKey: boolean; metaKey: boolean }): number {
+  if (event.shiftKey) return 0.1;
+  return event.ctrlKey || event.metaKey ? 10 : 1;
+}
+
+function shareOf(value: number, { minimum, maximum }: { minimum: number; maximum: number }): number {
+  return Math.min(1, Math.max(0, (value - minimum) / (maximum - minimum)));
 }

@@ -2,7 +2,7 @@ import { useEffect, useState, type ReactElement } from "react";
 import { useCurrent } from "../app/context";
 import { Tabs } from "../app/Tabs";
 import { Controls } from "./Controls";
-import { NodeInfo } from "./NodeInfo";
+import { Inspector } from "./Inspector";
 import { Problems, useProblemCount } from "./Problems";
 
 /** The panel below the model: the graph's controls, the selected node, the problems. */
@@ -22,7 +22,7 @@ export function Panel(): ReactElement {
       onChoose={setTab}
       tabs={[
         { id: "controls", title: "Controls", content: <Controls /> },
-        { id: "node", title: "Node", content: <NodeInfo /> },
+        { id: "node", title: "Node", content: <Inspector /> },
         { id: "problems", title: problems, content: <Problems /> },
       ]}
     />

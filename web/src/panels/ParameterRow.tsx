@@ -4,6 +4,7 @@ import { Icon } from "../app/icons";
 import { sameValue, valueOf, type Parameter, type ParameterValue } from "../model/parameters";
 import { parameterErrors } from "../net/problem";
 import { NumberField } from "./NumberField";
+import { ParameterEditor } from "./ParameterEditor";
 import { ChoiceField, ColorField, SwitchField, TextField, VectorField } from "./fields";
 
 export interface FieldProps {
@@ -26,6 +27,7 @@ export function ParameterRow({ parameter }: { parameter: Parameter }): ReactElem
   const problem = useCurrent((state) => state.problem);
   const [unreadable, setUnreadable] = useState("");
   const [resets, setResets] = useState(0);
+  const [isEditing, setIsEditing] = useState(false);
   const error = unreadable || parameterErrors(problem, parameter.name)[0]?.detail || "";
   const isChanged = !sameValue(value, parameter.initial);
   const set = (next: ParameterValue, moving: boolean): void => {
@@ -68,6 +70,16 @@ export function ParameterRow({ parameter }: { parameter: Parameter }): ReactElem
       >
         <Icon name="reset" />
       </button>
+      <button
+        type="button"
+        className="reset"
+        aria-label={`Settings of ${parameter.label}`}
+        title="Label, range and default"
+        aria-expanded={isEditing}
+        onClick={() => setIsEditing(!isEditing)}
+      >
+        <Icon name="pencil" />
+      </button>
       {error && (
         <p className="parameter-error" id={`${id}-error`} role="alert">
           <Icon name="alert" />
@@ -79,6 +91,7 @@ export function ParameterRow({ parameter }: { parameter: Parameter }): ReactElem
           {parameter.description}
         </p>
       )}
+      {isEditing && <ParameterEditor parameter={parameter} />}
     </div>
   );
 }

@@ -1,24 +1,28 @@
 import type { ReactElement } from "react";
-import { useCurrent, useCurrentSession } from "../app/context";
+import { useCurrent, useCurrentSession, useEditor } from "../app/context";
 import { Icon } from "../app/icons";
+import type { SessionState } from "../app/session";
 import { plural } from "../model/format";
-import { parameterOf, type ProblemEntry } from "../net/problem";
+import { patchDocument } from "../model/patch";
+import type { ParameterValue } from "../model/parameters";
+import { isSameEntry, parameterOf, type ProblemEntry } from "../net/problem";
 
-/** Errors of the newest evaluation plus failed checks and warnings of the shown one. */
+/** Errors of the newest evaluation and of the whole graph, plus failed checks and warnings of the shown picture. */
 export function useProblemCount(): number {
-  const problem = useCurrent((state) => state.problem);
-  const report = useCurrent((state) => state.shown?.report);
-  const errors = problem ? Math.max(1, problem.errors.length) : 0;
-  return errors + (report?.warnings.length ?? 0) + (report?.checks.filter((check) => !check.passed).length ?? 0);
+  return useCurrent((state) => {
+    const { errors, others } = problemsIn(state);
+    return (state.problem && errors.length === 0 ? 1 : errors.length) + others.length;
+  });
 }
 
-/** Everything that is wrong, with its place; choosing an entry selects its node. */
+/** Everything that is wrong, with its place; choosing an entry goes to its node, and a known fix is one press away. */
 export function Problems(): ReactElement {
   const problem = useCurrent((state) => state.problem);
-  const report = useCurrent((state) => state.shown?.report);
-  const checks = report?.checks.filter((check) => !check.passed) ?? [];
-  const warnings = report?.warnings ?? [];
-  if (!problem && checks.length + warnings.length === 0) {
+  const checked = useCurrent((state) => state.checked);
+  const shown = useCurrent((state) => state.shown);
+  const { errors, others } = problemsIn({ problem, checked, shown });
+  const blocked = problem?.blocked ?? checked?.blocked ?? [];
+  if (!problem && errors.length + others.length === 0) {
     return (
       <p className="empty good">
         <Icon name="check" /> No problems.
@@ -27,64 +31,58 @@ export function Problems(): ReactElement {
   }
   return (
     <div className="problems">
-      {problem && problem.errors.length === 0 && (
-        <ul>
-          <Row
-            tone="error"
-            entry={{
-              code: problem.code,
-              node: "",
-              port: "",
-              pointer: "",
-              detail: problem.detail || problem.title,
-              fix: [],
-            }}
-          />
-        </ul>
-      )}
       <ul>
-        {problem?.errors.map((entry, index) => (
-          <Row key={index} tone="error" entry={entry} />
+        {problem && errors.length === 0 && (
+          <Row tone="error" entry={plainEntry(problem.code, "", problem.detail || problem.title)} />
+        )}
+        {errors.map((entry, index) => (
+          <Row key={`error-${index}`} tone="error" entry={entry} />
         ))}
-        {checks.map((check, index) => (
-          <Row
-            key={`check-${index}`}
-            tone="warning"
-            entry={{
-              code: "check-failed",
-              node: check.node,
-              port: "",
-              pointer: "",
-              detail: check.message || `The value is ${check.value}.`,
-              fix: [],
-            }}
-          />
-        ))}
-        {warnings.map((entry, index) => (
+        {others.map((entry, index) => (
           <Row key={`warning-${index}`} tone="warning" entry={entry} />
         ))}
       </ul>
-      {problem && problem.blocked.length > 0 && (
+      {blocked.length > 0 && (
         <p className="problems-blocked">
-          {plural(problem.blocked.length, "node")} behind {problem.errors.length === 1 ? "it" : "them"} could not be
-          evaluated.
+          {plural(blocked.length, "node")} behind {errors.length === 1 ? "it" : "them"} could not be evaluated.
         </p>
       )}
     </div>
   );
 }
 
+type Wrong = Pick<SessionState, "problem" | "checked" | "shown">;
+
+/** Errors once each, whoever reported them; then failed checks and warnings. */
+function problemsIn({ problem, checked, shown }: Wrong): { errors: ProblemEntry[]; others: ProblemEntry[] } {
+  const errors = [...(problem?.errors ?? [])];
+  for (const entry of checked?.errors ?? []) if (!errors.some((item) => isSameEntry(item, entry))) errors.push(entry);
+  const failed = (shown?.report.checks ?? [])
+    .filter((check) => !check.passed)
+    .map((check) => plainEntry("check-failed", check.node, check.message || `The value is ${check.value}.`));
+  const warnings = (shown?.report.warnings ?? []).filter((entry) => !errors.some((item) => isSameEntry(item, entry)));
+  return { errors, others: [...failed, ...warnings] };
+}
+
+function plainEntry(code: string, node: string, detail: string): ProblemEntry {
+  return { code, node, port: "", pointer: "", detail, fix: [] };
+}
+
 function Row({ tone, entry }: { tone: "error" | "warning"; entry: ProblemEntry }): ReactElement {
-  const session = useCurrentSession();
+  const editor = useEditor();
   const place = useCurrent((state) => {
     const parameter = parameterOf(entry);
     if (parameter !== undefined)
       return state.document?.parameters.find((item) => item.name === parameter)?.label ?? parameter;
-    const node = state.view?.nodes.find((item) => item.id === entry.node);
+    const node = state.view?.byId.get(entry.node);
     const name = node ? `${node.title} (${node.id})` : entry.node;
     return entry.port ? `${name} · ${entry.port}` : name;
   });
   const isKnown = useCurrent((state) => state.document?.nodes.has(entry.node) ?? false);
+  const go = (): void => {
+    editor.session.select([entry.node]);
+    editor.canvas?.focusNode(entry.node);
+  };
   const body = (
     <>
       <Icon name="alert" />
@@ -100,12 +98,41 @@ function Row({ tone, entry }: { tone: "error" | "warning"; entry: ProblemEntry }
   return (
     <li className="problem" data-tone={tone}>
       {isKnown ? (
-        <button type="button" onClick={() => session.select([entry.node])}>
+        <button type="button" onClick={go}>
           {body}
         </button>
       ) : (
         <div>{body}</div>
       )}
+      {entry.fix.length > 0 && <FixButton entry={entry} />}
     </li>
+  );
+}
+
+function FixButton({ entry }: { entry: ProblemEntry }): ReactElement {
+  const session = useCurrentSession();
+  const editor = useEditor();
+  const apply = (): void => {
+    const { document } = session.store.get();
+    const name = parameterOf(entry);
+    const parameter = document?.parameters.find((item) => item.name === name);
+    const value = entry.fix[0]?.value;
+    if (parameter && value !== undefined && value !== null) {
+      session.setParameter(parameter, value as ParameterValue, false);
+    } else if (document) {
+      const fixed = patchDocument(document, entry.fix);
+      if (!fixed) {
+        editor.say("The graph has changed; this fix no longer fits.", "refused");
+        return;
+      }
+      session.edit("Apply fix", () => fixed);
+    }
+    editor.say("Applied the fix");
+  };
+  const what = entry.fix.map((step) => (step.op === "remove" ? "remove it" : `use ${JSON.stringify(step.value)}`));
+  return (
+    <button type="button" className="button quiet" title={what.join(", ")} onClick={apply}>
+      Apply fix
+    </button>
   );
 }

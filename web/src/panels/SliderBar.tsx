@@ -8,7 +8,8 @@ interface SliderBarProps {
   step: number;
   text: string;
   describedBy?: string;
-  onMove(value: number, fine: boolean): void;
+  /** As that of a number field: the step is `scale` times the usual one. */
+  onMove(value: number, scale: number): void;
 }
 
 const FINE = 0.1;
@@ -36,7 +37,7 @@ export function SliderBar({
     const box = event.currentTarget.getBoundingClientRect();
     dragged.current = event.shiftKey ? value : minimum + (range * (event.clientX - box.left)) / box.width;
     lastX.current = event.clientX;
-    if (!event.shiftKey) onMove(dragged.current, false);
+    if (!event.shiftKey) onMove(dragged.current, 1);
   };
   const onPointerMove = (event: PointerEvent<HTMLDivElement>): void => {
     if (!event.currentTarget.hasPointerCapture(event.pointerId)) return;
@@ -45,7 +46,7 @@ export function SliderBar({
     lastX.current = event.clientX;
     if (share === 0) return;
     dragged.current += share * range * (event.shiftKey ? FINE : 1);
-    onMove(dragged.current, event.shiftKey);
+    onMove(dragged.current, event.shiftKey ? FINE : 1);
   };
   const onKeyDown = (event: KeyboardEvent): void => {
     const steps: Record<string, number> = {
@@ -62,7 +63,7 @@ export function SliderBar({
     if (change === undefined) return;
     event.preventDefault();
     const isFine = event.shiftKey && event.key.startsWith("Arrow");
-    onMove(value + (isFine ? FINE * change : change), isFine);
+    onMove(value + (isFine ? FINE * change : change), isFine ? FINE : 1);
   };
   const fill = Math.min(1, Math.max(0, (value - minimum) / range));
   return (

@@ -73,7 +73,7 @@ export function VectorField({
           invalid={invalid}
           describedBy={describedBy}
           onType={(next) => set(index, next)}
-          onMove={(next, fine) => set(index, snap(next, fine ? step / 10 : step))}
+          onMove={(next, scale) => set(index, snap(next, step * scale))}
           onUnreadable={onUnreadable}
         />
       ))}

@@ -1,19 +1,21 @@
 import { useEffect, useRef, useState, type ReactElement } from "react";
 import { useCurrent, useCurrentSession } from "../app/context";
-import { useLasting, useRemembered } from "../app/hooks";
-import { Icon } from "../app/icons";
+import { saveBlob } from "../app/download";
 import { makeThumbnails } from "../app/thumbnails";
-import { byteText, grouped, millisecondText } from "../model/format";
-import { problemText } from "../net/problem";
-import type { ShadingMode } from "./materials";
+import { fileName } from "../model/format";
+import { Controls } from "../panels/Controls";
+import { showGizmosOf, writeGizmo } from "./gizmo_link";
+import { Legend } from "./Legend";
+import type { CurvatureScale } from "./model_look";
+import { useShowMode } from "./show_mode";
+import { SectionPanel } from "./SectionPanel";
+import { useViewKeys } from "./view_keys";
+import { useViewSettings } from "./view_settings";
 import type { Viewer } from "./Viewer";
+import { Progress, Statistics } from "./ViewStatus";
+import { ViewTools, type ViewActions } from "./ViewTools";
 
-const MODES: readonly { id: ShadingMode; title: string; hint: string }[] = [
-  { id: "shaded", title: "Shaded", hint: "Surfaces" },
-  { id: "shaded-wire", title: "Lines", hint: "Surfaces with their lines" },
-  { id: "wire", title: "Wire", hint: "Lines only" },
-  { id: "normals", title: "Normals", hint: "Directions as colors" },
-];
+const LABEL = "The model. Drag to turn, Shift and drag to move, wheel to zoom; arrow keys turn.";
 
 /**
  * The pane around the 3D view. The view itself is loaded after the first paint and lives outside React. As a picture it
@@ -21,24 +23,33 @@ const MODES: readonly { id: ShadingMode; title: string; hint: string }[] = [
  */
 export function ViewPane({ light, picture }: { light: boolean; picture: boolean }): ReactElement {
   const session = useCurrentSession();
+  const pane = useRef<HTMLElement>(null);
   const place = useRef<HTMLDivElement>(null);
   const [viewer, setViewer] = useState<Viewer | null>(null);
   const [failure, setFailure] = useState("");
-  const [mode, setMode] = useRemembered("dini.view.mode", "shaded");
-  const [grid, setGrid] = useRemembered("dini.view.grid", "on");
-  const [axes, setAxes] = useRemembered("dini.view.axes", "on");
+  const [scale, setScale] = useState<CurvatureScale | null>(null);
+  const choice = useViewSettings(light, picture);
+  const [showing, setShowing] = useShowMode();
+  const stale = useCurrent((state) => state.problem !== null && state.shown !== null);
+  const { settings } = choice;
+  // The view calls back long after it was made; what it calls is always the newest.
+  const newest = useRef(choice);
+  newest.current = choice;
 
   useEffect(() => {
     let made: Viewer | undefined;
+    let stop = (): void => undefined;
     let isGone = false;
     import("./Viewer")
       .then(({ Viewer: Made }) => {
         if (isGone || !place.current) return;
-        made = new Made(
-          place.current,
-          "The model. Drag to turn, Shift and drag to move, wheel to zoom; arrow keys turn.",
-          picture,
-        );
+        made = new Made(place.current, LABEL, picture, {
+          section: (section) => newest.current.set({ section }),
+          scale: setScale,
+          write: (gizmo, value, gesture) => writeGizmo(session, gizmo, value, gesture),
+          end: (_, gesture, cancelled) => (cancelled ? session.cancelGesture(gesture) : session.endGesture()),
+        });
+        stop = showGizmosOf(session, made);
         setViewer(made);
         session.viewerLoaded(made);
         if (!picture) void makeThumbnails(session, made);
@@ -51,129 +62,59 @@ export function ViewPane({ light, picture }: { light: boolean; picture: boolean 
       });
     return () => {
       isGone = true;
+      stop();
       made?.dispose();
     };
   }, [session, picture]);
 
-  useEffect(() => {
-    const chosen = picture ? "shaded" : (MODES.find((item) => item.id === mode)?.id ?? "shaded");
-    viewer?.setSettings({ mode: chosen, grid: !picture && grid === "on", axes: !picture && axes === "on", light });
-  }, [viewer, picture, mode, grid, axes, light]);
+  const wanted = JSON.stringify(settings);
+  useEffect(() => viewer?.setSettings(newest.current.settings), [viewer, wanted]);
 
-  useEffect(() => {
-    const onKey = (event: KeyboardEvent): void => {
-      const target = event.target as HTMLElement;
-      const isElsewhere = target.closest("input, select, textarea, .graph-pane, [role=slider], [role=separator]");
-      if (isElsewhere || event.ctrlKey || event.metaKey || event.altKey) return;
-      if (event.key.toLowerCase() === "f") viewer?.frame();
-      if (event.key === "Home") viewer?.home();
-    };
-    document.addEventListener("keydown", onKey);
-    return () => document.removeEventListener("keydown", onKey);
-  }, [viewer]);
+  const actions: ViewActions = {
+    frame: () => viewer?.frame(),
+    home: () => viewer?.home(),
+    view: (view) => viewer?.standardView(view),
+    screenshot: () => void viewer?.screenshot(groundOf(pane.current)).then((blob) => savePicture(blob)),
+    show: () => setShowing(!showing),
+  };
+  const savePicture = (blob: Blob | null): void => {
+    const title = session.store.get().document?.title ?? "";
+    if (blob) saveBlob(blob, `${fileName(title)}.png`);
+  };
+  useViewKeys(pane, actions, () => choice.set({ orthographic: !settings.orthographic }));
 
-  const stale = useCurrent((state) => state.problem !== null && state.shown !== null);
-  const tools = (
-    <div className="view-tools">
-      <div className="segments" role="radiogroup" aria-label="Shading">
-        {MODES.map((item) => (
-          <button
-            key={item.id}
-            type="button"
-            role="radio"
-            aria-checked={mode === item.id}
-            title={item.hint}
-            onClick={() => setMode(item.id)}
-          >
-            {item.title}
-          </button>
-        ))}
-      </div>
-      <div className="segments">
-        <Toggle title="Grid" icon="grid" on={grid === "on"} onChange={(on) => setGrid(on ? "on" : "off")} />
-        <Toggle title="Axes" icon="axes" on={axes === "on"} onChange={(on) => setAxes(on ? "on" : "off")} />
-        <button
-          type="button"
-          title="Fill the view with the model (F)"
-          aria-label="Frame"
-          onClick={() => viewer?.frame()}
-        >
-          <Icon name="frame" />
-        </button>
-        <button type="button" title="Standard view (Home)" aria-label="Home view" onClick={() => viewer?.home()}>
-          <Icon name="home" />
-        </button>
-      </div>
-    </div>
-  );
+  const startSection = (): void => {
+    const { minimum, maximum } = viewer?.sectionReach ?? { minimum: -1, maximum: 1 };
+    const offset = Number(((minimum + maximum) / 2).toPrecision(3));
+    choice.set({ section: settings.section ? null : { axis: "x", offset, flipped: false } });
+  };
   return (
-    <section className="view-pane" aria-label="Model" data-stale={stale} data-picture={picture}>
+    <section className="view-pane" aria-label="Model" data-stale={stale} data-picture={picture} ref={pane}>
       <div className="canvas-place" ref={place} />
-      {!picture && tools}
+      {!picture && <ViewTools choice={choice} actions={actions} showing={showing} onSection={startSection} />}
       <Progress failure={failure} />
       {!picture && <Statistics />}
+      {settings.section && viewer && (
+        <SectionPanel
+          section={settings.section}
+          reach={viewer.sectionReach}
+          onChange={(section) => choice.set({ section })}
+        />
+      )}
+      {settings.mode === "by-curvature" && (
+        <Legend scale={scale} kind={settings.curvatureKind} onKind={(curvatureKind) => choice.set({ curvatureKind })} />
+      )}
+      {showing && (
+        <div className="show-controls">
+          <Controls />
+        </div>
+      )}
     </section>
   );
 }
 
-function Toggle({
-  title,
-  icon,
-  on,
-  onChange,
-}: {
-  title: string;
-  icon: "grid" | "axes";
-  on: boolean;
-  onChange(on: boolean): void;
-}): ReactElement {
-  return (
-    <button type="button" aria-pressed={on} aria-label={title} title={title} onClick={() => onChange(!on)}>
-      <Icon name={icon} />
-    </button>
-  );
-}
-
-/** Waiting, failing and being out of date. */
-function Progress({ failure }: { failure: string }): ReactElement {
-  const busy = useCurrent((state) => state.busy && !state.away);
-  const isEmpty = useCurrent((state) => state.shown === null);
-  const problem = useCurrent((state) => state.problem);
-  const slow = useLasting(busy, 250);
-  return (
-    <>
-      {slow && <div className="progress" role="progressbar" aria-label="Evaluating" />}
-      {failure && <p className="view-message">{failure}</p>}
-      {!failure && isEmpty && !problem && <p className="pane-wait">{busy ? "Evaluating…" : ""}</p>}
-      {problem && (
-        <div className="view-problem" role="status">
-          <Icon name="alert" />
-          <span>
-            {!isEmpty && <strong>Out of date. </strong>}
-            {problemText(problem)}
-          </span>
-        </div>
-      )}
-    </>
-  );
-}
-
-function Statistics(): ReactElement | null {
-  const shown = useCurrent((state) => state.shown);
-  if (!shown) return null;
-  const parts = [
-    `${grouped(shown.triangles)} triangles`,
-    `${grouped(shown.vertices)} vertices`,
-    byteText(shown.model.byteLength),
-    `${millisecondText(shown.report.evaluate)} evaluate`,
-    `${millisecondText(shown.decodeMilliseconds)} decode`,
-  ];
-  return (
-    <div className="statistics" aria-label="Statistics">
-      {parts.map((part) => (
-        <span key={part.replace(/^[\d\s.]+/, "")}>{part}</span>
-      ))}
-      {shown.quality === "draft" && <span className="statistics-draft">draft</span>}
-    </div>
-  );
+/** The colors of the pane's ground, top and bottom. */
+function groundOf(pane: HTMLElement | null): [string, string] {
+  const style = getComputedStyle(pane ?? document.documentElement);
+  return [style.getPropertyValue("--view-top").trim(), style.getPropertyValue("--view-bottom").trim()];
 }

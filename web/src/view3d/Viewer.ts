@@ -1,50 +1,73 @@
 // The 3D view. Draws only when something changed; React never runs while it does.
 
-import { Group, LineBasicMaterial, LineSegments, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
-import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { Group, Scene, Vector3, WebGLRenderer, type LineSegments } from "three";
+import type { ControlInfo } from "../app/state";
 import type { CameraPlace } from "../model/document";
+import { ControlGeometry } from "./control_geometry";
 import { Decoder, type DecodedModel } from "./decode";
-import { studioOf } from "./dress";
-import { frame, framingOf, placeCamera, samplePositions, type Framing } from "./framing";
-import { turnByKey } from "./keys";
-import { Materials, type ShadingMode } from "./materials";
+import { frame, framingOf, samplePositions, type Framing } from "./framing";
+import { GizmoLayer, type GizmoHost } from "./gizmos";
+import type { Gizmo } from "./gizmo_values";
+import { HandleLayer } from "./handles";
+import { Materials } from "./materials";
+import { ModelLook, type CurvatureScale, type Look } from "./model_look";
 import { cellSize, makeAxes, makeGrid, remove, type OverlayColors } from "./overlays";
+import { pngOf, pictureOf } from "./pictures";
+import { CameraRig, directionOf, type StandardView } from "./rig";
+import { SectionPlane, type Section } from "./section";
 import { isSoftwareRendering } from "./software";
-import { wireGeometry } from "./wireframe";
+import { drawingSize } from "./thick_lines";
 
-export interface ViewSettings {
-  mode: ShadingMode;
+export interface ViewSettings extends Look {
   grid: boolean;
   axes: boolean;
-  light: boolean;
+  control: boolean;
+  orthographic: boolean;
+  section: Section | null;
+}
+
+/** What the view tells the page. */
+export interface ViewerHost {
+  section(section: Section): void;
+  scale(scale: CurvatureScale | null): void;
+  write: GizmoHost["write"];
+  end: GizmoHost["end"];
 }
 
 const HOME = new Vector3(-0.62, -0.5, -0.92);
-const FIELD_OF_VIEW = 32;
-const COLORS: Record<"dark" | "light", OverlayColors & { wire: string; soleWire: string }> = {
-  dark: { grid: "#5a6374", axes: ["#ff7a6b", "#7ddb8c", "#4fb4ff"], wire: "#0d1017", soleWire: "#9db6ff" },
-  light: { grid: "#8d97a8", axes: ["#d2402f", "#1f8f3e", "#1f74d0"], wire: "#1b2540", soleWire: "#3450a8" },
+const COLORS: Record<"dark" | "light", OverlayColors> = {
+  dark: { grid: "#5a6374", axes: ["#ff7a6b", "#7ddb8c", "#4fb4ff"] },
+  light: { grid: "#8d97a8", axes: ["#d2402f", "#1f8f3e", "#1f74d0"] },
+};
+
+const PLAIN: ViewSettings = {
+  ...{ mode: "shaded", curvatureKind: "gauss", light: false },
+  ...{ grid: true, axes: true, control: true, orthographic: false, section: null },
 };
 
 export class Viewer {
   readonly isSoftware: boolean;
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
-  private readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 1000);
-  private readonly controls: OrbitControls;
+  private readonly rig: CameraRig;
   private readonly materials = new Materials();
   private readonly decoder = new Decoder(this.materials);
+  private readonly look = new ModelLook(this.materials);
+  private readonly gizmos: GizmoLayer;
+  private readonly handles: HandleLayer;
+  private readonly section: SectionPlane;
   private readonly overlays = new Group();
   private readonly observer: ResizeObserver;
-  private readonly wire = new LineBasicMaterial({ transparent: true });
   private model: DecodedModel | undefined;
-  private wires: LineSegments[] = [];
+  private control: ControlGeometry | undefined;
   private grid: LineSegments | undefined;
   private axes: Group | undefined;
   private opening: CameraPlace | null = null;
+  private center = new Vector3();
   private radius = 1;
   private requested = 0;
-  private settings: ViewSettings = { mode: "shaded", grid: true, axes: true, light: false };
+  private frames = 0;
+  private settings = PLAIN;
 
   /**
    * Draws into a canvas of its own inside `container`; `smooth` also without a GPU, where it takes long. Throws if
@@ -54,30 +77,33 @@ export class Viewer {
     private readonly container: HTMLElement,
     label: string,
     smooth: boolean,
+    private readonly host: ViewerHost,
   ) {
     this.isSoftware = isSoftwareRendering();
-    this.renderer = new WebGLRenderer({
-      antialias: smooth || !this.isSoftware,
-      alpha: true,
-      powerPreference: "high-performance",
-    });
+    const antialias = smooth || !this.isSoftware;
+    this.renderer = new WebGLRenderer({ antialias, alpha: true, powerPreference: "high-performance" });
     this.renderer.setPixelRatio(smooth ? 2 : this.isSoftware ? 1 : Math.min(2, window.devicePixelRatio));
     this.renderer.setClearColor(0x000000, 0);
+    this.renderer.localClippingEnabled = true;
     const canvas = this.renderer.domElement;
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", label);
     container.append(canvas);
-    this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.zoomToCursor = true;
-    this.controls.enableDamping = !this.isSoftware && !matchMedia("(prefers-reduced-motion: reduce)").matches;
-    this.controls.dampingFactor = 0.12;
-    this.controls.addEventListener("change", () => this.draw());
-    canvas.addEventListener("keydown", (event) => this.onKey(event));
+    const isDamped = !this.isSoftware && !matchMedia("(prefers-reduced-motion: reduce)").matches;
+    this.rig = new CameraRig(canvas, isDamped, () => this.draw());
+    canvas.addEventListener("keydown", (event) => this.rig.onKey(event));
+    this.section = new SectionPlane(this.materials, (section) => host.section(section));
+    this.gizmos = new GizmoLayer(this.gizmoHost());
+    this.handles = new HandleLayer(container, {
+      canvas,
+      ray: (x, y) => this.rig.ray((2 * x) / canvas.clientWidth - 1, 1 - (2 * y) / canvas.clientHeight),
+      project: (place) => this.project(place),
+    });
     // The graph's Z axis is the picture's up direction, as the export's root node turns it.
     this.overlays.rotation.x = -Math.PI / 2;
-    this.scene.add(this.overlays);
-    this.look(HOME, { target: new Vector3(), distance: 8, radius: 1 });
+    this.scene.add(this.overlays, this.section.group, this.gizmos.group);
+    this.rig.look(HOME, { target: new Vector3(), distance: 8, radius: 1 });
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(container);
     this.resize();
@@ -90,10 +116,10 @@ export class Viewer {
 
   /** Replaces the shown model. */
   show(model: DecodedModel): void {
-    this.clear();
+    this.clearModel();
     this.model = model;
     this.scene.add(model.scene);
-    this.applyMode();
+    this.dressModel();
     this.draw();
   }
 
@@ -104,25 +130,59 @@ export class Viewer {
     this.home();
   }
 
+  /** Replaces the control geometry over the model. */
+  showControl(model: DecodedModel | null, info: ControlInfo): void {
+    this.control?.dispose();
+    this.control = model ? new ControlGeometry(model, { ...info, light: this.settings.light }) : undefined;
+    if (this.control) {
+      this.control.group.visible = this.settings.control;
+      this.scene.add(this.control.group);
+    }
+    this.draw();
+  }
+
+  showGizmos(gizmos: readonly Gizmo[]): void {
+    this.gizmos.set(this.settings.control ? gizmos : []);
+    this.setHandles();
+    this.draw();
+  }
+
   clear(): void {
-    this.dropWires();
-    if (this.model) this.scene.remove(this.model.scene);
-    this.model?.dispose();
-    this.model = undefined;
+    this.clearModel();
+    this.control?.dispose();
+    this.control = undefined;
     this.draw();
   }
 
   setSettings(settings: ViewSettings): void {
-    const modeChanged = settings.mode !== this.settings.mode || settings.light !== this.settings.light;
+    const before = this.settings;
     this.settings = settings;
-    if (modeChanged) this.applyMode();
-    this.rebuildOverlays();
+    this.rig.projection = settings.orthographic ? "orthographic" : "perspective";
+    const changed = (...names: (keyof ViewSettings)[]): boolean => names.some((name) => settings[name] !== before[name]);
+    if (changed("mode", "light", "curvatureKind")) this.dressModel();
+    if (changed("light", "grid", "axes")) this.rebuildOverlays();
+    if (changed("light", "section")) this.placeSection();
+    if (this.control) {
+      this.control.group.visible = settings.control;
+      if (changed("light")) this.control.setLight(settings.light);
+    }
+    if (!settings.control) this.gizmos.set([]);
+    this.setHandles();
     this.draw();
+  }
+
+  /** The range of a section along its axis. */
+  get sectionReach(): { minimum: number; maximum: number } {
+    return this.section.reach;
   }
 
   /** Frames the model from where the camera looks now. */
   frame(): void {
-    this.frameAlong(this.camera.getWorldDirection(new Vector3()));
+    this.frameAlong(this.rig.direction);
+  }
+
+  standardView(view: StandardView): void {
+    this.frameAlong(directionOf(view));
   }
 
   /** The view that the document opened with: its own camera's, else the model framed from the standard direction. */
@@ -131,30 +191,20 @@ export class Viewer {
       this.frameAlong(HOME);
       return;
     }
-    this.moveTo(...framingOf(this.opening, samplePositions(this.model.scene), this.camera.aspect));
+    this.moveTo(...framingOf(this.opening, samplePositions(this.model.scene), this.rig.perspective.aspect));
   }
 
-  async thumbnail(model: DecodedModel, width: number, height: number): Promise<string> {
-    const scene = new Scene().add(model.scene);
-    const camera = new PerspectiveCamera(FIELD_OF_VIEW, width / height, 0.01, 1000);
-    const framing = frame(samplePositions(model.scene), HOME, camera);
-    const picture = document.createElement("canvas");
-    picture.width = width;
-    picture.height = height;
-    if (framing) {
-      placeCamera(camera, HOME, framing);
-      // Drawn twice as large and scaled down, which is smooth without multisampling.
-      const ratio = this.renderer.getPixelRatio();
-      this.renderer.setPixelRatio(1);
-      this.renderer.setSize(2 * width, 2 * height, false);
-      this.renderer.render(scene, camera);
-      picture.getContext("2d")?.drawImage(this.renderer.domElement, 0, 0, width, height);
-      this.renderer.setPixelRatio(ratio);
-      this.resize();
-      this.render();
-    }
-    const blob = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, "image/png"));
-    return blob ? URL.createObjectURL(blob) : "";
+  thumbnail(model: DecodedModel, width: number, height: number): Promise<string> {
+    const picture = pictureOf(this.renderer, model, HOME, width, height);
+    this.resize();
+    return picture;
+  }
+
+  /** The picture as it is now, as a PNG. */
+  screenshot(background: readonly [string, string]): Promise<Blob | null> {
+    // Drawn and read in the same task: the drawing is gone with the next frame.
+    this.render();
+    return pngOf(this.renderer.domElement, background);
   }
 
   dispose(): void {
@@ -163,87 +213,94 @@ export class Viewer {
     this.clear();
     remove(this.grid);
     remove(this.axes);
-    this.controls.dispose();
+    this.handles.dispose();
+    this.gizmos.dispose();
+    this.section.dispose();
+    this.look.dispose();
+    this.rig.dispose();
     this.materials.dispose();
-    this.wire.dispose();
     this.decoder.dispose();
     this.renderer.dispose();
     this.renderer.domElement.remove();
+  }
+
+  private gizmoHost(): GizmoHost {
+    const { host, rig } = this;
+    return {
+      direction: () => rig.direction,
+      right: () => new Vector3(1, 0, 0).applyQuaternion(rig.perspective.quaternion),
+      cell: () => cellSize(this.radius),
+      pixelSize: (place) => rig.pixelSize(place, this.container.clientHeight),
+      write: (gizmo, value, gesture) => host.write(gizmo, value, gesture),
+      end: (gizmo, gesture, cancelled) => host.end(gizmo, gesture, cancelled),
+    };
+  }
+
+  private clearModel(): void {
+    this.look.clear();
+    if (this.model) this.scene.remove(this.model.scene);
+    this.model?.dispose();
+    this.model = undefined;
+  }
+
+  private dressModel(): void {
+    if (this.model) this.host.scale(this.look.apply(this.model, this.settings));
+  }
+
+  private setHandles(): void {
+    this.handles.set([...(this.settings.section ? [this.section.handle] : []), ...this.gizmos.handles]);
+  }
+
+  private placeSection(): void {
+    this.section.set(this.settings.section, this.center, this.radius, this.settings.light);
   }
 
   private draw(): void {
     if (this.requested) return;
     this.requested = requestAnimationFrame(() => {
       this.requested = 0;
-      this.controls.update();
       this.render();
     });
   }
 
   private render(): void {
-    this.renderer.render(this.scene, this.camera);
+    this.rig.update();
+    this.gizmos.update();
+    this.renderer.render(this.scene, this.rig.camera);
+    this.handles.update();
+    // What tests watch: that nothing is drawn for nothing, and that nothing is kept for nothing.
+    const { geometries, textures } = this.renderer.info.memory;
+    Object.assign(this.renderer.domElement.dataset, { frames: ++this.frames, geometries, textures });
   }
 
   private resize(): void {
     const { clientWidth, clientHeight } = this.container;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.renderer.setSize(clientWidth, clientHeight, true);
-    this.camera.aspect = clientWidth / clientHeight;
-    this.camera.updateProjectionMatrix();
+    drawingSize.value.set(clientWidth, clientHeight);
+    this.rig.resize(clientWidth / clientHeight);
     // Setting the size clears the canvas; drawing at once avoids a blank frame.
     this.render();
   }
 
+  private project(place: Vector3): { x: number; y: number } | undefined {
+    const { clientWidth, clientHeight } = this.container;
+    const { x, y, z } = place.clone().project(this.rig.camera);
+    return z > 1 ? undefined : { x: ((x + 1) * clientWidth) / 2, y: ((1 - y) * clientHeight) / 2 };
+  }
+
   private frameAlong(direction: Vector3): void {
-    const framing = this.model && frame(samplePositions(this.model.scene), direction, this.camera);
+    const framing = this.model && frame(samplePositions(this.model.scene), direction, this.rig.perspective);
     if (framing) this.moveTo(direction, framing);
   }
 
   private moveTo(direction: Vector3, framing: Framing): void {
-    this.look(direction, framing);
+    this.rig.look(direction, framing);
     this.radius = framing.radius;
+    this.center.copy(framing.target);
     this.rebuildOverlays();
+    this.placeSection();
     this.draw();
-  }
-
-  private look(direction: Vector3, framing: Framing): void {
-    placeCamera(this.camera, direction, framing);
-    this.controls.target.copy(framing.target);
-    this.controls.minDistance = framing.radius * 0.02;
-    this.controls.maxDistance = framing.radius * 60;
-    this.controls.update();
-  }
-
-  private onKey(event: KeyboardEvent): void {
-    const offset = this.camera.position.clone().sub(this.controls.target);
-    if (!turnByKey(event, offset, this.camera.up)) return;
-    event.preventDefault();
-    this.camera.position.copy(this.controls.target).add(offset);
-    this.controls.update();
-  }
-
-  private applyMode(): void {
-    this.dropWires();
-    const { mode, light } = this.settings;
-    const colors = COLORS[light ? "light" : "dark"];
-    this.wire.color.set(mode === "wire" ? colors.soleWire : colors.wire);
-    this.wire.opacity = mode === "wire" ? 0.75 : 0.42;
-    for (const mesh of this.model?.meshes ?? []) {
-      mesh.material = mode === "normals" ? this.materials.normals : (studioOf(mesh) ?? this.materials.normals);
-      mesh.material.visible = mode !== "wire";
-      if (mode !== "wire" && mode !== "shaded-wire") continue;
-      const lines = new LineSegments(wireGeometry(mesh.geometry), this.wire);
-      mesh.add(lines);
-      this.wires.push(lines);
-    }
-  }
-
-  private dropWires(): void {
-    for (const lines of this.wires) {
-      lines.removeFromParent();
-      lines.geometry.dispose();
-    }
-    this.wires = [];
   }
 
   private rebuildOverlays(): void {

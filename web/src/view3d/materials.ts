@@ -17,9 +17,8 @@ import {
   type LineBasicMaterialParameters,
   type Material,
   type Plane,
+  type WebGLProgramParametersWithUniforms,
 } from "three";
-
-export type ShadingMode = "shaded" | "shaded-wire" | "wire" | "normals";
 
 const MATCAP_SIZE = 128;
 const DEFAULT_COLOR = new Color("#7f9df0");
@@ -101,6 +100,8 @@ export interface Style {
  */
 export class Materials {
   readonly normals = new MeshNormalMaterial({ side: DoubleSide, ...BEHIND_LINES });
+  /** Surfaces in the colors of their attribute "paint". */
+  readonly painted: Material;
   /** The planes that every surface is cut by; the same list for ever, so that filling it is enough. */
   readonly planes: Plane[] = [];
   private readonly matcap = studioMatcap();
@@ -109,6 +110,8 @@ export class Materials {
 
   constructor() {
     this.normals.clippingPlanes = this.planes;
+    this.painted = this.makeStudio({ color: [1, 1, 1, 1], translucent: false, vertexColors: false }, new Color(1, 1, 1), true);
+    this.painted.clippingPlanes = this.planes;
   }
 
   /** The studio look of a model's own color, opacity and vertex colors. White stands for no color of its own. */
@@ -144,6 +147,7 @@ export class Materials {
     for (const material of this.kept.values()) material.dispose();
     this.matcap.dispose();
     this.normals.dispose();
+    this.painted.dispose();
   }
 
   private shared(kind: string, style: Style, make: () => Material): Material {
@@ -160,7 +164,7 @@ export class Materials {
     return material;
   }
 
-  private makeStudio(style: Style, color: Color): MeshMatcapMaterial {
+  private makeStudio(style: Style, color: Color, isPainted = false): MeshMatcapMaterial {
     const material = new MeshMatcapMaterial({
       matcap: this.matcap,
       color,
@@ -171,8 +175,11 @@ export class Materials {
       depthWrite: !style.translucent,
       ...BEHIND_LINES,
     });
+    // The renderer keeps programs by the text of the function below, which is the same for both.
+    material.customProgramCacheKey = () => String(isPainted);
     material.onBeforeCompile = (shader) => {
       shader.uniforms["flatBack"] = this.back;
+      if (isPainted) paint(shader);
       shader.fragmentShader = shader.fragmentShader
         .replace("#define MATCAP", "#define MATCAP\nuniform vec4 flatBack;")
         .replace(
@@ -182,17 +189,27 @@ export class Materials {
           // while its smooth normal does not; taking it for the back would draw dots of the other shade.
           `#include <color_fragment>
           bool isBack = !gl_FrontFacing && dot(normalize(vNormal), normalize(vViewPosition)) < 0.0;
-          if (isBack) diffuseColor.rgb *= 0.78 * mix(vec3(1.0), diffuseColor.rgb + 0.25, 0.65);`,
+          if (isBack) diffuseColor.rgb *= ${isPainted ? "0.9" : "0.78 * mix(vec3(1.0), diffuseColor.rgb + 0.25, 0.65)"};`,
         )
         .replace("#include <normal_fragment_begin>", "vec3 normal = isBack ? -normalize(vNormal) : normalize(vNormal);")
         .replace(
           "vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;",
           `vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb * 1.2 + vec3(matcapColor.a);
-          if (isBack) outgoingLight = mix(outgoingLight, flatBack.rgb, flatBack.a);`,
+          if (isBack) outgoingLight = mix(outgoingLight, flatBack.rgb, 0.85 * flatBack.a);`,
         );
     };
     return material;
   }
+}
+
+/** Takes the color from the attribute "paint". */
+function paint(shader: WebGLProgramParametersWithUniforms): void {
+  shader.vertexShader = shader.vertexShader
+    .replace("#define MATCAP", "#define MATCAP\nattribute vec3 paint; varying vec3 vPaint;")
+    .replace("#include <begin_vertex>", "#include <begin_vertex>\nvPaint = paint;");
+  shader.fragmentShader = shader.fragmentShader
+    .replace("#define MATCAP", "#define MATCAP\nvarying vec3 vPaint;")
+    .replace("#include <color_fragment>", "#include <color_fragment>\ndiffuseColor.rgb *= vPaint;");
 }
 
 function plain({ color, translucent, vertexColors }: Style): LineBasicMaterialParameters {

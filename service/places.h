@@ -1,0 +1,19 @@
+#pragma once
+
+// Places in a graph as requests write them, and what is said about those that are not there.
+
+#include <string>
+
+#include "graph/document.h"
+#include "graph/node_type.h"
+
+namespace dini {
+
+Problem unknown_node(const Document& document, const std::string& node, const std::string& pointer);
+Problem unknown_output(const NodeType& type, const std::string& node, const std::string& output,
+                       const std::string& pointer);
+
+/// A bypassed node passes on one value, whatever outputs its type has.
+Problem bypassed_output(const std::string& node, const std::string& output, const std::string& pointer);
+
+}  // namespace dini

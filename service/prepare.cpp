@@ -1,0 +1,174 @@
+#include "service/prepare.h"
+
+#include <algorithm>
+
+#include "graph/check.h"
+#include "graph/nearest.h"
+#include "graph/parameters.h"
+#include "service/places.h"
+#include "service/preview.h"
+#include "service/report.h"
+#include "service/version.h"
+
+namespace dini {
+
+namespace {
+
+constexpr std::int64_t least_budget = 100;
+constexpr std::int64_t largest_budget = 10'000'000;
+
+/// A document with the values of its parameters.
+struct ReadGraph {
+  Document document;
+  std::map<std::string, Json> values;
+};
+
+Result<ReadGraph> read_graph(const Environment& environment, const Json& graph, const Json& parameters) {
+  Result<Document> document = read_document(graph, environment.limits);
+  if (!document) return document.problems();
+  Result<std::map<std::string, Json>> values = resolve_parameters(*document, parameters);
+  if (!values) return values.problems();
+  return ReadGraph{*std::move(document), *std::move(values)};
+}
+
+Result<Detail> detail_of(const EvaluateRequest& request) {
+  if (!request.triangle_budget) return Detail(request.quality);
+  const Problem refused{"out-of-range", "", "", "", "/triangle_budget"};
+  if (request.quality != Quality::draft) {
+    Problem problem = refused;
+    problem.detail = "a triangle_budget goes with quality draft only; a final answer is never thinned";
+    problem.fix = {{{"op", "remove"}, {"path", problem.pointer}}};
+    return problem;
+  }
+  const std::int64_t budget = std::clamp(*request.triangle_budget, least_budget, largest_budget);
+  if (budget != *request.triangle_budget) {
+    Problem problem = refused;
+    problem.detail = "got " + std::to_string(*request.triangle_budget) + ", accepted is " +
+                     std::to_string(least_budget) + " to " + std::to_string(largest_budget);
+    problem.fix = {{{"op", "replace"}, {"path", problem.pointer}, {"value", budget}}};
+    return problem;
+  }
+  return Detail(request.quality, static_cast<std::size_t>(budget));
+}
+
+/// Nodes that make a file, and nodes of unknown type that may have been meant to.
+bool may_export(const Registry& registry, const NodeEntry& node) {
+  const NodeType* type = registry.find(node.type);
+  if (type == nullptr) return true;
+  return !node.bypass && !type->outputs.empty() && type->outputs.front().types.front() == WireType::asset;
+}
+
+/// The node to export: the one asked for, else the only one that makes a file.
+Result<std::string> find_output(const Registry& registry, const Document& document, const std::string& asked) {
+  std::vector<std::string> exports;
+  std::vector<std::string> unknown;
+  for (const auto& [id, node] : document.nodes) {
+    if (!may_export(registry, node)) continue;
+    (registry.find(node.type) == nullptr ? unknown : exports).push_back(id);
+  }
+  std::string known;
+  for (const std::string& id : exports) known += (known.empty() ? "" : ", ") + id;
+  if (asked.empty()) {
+    if (exports.size() == 1) return exports.front();
+    if (exports.empty() && !unknown.empty()) return unknown.front();
+    return Problem{
+        "unknown-output",
+        exports.empty() ? "the graph has no export node" : "the graph has several outputs, choose one of " + known, "",
+        "", "/output"};
+  }
+  const auto found = document.nodes.find(asked);
+  if (found == document.nodes.end() || !may_export(registry, found->second)) {
+    return Problem{"unknown-output",
+                   "\"" + asked + "\" is no export node of the graph" + did_you_mean(asked, exports) +
+                       (exports.empty() ? "" : "; there is " + known),
+                   "", "", "/output"};
+  }
+  return asked;
+}
+
+std::vector<BrokenCheck> broken_checks(const Registry& registry, const Document& document, const CheckReport& report) {
+  std::vector<BrokenCheck> broken;
+  for (const auto& [id, node] : document.nodes) {
+    const NodeType* type = registry.find(node.type);
+    if (type == nullptr || !type->always_evaluated || node.bypass) continue;
+    const auto planned = report.plan.index.find(id);
+    if (planned != report.plan.index.end() && !report.plan.nodes[planned->second].doubtful) continue;
+    const auto own = std::find_if(report.elsewhere.begin(), report.elsewhere.end(),
+                                  [&](const Problem& problem) { return problem.node == id; });
+    broken.push_back(
+        {id, own == report.elsewhere.end() ? "the check stands behind a broken node, so it did not run" : own->detail});
+  }
+  return broken;
+}
+
+/// What the bytes of an answer depend on: the output's content, the checks that must pass, the parameters written into
+/// the file, what is drawn, and the engine.
+Digest entity_digest(const Prepared& prepared) {
+  DigestBuilder digest;
+  digest.text(engine_version);
+  for (const std::size_t target : prepared.targets) digest.digest(prepared.plan.nodes[target].fingerprint);
+  digest.text(prepared.extras.dump());
+  if (!prepared.previews.empty()) digest.text("preview").digest(prepared.preview_digest);
+  return digest.finish();
+}
+
+}  // namespace
+
+Result<std::shared_ptr<Prepared>> prepare_evaluation(const Environment& environment, const EvaluateRequest& request) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Registry& registry = environment.registry;
+  Result<Detail> detail = detail_of(request);
+  if (!detail) return detail.problems();
+  Result<ReadGraph> read = read_graph(environment, request.graph, request.parameters);
+  if (!read) return read.problems();
+  const Document& document = read->document;
+
+  CheckScope scope;
+  scope.guards = request.preview.empty() || !request.output.empty();
+  std::string output;
+  if (scope.guards) {
+    Result<std::string> found = find_output(registry, document, request.output);
+    if (!found) return found.problems();
+    output = *std::move(found);
+    scope.targets.push_back(output);
+  }
+  Result<PreviewNames> names = read_previews(registry, document, request.preview, environment.limits);
+  if (!names) return names.problems();
+  for (const auto& [node, outputs] : *names) scope.targets.push_back(node);
+
+  CheckReport report =
+      check(registry, document, read->values, *detail, environment.limits, environment.find_asset, scope);
+  if (!report.problems.empty()) return report.problems;
+  auto prepared = std::make_shared<Prepared>();
+  if (scope.guards) {
+    prepared->output = report.plan.index.at(output);
+    prepared->targets.push_back(*prepared->output);
+    prepared->targets.insert(prepared->targets.end(), report.guards.begin(), report.guards.end());
+    prepared->broken_checks = broken_checks(registry, document, report);
+    prepared->extras = file_extras(report.plan, *prepared->output);
+  }
+  prepared->elsewhere = std::move(report.elsewhere);
+  prepared->plan = std::move(report.plan);
+  Result<std::vector<Preview>> previews = plan_previews(prepared->plan, *names, environment.limits);
+  if (!previews) return previews.problems();
+  prepared->previews = *std::move(previews);
+  prepared->preview_digest = preview_digest(prepared->plan, prepared->previews, environment.limits);
+  prepared->document = std::move(read->document);
+  prepared->entity_tag = "\"" + to_hex(entity_digest(*prepared)) + "\"";
+  prepared->milliseconds = milliseconds_since(begin);
+  return prepared;
+}
+
+Result<Plan> prepare_inspection(const Environment& environment, const InspectRequest& request) {
+  Result<ReadGraph> read = read_graph(environment, request.graph, request.parameters);
+  if (!read) return read.problems();
+  if (!read->document.nodes.contains(request.node)) {
+    return unknown_node(read->document, request.node, "/node");
+  }
+  CheckReport report = check(environment.registry, read->document, read->values, Quality::final, environment.limits,
+                             environment.find_asset, {{request.node}, false});
+  if (!report.problems.empty()) return report.problems;
+  return std::move(report.plan);
+}
+
+}  // namespace dini

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+
+#include "graph/asset_file.h"
+#include "graph/registry.h"
+#include "service/engine.h"
+#include "service/prepared.h"
+
+namespace dini {
+
+/// What requests are checked against.
+struct Environment {
+  const Registry& registry;
+  const Limits& limits;
+  AssetFinder find_asset;
+};
+
+/// Reads and checks an evaluation: its output, its previews, and what those depend on.
+Result<std::shared_ptr<Prepared>> prepare_evaluation(const Environment& environment, const EvaluateRequest& request);
+
+/// The plan of everything that one node depends on. The node is in it unless there are problems.
+Result<Plan> prepare_inspection(const Environment& environment, const InspectRequest& request);
+
+}  // namespace dini

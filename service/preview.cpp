@@ -1,0 +1,163 @@
+#include "service/preview.h"
+
+#include <algorithm>
+
+#include "gltf/glb_groups.h"
+#include "service/places.h"
+#include "service/preview_parts.h"
+
+namespace dini {
+
+namespace {
+
+/// Of all lines of all previews together.
+constexpr std::size_t line_points = 1'000'000;
+constexpr std::size_t most_line_points = 50'000;  ///< of one output
+
+/// Adds the outputs that one entry names.
+std::optional<Problem> read_entry(const Registry& registry, const Document& document, const std::string& entry,
+                                  const std::string& pointer, PreviewNames& names) {
+  const std::size_t period = entry.find('.');
+  const std::string id = entry.substr(0, period);
+  const auto node = document.nodes.find(id);
+  if (node == document.nodes.end()) return unknown_node(document, id, pointer);
+  std::set<std::size_t>& outputs = names[id];
+  const NodeType* type = registry.find(node->second.type);
+  if (type == nullptr) return std::nullopt;  // the check of the graph reports it
+  if (period == std::string::npos) {
+    for (std::size_t k = 0; k < (node->second.bypass ? 1 : type->outputs.size()); ++k) outputs.insert(k);
+    return std::nullopt;
+  }
+  const std::string output = entry.substr(period + 1);
+  const OutputPort* port = type->find_output(output);
+  if (port == nullptr) return unknown_output(*type, id, output, pointer);
+  const auto index = static_cast<std::size_t>(port - type->outputs.data());
+  if (node->second.bypass && index > 0) return bypassed_output(id, output, pointer);
+  outputs.insert(index);
+  return std::nullopt;
+}
+
+/// The node whose outputs stand at a planned node: itself unless it is bypassed.
+std::size_t resolved(const Plan& plan, std::size_t node) {
+  while (plan.nodes[node].bypass) node = std::get<Source>(plan.nodes[node].bypass->from).node;
+  return node;
+}
+
+/// The axis of a node's output along which its points make curves: one that a node before it made for curves.
+std::optional<std::size_t> curve_axis(const Plan& plan, std::size_t node, const Axes& axes) {
+  std::set<std::size_t> seen;
+  std::vector<std::size_t> stack = {resolved(plan, node)};
+  std::set<std::string> curves;
+  while (!stack.empty()) {
+    const std::size_t at = stack.back();
+    stack.pop_back();
+    if (!seen.insert(at).second) continue;
+    const PlannedNode& planned = plan.nodes[at];
+    if (planned.type->makes_curves && !planned.made.empty()) {
+      for (const Axis& axis : planned.made.front()) curves.insert(axis.name);
+    }
+    for (const PlannedInput& input : planned.inputs) {
+      for (const PlannedItem& item : input.items) {
+        if (const auto* source = std::get_if<Source>(&item.from)) stack.push_back(source->node);
+      }
+    }
+  }
+  for (std::size_t k = axes.size(); k-- > 0;) {
+    if (curves.contains(axes[k].name)) return k;
+  }
+  return std::nullopt;
+}
+
+PreviewedOutput previewed(const Plan& plan, const Evaluation& evaluation, std::size_t node, std::size_t output) {
+  PreviewedOutput found{plan.nodes[node].type->outputs[output].name, evaluation.value(plan, node, output)};
+  if (found.value.type() == WireType::point) found.curve_axis = curve_axis(plan, node, found.value.axes);
+  return found;
+}
+
+Problem problem_of(const EncodeError& error) {
+  const bool large = error.code == EncodeError::Code::too_large;
+  return {large ? "limit-exceeded" : "encode-failed", "the preview: " + error.detail, error.part, "", "/preview"};
+}
+
+}  // namespace
+
+Result<PreviewNames> read_previews(const Registry& registry, const Document& document,
+                                   const std::vector<std::string>& asked, const Limits& limits) {
+  if (asked.size() > limits.previews) {
+    return Problem{"limit-exceeded",
+                   "there are " + std::to_string(asked.size()) + " entries, at most " +
+                       std::to_string(limits.previews) + " are accepted",
+                   "", "", "/preview"};
+  }
+  PreviewNames names;
+  Problems problems;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    auto problem = read_entry(registry, document, asked[i], "/preview/" + std::to_string(i), names);
+    if (problem) problems.push_back(*std::move(problem));
+  }
+  if (!problems.empty()) return problems;
+  return names;
+}
+
+Result<std::vector<Preview>> plan_previews(const Plan& plan, const PreviewNames& names, const Limits& limits) {
+  std::vector<Preview> previews;
+  std::size_t vertices = 0;
+  for (const auto& [id, outputs] : names) {
+    previews.push_back({plan.index.at(id), {outputs.begin(), outputs.end()}});
+    for (const std::size_t output : outputs) {
+      const WireShape& shape = plan.nodes[previews.back().node].outputs[output];
+      if (shape.type == WireType::mesh) vertices += shape.vertices;
+    }
+  }
+  if (vertices > limits.vertices) {
+    return Problem{"limit-exceeded",
+                   "the previewed meshes would have " + std::to_string(vertices) + " vertices together, at most " +
+                       std::to_string(limits.vertices) + " are accepted",
+                   "", "", "/preview"};
+  }
+  return previews;
+}
+
+Digest preview_digest(const Plan& plan, const std::vector<Preview>& previews, const Limits& limits) {
+  DigestBuilder digest;
+  digest.text("preview").integer(limits.preview_elements).integer(limits.preview_points);
+  for (const Preview& preview : previews) {
+    const PlannedNode& node = plan.nodes[preview.node];
+    digest.text(node.id).text(node.type->id).digest(plan.nodes[resolved(plan, preview.node)].fingerprint);
+    if (node.bypass) digest.integer(std::get<Source>(node.bypass->from).output);
+    for (const std::size_t output : preview.outputs) digest.integer(output);
+  }
+  return digest.finish();
+}
+
+Result<std::string> draw_previews(const Plan& plan, const Evaluation& evaluation, const std::vector<Preview>& previews,
+                                  const Limits& limits, const Cancel& cancel) {
+  std::vector<std::vector<PreviewedOutput>> outputs;
+  std::vector<Value> values;
+  for (const Preview& preview : previews) {
+    std::vector<PreviewedOutput>& of_node = outputs.emplace_back();
+    for (const std::size_t output : preview.outputs) {
+      of_node.push_back(previewed(plan, evaluation, preview.node, output));
+      values.push_back(of_node.back().value);
+    }
+  }
+  const PreviewFrame frame = frame_of(values, limits.preview_elements);
+  const std::size_t points = std::min(most_line_points, line_points / std::max<std::size_t>(1, values.size()));
+  std::vector<GlbGroup> groups;
+  for (std::size_t k = 0; k < previews.size(); ++k) {
+    const PlannedNode& node = plan.nodes[previews[k].node];
+    GlbGroup& group = groups.emplace_back(GlbGroup{node.id, {{"id", node.id}, {"type", node.type->id}}, {}});
+    for (const PreviewedOutput& output : outputs[k]) {
+      if (cancel.stopped()) break;
+      for (GlbChild& child : drawn_parts(output, frame, limits, points)) group.children.push_back(std::move(child));
+    }
+  }
+  EncodeResult<std::string> encoded = encode_groups(groups, {}, cancel);
+  if (auto* error = std::get_if<EncodeError>(&encoded)) {
+    if (error->code == EncodeError::Code::cancelled) return stopped_problem(cancel.reason());
+    return problem_of(*error);
+  }
+  return std::get<std::string>(std::move(encoded));
+}
+
+}  // namespace dini

@@ -1,0 +1,89 @@
+// Drafts keep to the triangles they are given.
+
+#include <catch2/catch.hpp>
+
+#include "tests/support/requests.h"
+
+using namespace dini;
+using namespace dini::support;
+
+namespace {
+
+const Engine& engine() {
+  static const Engine one;
+  return one;
+}
+
+/// Meshes of every kind that a draft may thin, on one export.
+Json large_graph() {
+  return document({{"k", make("range", {{"to", 3}, {"count", 400}})},
+                   {"ring", make("circle", {{"radius", from("k")}})},
+                   {"skin", make("surface", {{"shape", from("ring")}, {"segments", 256}})},
+                   {"wire", make("circle", {{"radius", 5}})},
+                   {"dots", make("sample", {{"shape", from("wire")}, {"count", 4000}})},
+                   {"hose", make("tube", {{"shape", from("dots")}, {"sides", 32}})},
+                   {"hoop", make("tube", {{"shape", from("wire")}, {"segments", 512}, {"sides", 32}})},
+                   {"ball", make("sphere_mesh", {{"segments", 256}, {"rings", 128}})},
+                   {"donut", make("torus_mesh", {{"segments", 256}, {"sides", 128}})},
+                   {"box", make("box_mesh", {{"segments", 128}})},
+                   {"fine", make("subdivide", {{"shape", from("box")}, {"levels", 2}})},
+                   {"out", make("export", {{"model",
+                                            {from("skin"), from("hose"), from("hoop"), from("ball"), from("donut"),
+                                             from("box"), from("fine")}}})}});
+}
+
+EvaluateRequest draft_of(Json graph, std::optional<std::int64_t> budget) {
+  EvaluateRequest request;
+  request.graph = std::move(graph);
+  request.quality = Quality::draft;
+  request.triangle_budget = budget;
+  return request;
+}
+
+std::size_t triangles_of(const EvaluateRequest& request) {
+  const Result<Evaluated> answer = answered(engine(), request);
+  require_none(answer ? Problems{} : answer.problems());
+  return answer->report()["model"]["triangles"];
+}
+
+}  // namespace
+
+TEST_CASE("a draft has about as many triangles as its budget, whatever meshes share it") {
+  for (const std::int64_t budget : {1000, 5000, 20'000, 200'000}) {
+    CAPTURE(budget);
+    const auto triangles = static_cast<double>(triangles_of(draft_of(large_graph(), budget)));
+    CHECK(triangles < 1.3 * static_cast<double>(budget) + 7 * 100);
+    CHECK(triangles > 0.2 * static_cast<double>(budget));
+  }
+  CHECK(triangles_of(draft_of(large_graph(), std::nullopt)) == triangles_of(draft_of(large_graph(), 20'000)));
+}
+
+TEST_CASE("a draft that fits its budget is as fine as the final answer") {
+  Json graph = document({{"ball", make("sphere_mesh")}, {"out", make("export", {{"model", from("ball")}})}});
+  EvaluateRequest final_request = draft_of(graph, std::nullopt);
+  final_request.quality = Quality::final;
+  CHECK(triangles_of(draft_of(graph, 100'000)) == triangles_of(final_request));
+  CHECK(triangles_of(draft_of(graph, 1000)) < 1100);
+}
+
+TEST_CASE("a budget outside its bounds, or for a final answer, is refused") {
+  const auto refused = [](const EvaluateRequest& request) {
+    const auto prepared = engine().prepare(request);
+    REQUIRE_FALSE(prepared);
+    CHECK(prepared.problems().front().code == "out-of-range");
+    CHECK(prepared.problems().front().pointer == "/triangle_budget");
+    return prepared.problems().front();
+  };
+  for (const std::int64_t budget : {std::int64_t{99}, std::int64_t{0}, std::int64_t{-5}, std::int64_t{10'000'001}}) {
+    CHECK(refused(draft_of(large_graph(), budget)).detail.find("100 to 10000000") != std::string::npos);
+  }
+  EvaluateRequest request = draft_of(large_graph(), 1000);
+  request.quality = Quality::final;
+  CHECK(refused(request).detail == "a triangle_budget goes with quality draft only; a final answer is never thinned");
+}
+
+TEST_CASE("the tag of a draft depends on its budget where that thins something") {
+  const auto tag = [](const EvaluateRequest& request) { return Engine::entity_tag(**engine().prepare(request)); };
+  CHECK(tag(draft_of(large_graph(), 1000)) != tag(draft_of(large_graph(), 2000)));
+  CHECK(tag(draft_of(large_graph(), 1000)) == tag(draft_of(large_graph(), 1000)));
+}

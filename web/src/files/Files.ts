@@ -1,0 +1,192 @@
+// Opening, saving, sharing and recovering the open document. Plain TypeScript; the components read its store.
+
+import { curlText } from "../app/commands";
+import type { Session } from "../app/session";
+import { fileName } from "../model/format";
+import type { Json } from "../model/json";
+import { createStore, type Store } from "../model/store";
+import { Autosave, tabName } from "./autosave";
+import { askForFile, writeFile, type FileHandle } from "./disk";
+import { documentText, documentWithValues } from "./document_file";
+import { openDraftStore, type Draft } from "./drafts";
+import { graphInGlb } from "./glb_graph";
+import { addImport, MESH_FILE, uploadMesh } from "./import_mesh";
+import { LONGEST_LINK, packGraph, unpackGraph } from "./share";
+
+export interface FilesState {
+  dialog: "model-file" | "recover" | "share" | null;
+  /** What was done, or went wrong, for a moment. */
+  note: { text: string; tone: "good" | "bad" } | null;
+  link: string;
+}
+
+/** What a page begins with instead of an example. */
+export interface Beginning {
+  json: Json;
+  origin: { kind: "shared" } | { kind: "draft"; id: string };
+}
+
+const NOTE_MILLISECONDS = 6000;
+const kept = new WeakMap<Session, Files>();
+
+/** The files of a session; one for each. */
+export function filesOf(session: Session): Files {
+  const files = kept.get(session) ?? new Files(session);
+  kept.set(session, files);
+  return files;
+}
+
+export class Files {
+  readonly store: Store<FilesState> = createStore<FilesState>({ dialog: null, note: null, link: "" });
+  private readonly drafts = openDraftStore();
+  private readonly tab = tabName();
+  private readonly autosave: Autosave;
+  private handle: { file: FileHandle; opened: number } | undefined;
+  private timer = 0;
+
+  constructor(private readonly session: Session) {
+    this.autosave = new Autosave(session, this.drafts, this.tab);
+  }
+
+  /** What this load of the page takes up: the graph in its address, else what the same tab had not saved. */
+  async beginning(): Promise<Beginning | undefined> {
+    const packed = new URLSearchParams(location.hash.slice(1)).get("g");
+    if (packed !== null) {
+      const result = await unpackGraph(packed);
+      if ("json" in result) return { json: result.json, origin: { kind: "shared" } };
+      this.say(result.error, "bad");
+      return undefined;
+    }
+    const mine = (await this.list()).find((draft) => draft.tab === this.tab && draft.address === location.hash);
+    if (!mine) return undefined;
+    this.say(`“${mine.title}” is open again with what was not saved.`);
+    return { json: mine.json, origin: { kind: "draft", id: mine.id } };
+  }
+
+  /** Drafts, newest first; none where the browser keeps none. */
+  list(): Promise<Draft[]> {
+    return this.drafts.list().catch(() => []);
+  }
+
+  recover(draft: Draft): void {
+    this.open(draft.json, { kind: "draft", id: draft.id }, draft.title);
+    this.show(null);
+  }
+
+  async forget(draft: Draft): Promise<void> {
+    await this.drafts.remove(draft.id).catch(() => undefined);
+  }
+
+  async ask(): Promise<void> {
+    const asked = await askForFile();
+    if (asked) await this.take(asked.file, asked.handle);
+  }
+
+  /** Opens a graph, or imports a mesh, by what the file is. */
+  async take(file: File, handle?: FileHandle): Promise<void> {
+    if (/\.glb$/i.test(file.name)) return this.takeGlb(file);
+    if (MESH_FILE.test(file.name)) return this.importMesh(file);
+    let json: Json;
+    try {
+      json = JSON.parse(await file.text()) as Json;
+    } catch {
+      this.say(`${file.name} is no graph: it is not JSON.`, "bad");
+      return;
+    }
+    if (this.open(json, { kind: "file", name: file.name }, file.name) && handle) {
+      this.handle = { file: handle, opened: this.session.store.get().opened };
+    }
+  }
+
+  /** Writes the document to its file, or asks for one. */
+  async save(elsewhere = false): Promise<void> {
+    const { document, values, origin, opened } = this.session.store.get();
+    if (!document) return;
+    const name = origin.kind === "file" ? origin.name : `${fileName(document.title)}.json`;
+    const known = !elsewhere && this.handle?.opened === opened ? this.handle.file : undefined;
+    const written = await writeFile(documentText(documentWithValues(document, values)), name, known);
+    if (!written) return;
+    const isSame = this.session.store.get().document === document;
+    if (written !== "download") this.handle = { file: written, opened };
+    const kept = written === "download" ? name : written.name;
+    // What was edited while the dialog was open is not in the file.
+    if (isSame) {
+      this.session.markSaved({ kind: "file", name: kept });
+      await this.autosave.saved();
+    }
+    this.say(`Saved ${kept}`);
+  }
+
+  /** Puts a link with the whole graph on the clipboard; one that is too long is not offered. */
+  async share(): Promise<void> {
+    const { document, values } = this.session.store.get();
+    if (!document) return;
+    const packed = await packGraph(documentWithValues(document, values));
+    const address = new URL(location.href);
+    address.search = "";
+    address.hash = `g=${packed}`;
+    this.store.set({ link: address.href.length > LONGEST_LINK ? "" : address.href, dialog: "share" });
+  }
+
+  async copy(text: string | undefined, what: string): Promise<void> {
+    if (text === undefined) return;
+    try {
+      await navigator.clipboard.writeText(text);
+      this.say(`Copied ${what}`);
+    } catch {
+      this.say("The browser did not allow copying.", "bad");
+    }
+  }
+
+  curl(): string | undefined {
+    return curlText(this.session);
+  }
+
+  show(dialog: FilesState["dialog"]): void {
+    this.store.set({ dialog });
+  }
+
+  say(text: string, tone: "good" | "bad" = "good"): void {
+    window.clearTimeout(this.timer);
+    this.store.set({ note: { text, tone } });
+    this.timer = window.setTimeout(() => this.store.set({ note: null }), NOTE_MILLISECONDS);
+  }
+
+  private open(json: Json, origin: Parameters<Session["openDocument"]>[1], name: string): boolean {
+    const error = this.session.openDocument(json, origin);
+    if (error === undefined) return true;
+    this.say(`${name} was not opened. ${error}`, "bad");
+    return false;
+  }
+
+  private async takeGlb(file: File): Promise<void> {
+    try {
+      const content = graphInGlb(new Uint8Array(await file.arrayBuffer()));
+      if (content.kind === "foreign") return await this.importMesh(file);
+      if (content.kind === "graph") {
+        this.open(content.json, { kind: "file", name: file.name.replace(/\.glb$/i, ".json") }, file.name);
+        return;
+      }
+      const short = content.hash.slice(0, 12);
+      this.say(`${file.name} names its graph only by hash (${short}…), so the graph cannot be opened from it.`, "bad");
+    } catch (error) {
+      this.say(`${file.name} was not opened. ${error instanceof Error ? error.message : ""}`, "bad");
+    }
+  }
+
+  private async importMesh(file: File): Promise<void> {
+    this.say(`Sending ${file.name}…`);
+    const result = await uploadMesh(file);
+    const { document, catalogue } = this.session.store.get();
+    if ("error" in result) this.say(`${file.name} was not imported. ${result.error}`, "bad");
+    if ("error" in result || !document || !catalogue) return;
+    const added = addImport(document, catalogue, result.sha256);
+    if (!added) {
+      this.say("This server has no node for meshes.", "bad");
+      return;
+    }
+    this.session.edit(`Import ${file.name}`, added.edit);
+    this.session.select([added.id]);
+    this.say(`Imported ${file.name}`);
+  }
+}

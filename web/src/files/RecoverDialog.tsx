@@ -1,0 +1,54 @@
+import { useEffect, useState, type ReactElement } from "react";
+import { useCurrentSession } from "../app/context";
+import { plural } from "../model/format";
+import { asObject } from "../model/json";
+import { Dialog } from "./Dialog";
+import type { Draft } from "./drafts";
+import { filesOf } from "./Files";
+
+/** The last drafts: what was edited and not saved, in any tab. */
+export function RecoverDialog(): ReactElement {
+  const files = filesOf(useCurrentSession());
+  const [drafts, setDrafts] = useState<Draft[] | null>(null);
+  useEffect(() => void files.list().then(setDrafts), [files]);
+  const forget = async (draft: Draft): Promise<void> => {
+    await files.forget(draft);
+    setDrafts(await files.list());
+  };
+  return (
+    <Dialog title="Recover" onClose={() => files.show(null)}>
+      <p className="dialog-note">What was edited and not saved is kept in this browser, the last ten of it.</p>
+      {drafts?.length === 0 && <p className="empty">There are no drafts.</p>}
+      <ul className="draft-list">
+        {drafts?.map((draft) => (
+          <li key={draft.id}>
+            <button type="button" className="draft" onClick={() => files.recover(draft)}>
+              <strong>{draft.title}</strong>
+              <span>
+                {agoText(Date.now() - draft.time)} · {plural(Object.keys(asObject(draft.json["nodes"])).length, "node")}
+                {draft.name && ` · ${draft.name}`}
+              </span>
+            </button>
+            <button
+              type="button"
+              className="button quiet"
+              aria-label={`Delete the draft ${draft.title}`}
+              onClick={() => void forget(draft)}
+            >
+              Delete
+            </button>
+          </li>
+        ))}
+      </ul>
+    </Dialog>
+  );
+}
+
+/** "12 minutes ago". */
+export function agoText(milliseconds: number): string {
+  const minutes = Math.floor(milliseconds / 60_000);
+  if (minutes < 1) return "just now";
+  if (minutes < 60) return `${plural(minutes, "minute")} ago`;
+  const hours = Math.floor(minutes / 60);
+  return hours < 48 ? `${plural(hours, "hour")} ago` : `${plural(Math.floor(hours / 24), "day")} ago`;
+}

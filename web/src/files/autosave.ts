@@ -1,0 +1,97 @@
+// Writes the draft of the open document a moment after every edit, and at once when the page is left.
+
+import type { Session } from "../app/session";
+import { documentWithValues } from "./document_file";
+import type { Draft, DraftStore } from "./drafts";
+
+const PAUSE_MILLISECONDS = 500;
+const TAB_KEY = "dini.tab";
+
+/** A word that a tab keeps over reloads. */
+export function tabName(): string {
+  const fresh = newId();
+  try {
+    const known = sessionStorage.getItem(TAB_KEY);
+    if (known) return known;
+    sessionStorage.setItem(TAB_KEY, fresh);
+  } catch {
+    // Without storage every load is a tab of its own.
+  }
+  return fresh;
+}
+
+export class Autosave {
+  private id = newId();
+  private opened = 0;
+  /** The draft this document was taken up from; it goes when its successor is written. */
+  private ancestor: string | undefined;
+  private written: unknown;
+  private pending: Draft | undefined;
+  private timer = 0;
+
+  constructor(
+    private readonly session: Session,
+    private readonly store: DraftStore,
+    private readonly tab: string,
+  ) {
+    session.store.subscribe(() => this.look());
+    document.addEventListener("visibilitychange", () => void (document.hidden && this.flush()));
+    window.addEventListener("pagehide", () => this.flush());
+  }
+
+  /** The open document is saved: its draft is not needed any more. */
+  async saved(): Promise<void> {
+    window.clearTimeout(this.timer);
+    this.pending = undefined;
+    for (const id of [this.id, this.ancestor]) if (id) await this.store.remove(id).catch(() => undefined);
+    this.ancestor = undefined;
+  }
+
+  private look(): void {
+    const { opened, origin, document, values, isChanged } = this.session.store.get();
+    if (opened !== this.opened) {
+      // The last document's draft is written before another one takes its place.
+      this.flush();
+      this.opened = opened;
+      this.id = newId();
+      this.ancestor = origin.kind === "draft" ? origin.id : undefined;
+      this.written = document?.json;
+    }
+    if (!document || !isChanged || (document.json === this.written && Object.keys(values).length === 0)) return;
+    window.clearTimeout(this.timer);
+    this.pending = this.draft();
+    this.timer = window.setTimeout(() => this.flush(), PAUSE_MILLISECONDS);
+  }
+
+  private flush(): void {
+    window.clearTimeout(this.timer);
+    const { pending, ancestor } = this;
+    if (!pending) return;
+    this.pending = undefined;
+    this.written = this.session.store.get().document?.json;
+    // A browser that keeps nothing, or is full, is no reason to disturb the work.
+    void this.store
+      .put(pending)
+      .then(() => (ancestor ? this.store.remove(ancestor) : undefined))
+      .catch(() => undefined);
+    this.ancestor = undefined;
+  }
+
+  private draft(): Draft | undefined {
+    const { document, values, origin } = this.session.store.get();
+    if (!document) return undefined;
+    return {
+      id: this.id,
+      tab: this.tab,
+      title: document.title,
+      name: origin.kind === "file" ? origin.name : "",
+      address: location.hash,
+      time: Date.now(),
+      json: documentWithValues(document, values),
+    };
+  }
+}
+
+function newId(): string {
+  return [...crypto.getRandomValues(new Uint8Array(9))].map((byte) => byte.toString(16).padStart(2, "0")).join("");
+}

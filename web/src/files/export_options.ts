@@ -1,0 +1,33 @@
+// What an exported file can be told: the literal inputs of the node that makes it, from the catalogue.
+
+import type { Catalogue, InputCard } from "../model/catalogue";
+import type { GraphDocument } from "../model/document";
+import { fileOutput } from "../model/graph";
+import { asObject, type Json, type JsonObject } from "../model/json";
+
+export interface ExportOption {
+  input: InputCard;
+  /** What stands in the document, or the default. */
+  value: Json;
+}
+
+const LITERALS: ReadonlySet<string> = new Set(["integer", "boolean", "choice", "number"]);
+
+/** The settings of the file: inputs that hold a literal and not what a wire or a parameter brings. */
+export function exportOptions(document: GraphDocument, catalogue: Catalogue): ExportOption[] {
+  const node = document.nodes.get(fileOutput(document, catalogue) ?? "");
+  const card = node && catalogue.nodes.get(node.type);
+  return (card?.inputs ?? []).flatMap((input) => {
+    const [source] = node?.inputs.get(input.name) ?? [];
+    if (!input.types.every((type) => LITERALS.has(type)) || (source && source.kind !== "literal")) return [];
+    return [{ input, value: source ? source.value : input.fallback }];
+  });
+}
+
+/** The document with other settings for its file; the open one is not changed. */
+export function withOptions(document: GraphDocument, output: string, changes: Readonly<Record<string, Json>>): JsonObject {
+  const nodes = asObject(document.json["nodes"]);
+  const node = asObject(nodes[output]);
+  const inputs = { ...asObject(node["inputs"]), ...changes };
+  return { ...document.json, nodes: { ...nodes, [output]: { ...node, inputs } } };
+}

@@ -1,0 +1,53 @@
+import { useMemo, type ReactElement } from "react";
+import { addFinding } from "../app/adding";
+import { useCurrent, useEditor } from "../app/context";
+import { Icon } from "../app/icons";
+import type { NodeCard } from "../model/catalogue";
+import { Mark } from "./Mark";
+
+/** Types worth beginning with: each offers one node that needs nothing else. */
+const FIRST_TYPES = ["circle", "generator", "mesh"];
+
+/** What an empty canvas says: how to begin, and nodes to begin with. */
+export function EmptyCanvas(): ReactElement {
+  const editor = useEditor();
+  const catalogue = useCurrent((state) => state.catalogue);
+  const cards = useMemo(() => beginnings([...(catalogue?.nodes.values() ?? [])]), [catalogue]);
+  return (
+    <div className="empty-canvas">
+      <p className="empty-title">An empty graph</p>
+      <p>Double-click anywhere, or press Space, to add a node.</p>
+      <div className="empty-choices">
+        {cards.map((card) => (
+          <button
+            key={card.id}
+            type="button"
+            className="button quiet"
+            onClick={() => {
+              const screen = editor.canvas?.pointer() ?? { x: 0, y: 0 };
+              const place = editor.canvas?.placeAt(screen) ?? { x: 0, y: 0 };
+              addFinding(editor, { card }, { screen, place });
+            }}
+          >
+            <Mark type={card.outputs[0]?.types[0]} />
+            <span>{card.title}</span>
+          </button>
+        ))}
+        <button type="button" className="button quiet" onClick={() => editor.openSearch()}>
+          <Icon name="plus" />
+          <span>All nodes</span>
+        </button>
+      </div>
+    </div>
+  );
+}
+
+function beginnings(cards: readonly NodeCard[]): NodeCard[] {
+  return FIRST_TYPES.flatMap((type) => {
+    const fitting = cards.filter(
+      (card) => card.outputs[0]?.types.join() === type && card.inputs.every((input) => !input.required),
+    );
+    const [simplest] = fitting.sort((a, b) => a.inputs.length - b.inputs.length || a.title.length - b.title.length);
+    return simplest ? [simplest] : [];
+  });
+}

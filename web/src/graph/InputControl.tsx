@@ -1,0 +1,214 @@
+import { memo, useId, useState, type ReactElement } from "react";
+import { useCurrentSession } from "../app/context";
+import { unitText } from "../model/catalogue";
+import type { InputRow } from "../model/graph";
+import { asParameter, controlKind, fieldValue, listText, readList, withinHard } from "../model/inputs";
+import type { Json } from "../model/json";
+import { colorText, colorValue, decimalsOf, snap, stepOf, type Parameter } from "../model/parameters";
+import { NumberInput } from "../panels/NumberInput";
+
+interface InputControlProps {
+  node: string;
+  /** What the node is called, for the control's name. */
+  title: string;
+  row: InputRow;
+  /** Small, on the node, and reached only from within it. */
+  onNode: boolean;
+  /** Ids of what describes the control. */
+  describedBy?: string;
+  invalid?: boolean;
+}
+
+/** The field that edits the literal at an input. Nothing where only a wire can stand. */
+export const InputControl = memo(function InputControl(props: InputControlProps): ReactElement | null {
+  const { node, title, row, onNode, describedBy, invalid = false } = props;
+  const session = useCurrentSession();
+  const id = useId();
+  const [unreadable, setUnreadable] = useState("");
+  const { card } = row;
+  const kind = card && controlKind(card, row.literal);
+  if (!card || kind === undefined) return null;
+  const set = (value: Json, moving = false): void => {
+    setUnreadable("");
+    session.setInput(node, row.name, value, { moving });
+  };
+  const common = {
+    id,
+    "aria-label": `${row.name} of ${title}`,
+    "aria-invalid": invalid || unreadable !== "" || undefined,
+    "aria-describedby": describedBy,
+    title: unreadable || undefined,
+    tabIndex: onNode ? -1 : undefined,
+    "data-stop": onNode || undefined,
+  };
+  if (kind === "list") {
+    return (
+      <LineField
+        {...common}
+        text={listText(row.literal)}
+        placeholder={card.required ? "1, 2, 3" : ""}
+        onText={(text) => {
+          const value = text.trim() === "" ? undefined : readList(text);
+          if (value === undefined && text.trim() !== "") setUnreadable(`“${text}” is no list of numbers.`);
+          else set(value);
+        }}
+      />
+    );
+  }
+  const parameter = asParameter(card, kind);
+  const value = fieldValue(parameter, row.literal ?? undefined);
+  switch (kind) {
+    case "number":
+    case "integer":
+      return (
+        <NumberControl
+          {...{ id, parameter, onNode, describedBy }}
+          label={common["aria-label"]}
+          value={typeof value === "number" ? value : 0}
+          invalid={invalid || unreadable !== ""}
+          onValue={(next, moving) => set(moving ? withinHard(card, next) : next, true)}
+          onUnreadable={setUnreadable}
+        />
+      );
+    case "vector": {
+      const parts = Array.isArray(value) ? value : [0, 0, 0];
+      return (
+        <span className="triple" role="group" aria-label={common["aria-label"]}>
+          {["x", "y", "z"].map((letter, index) => (
+            <NumberControl
+              key={letter}
+              {...{ parameter, onNode, describedBy }}
+              id={`${id}-${letter}`}
+              label={`${row.name} ${letter} of ${title}`}
+              unit={onNode ? "" : letter}
+              value={parts[index] ?? 0}
+              invalid={invalid || unreadable !== ""}
+              onValue={(next) =>
+                set(
+                  parts.map((part, at) => (at === index ? next : part)),
+                  true,
+                )
+              }
+              onUnreadable={setUnreadable}
+            />
+          ))}
+        </span>
+      );
+    }
+    case "boolean":
+      return (
+        <input
+          {...common}
+          type="checkbox"
+          className="checkbox nodrag"
+          checked={value === true}
+          onChange={(event) => set(event.currentTarget.checked)}
+        />
+      );
+    case "choice":
+      return (
+        <select
+          {...common}
+          className="select nodrag"
+          value={String(value)}
+          onChange={(event) => set(event.currentTarget.value)}
+        >
+          {card.choices.map((choice) => (
+            <option key={choice} value={choice}>
+              {choice.replaceAll("_", " ")}
+            </option>
+          ))}
+        </select>
+      );
+    case "color":
+      return (
+        <input
+          {...common}
+          type="color"
+          className="color-field nodrag"
+          value={colorText(value)}
+          onChange={(event) => set(colorValue(event.currentTarget.value, value) as Json, true)}
+        />
+      );
+    default:
+      return (
+        <LineField
+          {...common}
+          text={typeof row.literal === "string" ? row.literal : ""}
+          placeholder={placeholderOf(row)}
+          onText={(text) => set(text === "" && !card.required ? undefined : text)}
+        />
+      );
+  }
+});
+
+interface NumberControlProps {
+  id: string;
+  label: string;
+  parameter: Parameter;
+  value: number;
+  unit?: string;
+  onNode: boolean;
+  invalid: boolean;
+  describedBy?: string;
+  onValue(value: number, moving: boolean): void;
+  onUnreadable(message: string): void;
+}
+
+function NumberControl(props: NumberControlProps): ReactElement {
+  const { parameter, onNode, onValue } = props;
+  const step = stepOf(parameter);
+  const { minimum, maximum } = parameter;
+  const hasRange = minimum !== undefined && maximum !== undefined && maximum > minimum && parameter.type !== "vector";
+  const least = parameter.type === "integer" ? 1 : step / 10;
+  return (
+    <NumberInput
+      {...props}
+      unit={props.unit ?? unitText(parameter.unit)}
+      decimals={onNode ? 3 : Math.min(6, decimalsOf(step) + 2)}
+      step={step}
+      range={hasRange ? { minimum, maximum } : undefined}
+      isStop={onNode}
+      onType={(next) => onValue(next, false)}
+      onMove={(next, scale) => onValue(snap(next, Math.max(least, step * scale)), true)}
+    />
+  );
+}
+
+interface LineFieldProps {
+  text: string;
+  placeholder: string;
+  onText(text: string): void;
+}
+
+/** A line of text that counts when it is left or Enter is pressed. */
+function LineField({ text, placeholder, onText, ...common }: LineFieldProps): ReactElement {
+  const [typed, setTyped] = useState<string | null>(null);
+  const commit = (): void => {
+    if (typed !== null && typed !== text) onText(typed);
+    setTyped(null);
+  };
+  return (
+    <input
+      {...common}
+      type="text"
+      className="text-field nodrag"
+      autoComplete="off"
+      spellCheck={false}
+      placeholder={placeholder}
+      data-typing={typed !== null}
+      value={typed ?? text}
+      onChange={(event) => setTyped(event.currentTarget.value)}
+      onBlur={commit}
+      onKeyDown={(event) => {
+        if (event.key === "Enter") commit();
+        if (event.key === "Escape") setTyped(null);
+      }}
+    />
+  );
+}
+
+/** What an empty text means, where the catalogue says so: "Name of the axis; empty means the id of this node." */
+function placeholderOf(row: InputRow): string {
+  return /;\s*empty means ([^.;]+)/.exec(row.doc)?.[1] ?? "";
+}

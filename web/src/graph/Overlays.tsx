@@ -1,0 +1,70 @@
+import { useEffect, useState, type CSSProperties, type ReactElement } from "react";
+import { createPortal } from "react-dom";
+import { useEditing } from "../app/context";
+import type { Editor, Inspected } from "../app/editor";
+import { ConnectList } from "./ConnectList";
+import { ContextMenu } from "./ContextMenu";
+import { FindNode } from "./FindNode";
+import { NodeSearch } from "./NodeSearch";
+
+const NOTICE_MILLISECONDS = { said: 2200, refused: 4500 };
+
+/** What opens over the canvas: the search, menus, lists, and what is said about a socket or an action. */
+export function Overlays({ editor }: { editor: Editor }): ReactElement {
+  const search = useEditing((state) => state.search);
+  const menu = useEditing((state) => state.menu);
+  const connecting = useEditing((state) => state.connecting);
+  const finding = useEditing((state) => state.finding);
+  const inspected = useEditing((state) => state.inspected);
+  return (
+    <>
+      <Notice editor={editor} />
+      {createPortal(
+        <>
+          {search && <NodeSearch search={search} />}
+          {menu && <ContextMenu menu={menu} />}
+          {connecting && <ConnectList start={connecting} />}
+          {finding && <FindNode />}
+          {inspected && <SocketTip inspected={inspected} />}
+        </>,
+        document.body,
+      )}
+    </>
+  );
+}
+
+/** What was done or refused last: heard by screen readers, and seen for a moment. */
+function Notice({ editor }: { editor: Editor }): ReactElement {
+  const notice = useEditing((state) => state.notice);
+  const [gone, setGone] = useState(0);
+  useEffect(() => {
+    if (!notice) return undefined;
+    const timer = window.setTimeout(() => setGone(notice.count), NOTICE_MILLISECONDS[notice.tone]);
+    return () => window.clearTimeout(timer);
+  }, [notice, editor]);
+  const isShown = notice !== null && notice.count !== gone;
+  return (
+    <div className="notice" role="status" aria-label="Last action" data-tone={notice?.tone} data-shown={isShown}>
+      {notice?.text}
+    </div>
+  );
+}
+
+function SocketTip({ inspected }: { inspected: Inspected }): ReactElement {
+  const { screen, side, title, doc, lines } = inspected;
+  const isLeft = side === "input";
+  const style: CSSProperties = {
+    left: isLeft ? undefined : Math.min(screen.x + 14, window.innerWidth - 300),
+    right: isLeft ? Math.max(8, window.innerWidth - screen.x + 14) : undefined,
+    top: Math.max(8, screen.y - 10),
+  };
+  return (
+    <div className="socket-tip" role="tooltip" style={style}>
+      <strong>{title}</strong>
+      {doc && <span>{doc}</span>}
+      {lines.map((line) => (
+        <code key={line}>{line}</code>
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,56 @@
+import { BaseEdge, EdgeLabelRenderer, getBezierPath, type Edge, type EdgeProps } from "@xyflow/react";
+import { memo, useState, type ReactElement } from "react";
+import { useCurrent, useEditing } from "../app/context";
+import type { ViewWire } from "../model/graph";
+import { axesText } from "../net/report";
+
+export type WireEdge = Edge<{ wire: ViewWire }, "wire">;
+
+/** Wide enough to be hit without aiming. */
+const REACH = 18;
+
+/** A wire; under the pointer, or selected, it says what it carries. */
+export const WireView = memo(function WireView(props: EdgeProps<WireEdge>): ReactElement {
+  const { id, data, selected, sourceX, sourceY, targetX, targetY, sourcePosition, targetPosition } = props;
+  const [isOver, setIsOver] = useState(false);
+  const isTarget = useEditing((state) => state.target === id);
+  const [path, x, y] = getBezierPath({ sourceX, sourceY, targetX, targetY, sourcePosition, targetPosition });
+  const isFamily = useCurrent((state) => (data ? (valueOf(state, data.wire)?.axes.length ?? 0) > 0 : false));
+  return (
+    <g
+      className="wire"
+      data-target={isTarget}
+      data-family={isFamily}
+      onPointerEnter={() => setIsOver(true)}
+      onPointerLeave={() => setIsOver(false)}
+    >
+      <BaseEdge id={id} path={path} interactionWidth={REACH} style={props.style} />
+      {(isOver || selected) && data && <WireLabel wire={data.wire} x={x} y={y} />}
+    </g>
+  );
+});
+
+function WireLabel({ wire, x, y }: { wire: ViewWire; x: number; y: number }): ReactElement {
+  const text = useCurrent((state) => {
+    const value = valueOf(state, wire);
+    return value ? axesText(value.type, value.axes) : wire.type || "unknown type";
+  });
+  return (
+    <EdgeLabelRenderer>
+      <div className="wire-label" style={{ transform: `translate(-50%, -50%) translate(${x}px, ${y}px)` }}>
+        {text}
+      </div>
+    </EdgeLabelRenderer>
+  );
+}
+
+/** What the server says a wire carries: as checked, or as evaluated last. */
+function valueOf(
+  state: Parameters<Parameters<typeof useCurrent>[0]>[0],
+  wire: ViewWire,
+): { type: string; axes: { name: string; size: number; closed: boolean }[] } | undefined {
+  return (
+    state.checked?.wires.get(`${wire.from}.${wire.output}`) ??
+    state.shown?.report.nodes.get(wire.from)?.outputs.get(wire.output)
+  );
+}

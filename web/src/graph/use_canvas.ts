@@ -1,0 +1,109 @@
+// The canvas as the editor's actions use it, and the rule that a graph nobody moved stays in view.
+
+import { useCallback, useEffect, useRef, type RefObject } from "react";
+import { useEditor } from "../app/context";
+import type { SocketPlace } from "../app/editor";
+import { nodeElement } from "../app/focus";
+import type { Box, Position } from "../model/ui";
+import { FIT, type Flow } from "./GraphPane";
+
+const FOCUS_MILLISECONDS = 200;
+
+interface CanvasUse {
+  /** The person has moved the canvas: it is left where it is. */
+  noteMove(event: unknown): void;
+  fitAll(): void;
+}
+
+export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | null>): CanvasUse {
+  const editor = useEditor();
+  const wasMoved = useRef(false);
+  const pointer = useRef<(Position & { isOver: boolean }) | null>(null);
+
+  useEffect(() => {
+    const pane = element.current;
+    if (!flow || !pane) return undefined;
+    wasMoved.current = flow.getNodes().length === 0;
+    const middle = (): Position => {
+      const box = pane.getBoundingClientRect();
+      return { x: box.left + box.width / 2, y: box.top + box.height / 2 };
+    };
+    const boxes = (): Map<string, Box> => {
+      const found = new Map<string, Box>();
+      for (const node of flow.getNodes()) {
+        if (node.type !== "graph") continue;
+        const { width = node.width ?? 0, height = 120 } = node.measured ?? {};
+        found.set(node.id, { ...node.position, width, height });
+      }
+      return found;
+    };
+    const focusSoon = (find: () => HTMLElement | null | undefined): void => {
+      // The node may have just been added and not be drawn yet.
+      const until = performance.now() + FOCUS_MILLISECONDS;
+      const attempt = (): void => {
+        const found = find();
+        if (found) found.focus({ preventScroll: true });
+        else if (performance.now() < until) requestAnimationFrame(attempt);
+      };
+      attempt();
+    };
+    editor.canvas = {
+      placeAt: (screen) => flow.screenToFlowPosition(screen),
+      screenAt: (place) => flow.flowToScreenPosition(place),
+      pointer: () => (pointer.current?.isOver ? { x: pointer.current.x, y: pointer.current.y } : middle()),
+      isUnderPointer: () => pointer.current?.isOver ?? false,
+      boxes,
+      fit: (ids) => {
+        const nodes = [...(ids ?? [])].map((id) => ({ id }));
+        wasMoved.current = nodes.length > 0;
+        void flow.fitView(nodes.length > 0 ? { ...FIT, padding: 0.25, nodes } : FIT);
+      },
+      focusNode: (id) => {
+        const box = boxes().get(id);
+        if (box && !isInside(box, flow, pane)) {
+          void flow.setCenter(box.x + box.width / 2, box.y + box.height / 2, { zoom: flow.getZoom() });
+        }
+        focusSoon(() => nodeElement(id));
+      },
+      focusSocket: (socket) => focusSoon(() => socketElement(socket)),
+    };
+    const onMove = (event: PointerEvent): void => {
+      const isOver = event.target instanceof Node && pane.contains(event.target);
+      pointer.current = { x: event.clientX, y: event.clientY, isOver };
+    };
+    document.addEventListener("pointermove", onMove, { passive: true });
+    document.addEventListener("pointerdown", onMove, { passive: true, capture: true });
+    const observer = new ResizeObserver(() => {
+      if (!wasMoved.current) void flow.fitView(FIT);
+    });
+    observer.observe(pane);
+    return () => {
+      document.removeEventListener("pointermove", onMove);
+      document.removeEventListener("pointerdown", onMove, { capture: true });
+      observer.disconnect();
+      editor.canvas = undefined;
+    };
+  }, [editor, flow, element]);
+
+  const noteMove = useCallback((event: unknown) => {
+    if (event) wasMoved.current = true;
+  }, []);
+  const fitAll = useCallback(() => editor.canvas?.fit(), [editor]);
+  return { noteMove, fitAll };
+}
+
+function socketElement({ node, side, name }: SocketPlace): HTMLElement | undefined {
+  const sockets = nodeElement(node)?.querySelectorAll<HTMLElement>(
+    `.react-flow__handle.${side === "input" ? "target" : "source"}`,
+  );
+  return [...(sockets ?? [])].find((item) => item.dataset["handleid"] === name);
+}
+
+function isInside(box: Box, flow: Flow, pane: HTMLElement): boolean {
+  const area = pane.getBoundingClientRect();
+  const [from, to] = [
+    flow.flowToScreenPosition({ x: box.x, y: box.y }),
+    flow.flowToScreenPosition({ x: box.x + box.width, y: box.y + box.height }),
+  ];
+  return from.x >= area.left && from.y >= area.top && to.x <= area.right && to.y <= area.bottom;
+}

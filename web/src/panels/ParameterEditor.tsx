@@ -1,0 +1,99 @@
+import { useId, useState, type ReactElement } from "react";
+import { useCurrent, useCurrentSession, useEditor } from "../app/context";
+import { Icon } from "../app/icons";
+import { changeParameter, removeParameter, usesOf } from "../model/edit_parameters";
+import { evaluateExpression } from "../model/expression";
+import { numberText, plural } from "../model/format";
+import type { Json } from "../model/json";
+import { valueOf, type Parameter } from "../model/parameters";
+
+/** What the form shows of a parameter: its label, its range, its default; and the way to take it away. */
+export function ParameterEditor({ parameter }: { parameter: Parameter }): ReactElement {
+  const session = useCurrentSession();
+  const editor = useEditor();
+  const value = useCurrent((state) => valueOf(parameter, state.values));
+  const uses = useCurrent((state) => (state.document ? usesOf(state.document, parameter.name) : 0));
+  const { name } = parameter;
+  const set = (member: string, next: Json): void =>
+    session.edit(`Change ${parameter.label}`, changeParameter(name, { [member]: next }), {
+      gesture: `parameter ${name} ${member}`,
+    });
+  const isNumber = parameter.type === "number" || parameter.type === "integer";
+  const isDefault = JSON.stringify(value) === JSON.stringify(parameter.initial);
+  return (
+    <div className="parameter-editor" role="group" aria-label={`Settings of ${parameter.label}`}>
+      <Line label="Label" text={parameter.label} onText={(text) => set("label", text || undefined)} />
+      <Line label="Description" text={parameter.description} onText={(text) => set("description", text || undefined)} />
+      {isNumber && (
+        <div className="parameter-range">
+          <Bound label="From" value={parameter.minimum} onValue={(next) => set("min", next)} />
+          <Bound label="To" value={parameter.maximum} onValue={(next) => set("max", next)} />
+          <Bound label="Step" value={parameter.step} onValue={(next) => set("step", next)} />
+        </div>
+      )}
+      <div className="parameter-actions">
+        <button
+          type="button"
+          className="button quiet"
+          disabled={isDefault}
+          onClick={() =>
+            session.edit(`Change the default of ${parameter.label}`, changeParameter(name, { default: value as Json }))
+          }
+        >
+          Make this value the default
+        </button>
+        <button
+          type="button"
+          className="button quiet"
+          title={`It drives ${plural(uses, "input")}; ${uses === 1 ? "it keeps" : "they keep"} the present value.`}
+          onClick={() => {
+            session.edit(`Remove ${parameter.label}`, removeParameter(name, value as Json));
+            editor.say(`Removed the parameter ${parameter.label}`);
+          }}
+        >
+          <Icon name="trash" />
+          <span>Remove</span>
+        </button>
+      </div>
+    </div>
+  );
+}
+
+function Line({ label, text, onText }: { label: string; text: string; onText(text: string): void }): ReactElement {
+  const id = useId();
+  const [typed, setTyped] = useState<string | null>(null);
+  return (
+    <div className="parameter-line">
+      <label htmlFor={id}>{label}</label>
+      <input
+        id={id}
+        type="text"
+        className="text-field"
+        value={typed ?? text}
+        data-typing={typed !== null}
+        onChange={(event) => setTyped(event.currentTarget.value)}
+        onBlur={() => {
+          if (typed !== null && typed !== text) onText(typed.trim());
+          setTyped(null);
+        }}
+        onKeyDown={(event) => {
+          if (event.key === "Enter") event.currentTarget.blur();
+        }}
+      />
+    </div>
+  );
+}
+
+function Bound(props: { label: string; value?: number; onValue(value: number | undefined): void }): ReactElement {
+  const { label, value, onValue } = props;
+  return (
+    <Line
+      label={label}
+      text={value === undefined ? "" : numberText(value, 6)}
+      onText={(text) => {
+        const next = evaluateExpression(text);
+        if (text === "" || next !== undefined) onValue(next);
+      }}
+    />
+  );
+}

@@ -1,0 +1,72 @@
+import { useEffect, useState, type ReactElement } from "react";
+import { useCurrent, useCurrentSession } from "../app/context";
+import { useLasting } from "../app/hooks";
+import { Icon } from "../app/icons";
+import { byteText, grouped, millisecondText } from "../model/format";
+import { problemText } from "../net/problem";
+
+/** From here on a person may want to stop it. */
+const LONG_MILLISECONDS = 1200;
+
+/** Waiting, failing and being out of date. */
+export function Progress({ failure }: { failure: string }): ReactElement {
+  const busy = useCurrent((state) => state.busy && !state.away);
+  const isEmpty = useCurrent((state) => state.shown === null);
+  const problem = useCurrent((state) => state.problem);
+  const slow = useLasting(busy, 250);
+  const long = useLasting(busy, LONG_MILLISECONDS);
+  return (
+    <>
+      {slow && <div className="progress" role="progressbar" aria-label="Evaluating" />}
+      {long && <Waiting />}
+      {failure && <p className="view-message">{failure}</p>}
+      {!failure && isEmpty && !problem && !long && <p className="pane-wait">{busy ? "Evaluating…" : ""}</p>}
+      {problem && !long && (
+        <div className="view-problem" role="status">
+          <Icon name="alert" />
+          <span>
+            {!isEmpty && <strong>Out of date. </strong>}
+            {problemText(problem)}
+          </span>
+        </div>
+      )}
+    </>
+  );
+}
+
+function Waiting(): ReactElement {
+  const session = useCurrentSession();
+  const [seconds, setSeconds] = useState(Math.round(LONG_MILLISECONDS / 1000));
+  useEffect(() => {
+    const timer = window.setInterval(() => setSeconds((before) => before + 1), 1000);
+    return () => window.clearInterval(timer);
+  }, []);
+  return (
+    <div className="view-waiting">
+      <span>Evaluating… {seconds} s</span>
+      <button type="button" className="button quiet" onClick={() => session.stop()}>
+        Stop
+      </button>
+    </div>
+  );
+}
+
+export function Statistics(): ReactElement | null {
+  const shown = useCurrent((state) => state.shown);
+  if (!shown) return null;
+  const parts = [
+    `${grouped(shown.triangles)} triangles`,
+    `${grouped(shown.vertices)} vertices`,
+    byteText(shown.model.byteLength),
+    `${millisecondText(shown.report.evaluate)} evaluate`,
+    `${millisecondText(shown.decodeMilliseconds)} decode`,
+  ];
+  return (
+    <div className="statistics" aria-label="Statistics">
+      {parts.map((part) => (
+        <span key={part.replace(/^[\d\s.]+/, "")}>{part}</span>
+      ))}
+      {shown.quality === "draft" && <span className="statistics-draft">draft</span>}
+    </div>
+  );
+}

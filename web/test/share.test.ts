@@ -1,0 +1,112 @@
+import assert from "node:assert/strict";
+import { readdirSync, readFileSync } from "node:fs";
+import { test } from "node:test";
+import { deflateRawSync } from "node:zlib";
+import { documentText, documentWithValues } from "../src/files/document_file";
+import { surplus, type Draft } from "../src/files/drafts";
+import { graphInGlb } from "../src/files/glb_graph";
+import { packGraph, unpackGraph } from "../src/files/share";
+import { readDocument } from "../src/model/document";
+import type { JsonObject } from "../src/model/json";
+
+const examples = readdirSync("../examples")
+  .filter((name) => name.endsWith(".json"))
+  .map((name) => JSON.parse(readFileSync(`../examples/${name}`, "utf8")) as JsonObject);
+
+test("every example comes out of a link as it went in, in the letters of an address", async () => {
+  assert.ok(examples.length > 10);
+  for (const json of examples) {
+    const text = await packGraph(json);
+    assert.match(text, /^[\w-]+$/);
+    assert.deepEqual(await unpackGraph(text), { json });
+  }
+});
+
+test("titles in any script survive", async () => {
+  const json = { format: 1, meta: { title: "Fläche «κ» 曲面 🌀 </script><img src=x onerror=alert(1)>" }, nodes: {} };
+  assert.deepEqual(await unpackGraph(await packGraph(json)), { json });
+});
+
+const packed = (bytes: Uint8Array | string): string => deflateRawSync(bytes).toString("base64url");
+
+test("hostile links are refused with a sentence and never thrown", async () => {
+  const bomb = packed(new Uint8Array(40_000_000));
+  const hostile = [
+    "",
+    "%%%",
+    "a b",
+    "AAAA",
+    "x".repeat(100_000),
+    bomb,
+    packed("no json"),
+    packed("[1,2,3]"),
+    packed("null"),
+    packed('"text"'),
+    packed(new Uint8Array([0xff, 0xfe, 0x80])),
+    packed(`{"format":1,"nodes":${"[".repeat(500_000)}`),
+    packed(JSON.stringify(examples[0])).slice(0, 300),
+  ];
+  for (const text of hostile) {
+    const result = await unpackGraph(text);
+    assert.ok("error" in result && /[.]$/.test(result.error), text.slice(0, 40));
+  }
+  assert.ok(bomb.length < 64_000, "the bomb is short enough to be tried");
+});
+
+test("random damage to a link never throws and never pollutes", async () => {
+  const text = await packGraph(examples[0] ?? {});
+  let state = 11;
+  const random = (below: number): number => (state = (state * 48271) % 2147483647) % below;
+  for (let round = 0; round < 150; round++) {
+    const at = random(text.length);
+    const letter = "ABCxyz019-_"[random(11)] ?? "A";
+    const result = await unpackGraph(text.slice(0, at) + letter + text.slice(at + 1));
+    if ("json" in result) readDocument(result.json);
+  }
+  const evil = packed('{"format":1,"nodes":{"__proto__":{"type":"x"}},"__proto__":{"polluted":true},"ui":{"nodes":{"__proto__":{"x":1,"y":2}}}}');
+  const result = await unpackGraph(evil);
+  assert.ok("json" in result);
+  readDocument(result.json);
+  assert.equal(({} as Record<string, unknown>)["polluted"], undefined);
+});
+
+test("a file holds the values that are seen as its defaults, and nothing else changes", () => {
+  const json: JsonObject = {
+    format: 1,
+    parameters: { reach: { type: "number", default: 1, max: 4 }, other: { type: "number", default: 2 } },
+    nodes: {},
+  };
+  const read = readDocument(json);
+  assert.ok("document" in read);
+  const saved = documentWithValues(read.document, { reach: 3, gone: 7 });
+  assert.deepEqual(saved["parameters"], {
+    reach: { type: "number", default: 3, max: 4 },
+    other: { type: "number", default: 2 },
+  });
+  assert.equal(documentWithValues(read.document, {}), json);
+  assert.deepEqual(JSON.parse(documentText(saved)), saved);
+});
+
+test("a model of ours tells what it knows of its graph", () => {
+  const sample = new Uint8Array(readFileSync("test/data/sample.glb"));
+  const content = graphInGlb(sample);
+  assert.ok(content.kind === "graph" || (content.kind === "hash" && content.hash.length === 64));
+  assert.throws(() => graphInGlb(sample.slice(0, 100)), /cut short/);
+});
+
+test("only the ten newest drafts are kept", () => {
+  const drafts = Array.from({ length: 13 }, (_, at): Draft => {
+    return { id: String(at), tab: "", title: "", name: "", address: "", time: (at * 7) % 13, json: {} };
+  });
+  assert.deepEqual(
+    surplus(drafts).map((draft) => draft.time),
+    [2, 1, 0],
+  );
+});
+
+test("documents of every old version still open", () => {
+  for (const name of readdirSync("test/data").filter((file) => file.startsWith("format_"))) {
+    const result = readDocument(JSON.parse(readFileSync(`test/data/${name}`, "utf8")));
+    assert.ok("document" in result && result.document.nodes.size > 0, name);
+  }
+});
