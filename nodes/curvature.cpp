@@ -97,30 +97,30 @@ std::size_t patch_vertices(const Literals& literals, const Axes&) {
 }  // namespace
 
 void add_curvature(Registry& registry) {
-  registry.add(node("curvature", curvature_generator)
-                   .title("Curvature")
-                   .family("generators")
-                   .doc("The generator that bends a line or a plane at a point to the curvatures asked for.")
-                   .source("Boosted Surfaces, eqs. (17), (18), figs. 13, 14")
-                   .details("With u = v = 0 it is eq. (17): -(curvature_u + curvature_v)/2 times the unit null pair; a "
-                            "line through the point "
-                            "becomes a circle of that curvature, bent away from the normal. For a surface, give each "
-                            "point of the plane "
-                            "its u and v: the curvature at u = v = 0 is then curvature_u along u and curvature_v along "
-                            "v. The paper's "
-                            "eq. (18) lacks the factor -1/2 and exchanges u and v. A zero normal is an "
-                            "error. A u_direction along the normal is replaced by a fixed perpendicular.")
-                   .input("position", "Where the curvatures hold.", defaults({0, 0, 0}).unit("m").position_handle())
-                   .input("normal", "Normal of the plane, or of the line; of any length.",
-                          defaults({0, 0, 1}).direction_handle("position"))
-                   .input("u_direction", "Where u runs in the plane; v runs to its left.",
-                          defaults({1, 0, 0}).direction_handle("position"))
-                   .input("curvature_u", "Curvature along u.", curvature_input(1))
-                   .input("curvature_v", "Curvature along v.", curvature_input(0))
-                   .input("u", "Place of the bent point along u.", defaults(0).hard(-1e9, 1e9).soft(-2, 2).unit("m"))
-                   .input("v", "Place of the bent point along v.", defaults(0).hard(-1e9, 1e9).soft(-2, 2).unit("m"))
-                   .input("method", "Curvatures as asked, or eq. (18) to the letter.", defaults("exact"))
-                   .output("generator", "The generator; boost the point with amount 1."));
+  registry.add(
+      node("curvature", curvature_generator)
+          .title("Curvature")
+          .family("generators")
+          .doc("The generator that bends a line or a plane at a point to the curvatures asked for.")
+          .source("Boosted Surfaces, eqs. (17), (18), figs. 13, 14")
+          .details("With u = v = 0 it is eq. (17): -(curvature_u + curvature_v)/2 times the unit null pair; a line "
+                   "through the point becomes a circle of that curvature, bent away from the normal. For a surface, "
+                   "give each point of the plane its u and v: the curvature at u = v = 0 is then curvature_u along u "
+                   "and curvature_v along v. The paper's eq. (18) lacks the factor -1/2 and exchanges u and v.")
+          .degenerate("zero direction",
+                      "A zero normal is an error; a zero u_direction, or one along the normal, is replaced by "
+                      "a fixed perpendicular.")
+          .input("position", "Where the curvatures hold.", defaults({0, 0, 0}).unit("m").position_handle())
+          .input("normal", "Normal of the plane, or of the line; of any length.",
+                 defaults({0, 0, 1}).direction_handle("position"))
+          .input("u_direction", "Where u runs in the plane; v runs to its left.",
+                 defaults({1, 0, 0}).direction_handle("position"))
+          .input("curvature_u", "Curvature along u; above 0 it bends against the normal.", curvature_input(1))
+          .input("curvature_v", "Curvature along v; above 0 it bends against the normal.", curvature_input(0))
+          .input("u", "Place of the bent point along u.", defaults(0).hard(-1e9, 1e9).soft(-2, 2).unit("m"))
+          .input("v", "Place of the bent point along v.", defaults(0).hard(-1e9, 1e9).soft(-2, 2).unit("m"))
+          .input("method", "Curvatures as asked, or eq. (18) to the letter.", defaults("exact"))
+          .output("generator", "The generator; boost the point with amount 1."));
 
   registry.add(
       node("curvature_patch", curvature_patch)
@@ -128,11 +128,10 @@ void add_curvature(Registry& registry) {
           .family("surfaces")
           .doc("A surface patch from the curvatures along u and along v at its four corners.")
           .source("Boosted Surfaces, section 5.1, fig. 15")
-          .details("The corners stay where they are and keep their tangent plane. The exact method blends so "
-                   "smoothly that the "
-                   "curvatures at each corner are the ones asked for, along both edges; the paper's blends "
-                   "eq. (18) bilinearly. "
-                   "Vectors that span no plane give an empty mesh.")
+          .details("The corners stay where they are and keep their tangent plane. The exact method blends so smoothly "
+                   "that the curvatures at each corner are the ones asked for, along both edges; the paper's blends "
+                   "eq. (18) bilinearly.")
+          .degenerate("zero direction", "Vectors that span no plane give an empty mesh.")
           .input("curvature_u_a", "Along u at u = 0, v = 0.", curvature_input(1))
           .input("curvature_v_a", "Along v at u = 0, v = 0.", curvature_input(1))
           .input("curvature_u_b", "Along u at u = 1, v = 0.", curvature_input(1))

@@ -1,7 +1,8 @@
 // Curves of a field: the orbits of a generator, and the curves across them.
 
-#include <cmath>
+#include <algorithm>
 
+#include "geometry/field_line.h"
 #include "geometry/sampling.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
@@ -13,69 +14,104 @@ namespace dini {
 
 namespace {
 
-Made<Point> orbit_points(const Point& point, const Generator& generator, double from, double to, std::int64_t count,
-                         const std::string&, Rule rule) {
-  const auto size = static_cast<std::size_t>(count);
-  const Column<double> amounts = spaced(from, to, size, false);
-  Made<Point> orbit{Column<Point>(size)};
-  for (std::size_t i = 0; i < size; ++i) orbit.values.set(i, point);
-  kernels::ConstGenerators one{{}, true};
-  Column<Generator> column(1);
-  column.set(0, generator);
-  for (std::size_t k = 0; k < column.width; ++k) one.components[k] = column.component(k);
-  kernels::transform_points(one, {amounts.component(0), false}, rule, components(std::as_const(orbit.values), 0),
-                            components(orbit.values, 0), size);
-  return orbit;
-}
-
-/// Unit directions across the displacements of a field, in the plane of a normal.
-class AcrossField {
+/// The images of a point under one generator.
+class Orbit {
  public:
-  AcrossField(std::vector<kernels::WarpSource> sources, const kernels::WarpSettings& settings, const Vector& normal)
-      : sources_(std::move(sources)), settings_(settings), normal_(normal) {}
-
-  /// Zero where the field vanishes, is not finite, or is along the normal.
-  Vector at(const Vector& place) const {
-    Vector moved;
-    kernels::warp_points(sources_, settings_, {&place.x, &place.y, &place.z}, {&moved.x, &moved.y, &moved.z}, 1);
-    const Vector across = cross(normal_, moved - place);
-    return is_finite(across) ? normalized(across) : Vector{};
+  Orbit(const Point& point, const Generator& generator, Rule rule) : point_(point), rule_(rule), column_(1) {
+    column_.set(0, generator);
+    for (std::size_t k = 0; k < column_.width; ++k) generator_.components[k] = column_.component(k);
   }
 
-  /// One step of the classical Runge-Kutta method; stays where the field gives no direction.
-  Vector step(const Vector& place, double length) const {
-    const Vector first = at(place);
-    const Vector second = at(place + (0.5 * length) * first);
-    const Vector third = at(place + (0.5 * length) * second);
-    const Vector last = at(place + length * third);
-    if (first == Vector{} || second == Vector{} || third == Vector{} || last == Vector{}) return place;
-    return place + (length / 6) * (first + 2 * second + 2 * third + last);
+  Column<Point> at(const Column<double>& amounts) const {
+    Column<Point> points(amounts.size());
+    for (std::size_t i = 0; i < points.size(); ++i) points.set(i, point_);
+    kernels::transform_points(generator_, {amounts.component(0), false}, rule_, components(std::as_const(points), 0),
+                              components(points, 0), points.size());
+    return points;
+  }
+
+  bool is_within(double amount, double radius) const {
+    Column<double> one(1);
+    one.set(0, amount);
+    return length(to_vector(at(one)[0])) <= radius;
+  }
+
+  /// The last amount from `inside` towards `outside` whose image is within a radius.
+  double last_within(double inside, double outside, double radius) const {
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (inside + outside);
+      (is_within(middle, radius) ? inside : outside) = middle;
+    }
+    return inside;
   }
 
  private:
-  std::vector<kernels::WarpSource> sources_;
-  kernels::WarpSettings settings_;
-  Vector normal_;
+  Point point_;
+  Rule rule_;
+  Column<Generator> column_;
+  kernels::ConstGenerators generator_{{}, true};
 };
 
-Attempt<Made<Point>> contour_points(const Context& context, const Point& point, const Block<Generator, 1>& generators,
-                                    const std::string&, const Vector& normal, double length, std::int64_t count,
-                                    const std::string&, double strength, double power, double softening, Rule rule,
-                                    kernels::WarpMethod method) {
-  if (normal == Vector{}) return Failure{"degenerate", "the normal of the plane must not be zero", "normal"};
-  Attempt<std::vector<kernels::WarpSource>> sources = sources_of(generators);
-  if (const auto* failure = std::get_if<Failure>(&sources)) return *failure;
-  const AcrossField field(std::move(std::get<0>(sources)), {strength, power, softening, rule, method},
-                          normalized(normal));
-  const auto size = static_cast<std::size_t>(count);
-  constexpr int steps_per_point = 4;
-  const double step = size > 1 ? length / (static_cast<double>(size - 1) * steps_per_point) : 0.0;
-  Made<Point> contour{Column<Point>(size)};
-  Vector place = to_vector(point);
-  for (std::size_t i = 0; i < size && !context.cancel().stopped(); ++i) {
-    contour.values.set(i, to_point(place));
-    for (int k = 0; k < steps_per_point && is_finite(place); ++k) place = field.step(place, step);
+/// Where an orbit leaves a radius, looked for from `start` on among the amounts.
+double clipped_end(const Orbit& orbit, const Column<double>& amounts, double start, bool upward, double radius) {
+  double inside = start;
+  for (std::size_t k = 0; k < amounts.size(); ++k) {
+    const double amount = amounts[upward ? k : amounts.size() - 1 - k];
+    if (upward ? amount <= start : amount >= start) continue;
+    if (!orbit.is_within(amount, radius)) return orbit.last_within(inside, amount, radius);
+    inside = amount;
   }
+  return inside;
+}
+
+Made<Point> orbit_points(const Point& point, const Generator& generator, double from, double to, std::int64_t count,
+                         double clip_radius, const std::string&, Rule rule) {
+  const auto size = static_cast<std::size_t>(count);
+  const Orbit orbit(point, generator, rule);
+  const Column<double> amounts = spaced(from, to, size, false);
+  Made<Point> made{orbit.at(amounts)};
+  const auto is_outside = [&](std::size_t i) { return !(length(to_vector(made.values[i])) <= clip_radius); };
+  bool leaves = false;
+  for (std::size_t i = 0; i < size; ++i) leaves = leaves || is_outside(i);
+  if (!leaves) return made;
+  const double start = std::clamp(0.0, std::min(from, to), std::max(from, to));
+  if (!orbit.is_within(start, clip_radius)) {
+    for (std::size_t i = 0; i < size; ++i) made.values.set(i, Point::at_infinity());
+    return made;
+  }
+  // The amounts in rising order, whichever way the orbit runs.
+  const Column<double> rising = spaced(std::min(from, to), std::max(from, to), size, false);
+  const double low = clipped_end(orbit, rising, start, false, clip_radius);
+  const double high = clipped_end(orbit, rising, start, true, clip_radius);
+  return {orbit.at(from <= to ? spaced(low, high, size, false) : spaced(high, low, size, false))};
+}
+
+Attempt<Made<Point>> contour_points(const Context& context, const Point& point, const Block<Generator, 1>& generators,
+                                    const std::string&, const Vector& normal, double length, bool both_ways,
+                                    std::int64_t count, double clip_radius, const std::string&, double strength,
+                                    double power, double softening, Rule rule, kernels::WarpMethod method) {
+  if (normal == Vector{}) return Failure{"degenerate", "the normal of the plane must not be zero", "normal"};
+  const Attempt<std::vector<kernels::WarpSource>> sources = sources_of(generators);
+  if (const auto* failure = std::get_if<Failure>(&sources)) return *failure;
+  const kernels::WarpSettings settings{strength, power, softening, rule, method};
+  const Vector up = normalized(normal);
+  kernels::WarpSettings backward = settings;
+  backward.strength = -strength;
+  const auto moved = [&](const Vector& place, const kernels::WarpSettings& how) {
+    Vector there;
+    kernels::warp_points(std::get<0>(sources), how, {&place.x, &place.y, &place.z}, {&there.x, &there.y, &there.z}, 1);
+    return there;
+  };
+  // Across the way from where the field would have come to where it goes, in the plane: of a finite displacement alone
+  // the curvature of its path would be seen too.
+  const DirectionField field = [&](const Vector& place) {
+    const Vector across = cross(up, moved(place, settings) - moved(place, backward));
+    return is_finite(across) ? normalized(across) : Vector{};
+  };
+  const FieldLine line = field_line(
+      field, to_vector(point), {length, static_cast<std::size_t>(count), clip_radius, both_ways}, context.cancel());
+  Made<Point> contour{Column<Point>(line.points.size())};
+  for (std::size_t i = 0; i < line.points.size(); ++i) contour.values.set(i, to_point(line.points[i]));
   return contour;
 }
 
@@ -87,28 +123,36 @@ AxisRule open_axis() {
   };
 }
 
+InputSpec clip_radius_input() { return defaults(100).hard(1e-3, 1e6).soft(1, 1000).unit("m"); }
+
 }  // namespace
 
 void add_curves(Registry& registry) {
-  registry.add(node("orbit", orbit_points)
-                   .title("Orbit")
-                   .family("fields")
-                   .doc("Where exp(t * generator) carries a point, for t along a new axis.")
-                   .source("Boosted Surfaces, section 4, fig. 8")
-                   .details("A fixed point of the generator stays. Orbits that pass through infinity hold points at "
-                            "infinity, which tubes "
-                            "and surfaces leave out.")
-                   .input("point", "Where the orbit passes at t = 0.", defaults({1, 0, 0}).unit("m").position_handle())
-                   .input("generator", "What moves the point.")
-                   .input("from", "First t.", defaults(0).hard(-1e6, 1e6).soft(-4, 4))
-                   .input("to", "Last t.", defaults(1).hard(-1e6, 1e6).soft(-4, 4))
-                   .input("count", "How many points.", defaults(64).hard(1, 1'000'000).soft(2, 256))
-                   .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
-                   .input("rule", "The true exponential, or the paper's with the scalar part of the square only.",
-                          defaults("exact"))
-                   .axes(open_axis())
-                   .makes_curves()
-                   .output("points", "The orbit, over the new axis."));
+  registry.add(
+      node("orbit", orbit_points)
+          .title("Orbit")
+          .family("fields")
+          .doc("Where exp(t * generator) carries a point, for t along a new axis.")
+          .source("Boosted Surfaces, section 4, fig. 8")
+          .version(2)
+          .details(
+              "Where the orbit leaves the clip radius it ends, on both sides of t = 0 (or of the end nearest to it): "
+              "its points are then even in t over the part within. If it starts outside, every point is at infinity.")
+          .degenerate("point at a generator", "Every point of the orbit is that point.")
+          .degenerate("isoclinic generators",
+                      "The two equal turns have a closed form of their own; nothing is divided by their difference.")
+          .input("point", "Where the orbit passes at t = 0.", defaults({1, 0, 0}).unit("m").position_handle())
+          .input("generator", "What moves the point.")
+          .input("from", "First t.", defaults(0).hard(-1e6, 1e6).soft(-4, 4))
+          .input("to", "Last t.", defaults(1).hard(-1e6, 1e6).soft(-4, 4))
+          .input("count", "How many points.", defaults(64).hard(1, 1'000'000).soft(2, 256))
+          .input("clip_radius", "Distance from the origin at which the orbit ends.", clip_radius_input())
+          .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
+          .input("rule", "The true exponential, or the paper's with the scalar part of the square only.",
+                 defaults("exact"))
+          .axes(open_axis())
+          .makes_curves()
+          .output("points", "The orbit, over the new axis."));
 
   registry.add(
       node("contour", contour_points)
@@ -117,20 +161,27 @@ void add_curves(Registry& registry) {
           .doc("The curve through a point that runs across the displacements of a field in a plane: an equipotential "
                "line.")
           .source("Boosted Surfaces, figs. 8, 9")
-          .details("The field moves points as warp does with the same inputs. The curve has points at even distances "
-                   "along it, is "
-                   "found by the classical Runge-Kutta method, and stops where the field gives no direction: at a "
-                   "fixed point, or "
-                   "where points move along the normal. A zero normal is an error.")
+          .version(2)
+          .details("The field moves points as warp does with the same inputs. The curve ends after its length, where "
+                   "it comes back to its start, where it leaves the clip radius, and where the field gives no "
+                   "direction: at a fixed point, or where points move along the normal. Its points are at even "
+                   "distances over what there is; the last one of a closed curve is the first. The displacements are "
+                   "finite, so a contour closes only nearly: what is missing, up to 2 % of its length, is spread over "
+                   "it. A start beyond the clip radius, or without a direction, gives that one point.")
+          .degenerate("point at a generator", "There is no direction: every point is the start.")
+          .degenerate("zero direction", "A zero normal is an error.")
           .input("point", "Where the curve starts.", defaults({1, 0, 0}).unit("m").position_handle())
-          .input("generators", "Several links, or one family.", required().several())
+          .input("generators", "Several links, or one family; a single generator as a list of one.",
+                 required().several())
           .input("over", "The axis to sum over; empty means the last of generators.", defaults("").names_axis())
           .input("normal", "Normal of the plane of the curve.", defaults({0, 0, 1}).direction_handle("point"))
-          .input("length", "Length of the curve; below 0 it runs the other way.",
+          .input("length", "The curve is at most so long; below 0 it runs the other way.",
                  defaults(4).hard(-1e6, 1e6).soft(-10, 10).unit("m"))
+          .input("both_ways", "A curve that does not close runs to both sides of its start.", defaults(false))
           .input("count", "How many points.", defaults(64).hard(1, 100'000).soft(2, 256))
+          .input("clip_radius", "Distance from the origin at which the curve ends.", clip_radius_input())
           .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
-          .input("strength", "Factor of the sum.", defaults(0.01).hard(-1e9, 1e9).soft(-2, 2))
+          .input("strength", "Factor of the sum.", defaults(1e-4).hard(-1e9, 1e9).soft(-2, 2))
           .input("power", "Power of the distance; 0 gives every generator the same weight.",
                  defaults(0).hard(0, 16).soft(0, 4))
           .input("softening", "Added to the power of the distance.", defaults(0).hard(0, 1e9).soft(0, 2))

@@ -52,7 +52,9 @@ void add_elements(Registry& registry) {
                    .title("Circle")
                    .family("elements")
                    .doc("An oriented circle; it runs counter-clockwise about its normal.")
-                   .details("A zero normal is an error. A radius of zero gives the degenerate circle at its center.")
+
+                   .degenerate("zero radius", "The degenerate circle at the center, which keeps its normal.")
+                   .degenerate("zero direction", "A zero normal is an error.")
                    .input("center", "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
                    .input("normal", "Axis direction, of any length.", defaults({0, 0, 1}).direction_handle("center"))
                    .input("radius", "Its radius.",
@@ -63,39 +65,42 @@ void add_elements(Registry& registry) {
                    .title("Line")
                    .family("elements")
                    .doc("An oriented line: a circle through infinity.")
-                   .details("A zero direction is an error.")
+
+                   .degenerate("zero direction", "An error.")
                    .input("point", "A point on it.", defaults({0, 0, 0}).unit("m").position_handle())
                    .input("direction", "Where it runs, of any length.", defaults({0, 0, 1}).direction_handle("point"))
                    .output("circle", "The line, as a circle through infinity."));
 
-  registry.add(
-      node("point_pair", point_pair)
-          .title("Point pair")
-          .family("elements")
-          .doc("A generator of boosts: a tangent vector at a point, null or split into two poles.")
-          .source("Boosted Surfaces, eqs. (1), (4), fig. 8")
-          .details(
-              "With split s the square of the pair is 2 s |direction|^2. A zero direction gives the generator of the "
-              "identity.")
-          .input("position", "Where the tangent sits.", defaults({0, 0, 0}).unit("m").position_handle())
-          .input("direction", "The tangent; its length is the strength, in 1/m.",
-                 defaults({0, 0, 1}).direction_handle("position"))
-          .input("split", "0 null, above 0 real, below 0 imaginary.", defaults(0).hard(-1e9, 1e9).soft(-1, 1))
-          .output("generator", "The point pair."));
-
-  registry.add(node("point_pair_through", pair_through)
-                   .title("Point pair through two points")
+  registry.add(node("point_pair", point_pair)
+                   .title("Point pair")
                    .family("elements")
-                   .doc("The geometric product of two weighted points: a scalar and the point pair that joins them.")
-                   .source("Boosted Surfaces, eqs. (19), (20)")
-                   .details("The weight replaces the no coefficient of a point. Coincident points of equal weight give "
-                            "the zero generator.")
-                   .input("a", "First point.", defaults({0, 0, 1}).unit("m").position_handle())
-                   .input("weight_a", "Weight of its no coefficient.", defaults(1).hard(-1e9, 1e9).soft(-1, 1))
-                   .input("b", "Second point.", defaults({0, 0, -1}).unit("m").position_handle())
-                   .input("weight_b", "Weight of its no coefficient.", defaults(1).hard(-1e9, 1e9).soft(-1, 1))
-                   .output("generator", "The bivector part of the product.")
-                   .output("scalar", "The scalar part of the product."));
+                   .doc("A generator of boosts: a tangent vector at a point, null or split into two poles.")
+                   .source("Boosted Surfaces, eqs. (1), (4), fig. 8")
+                   .details("With split s the square of the pair is 2 s |direction|^2.")
+                   .degenerate("zero direction", "The zero generator: its exponential is the identity.")
+                   .input("position", "Where the tangent sits.", defaults({0, 0, 0}).unit("m").position_handle())
+                   .input("direction", "The tangent; its length is the strength, in 1/m.",
+                          defaults({0, 0, 1}).direction_handle("position"))
+                   .input("split", "0 null, above 0 real, below 0 imaginary.", defaults(0).hard(-1e9, 1e9).soft(-1, 1))
+                   .output("generator", "The point pair."));
+
+  registry.add(
+      node("point_pair_through", pair_through)
+          .title("Point pair through two points")
+          .family("elements")
+          .doc("The geometric product of two weighted points: a scalar and the point pair that joins them.")
+          .source("Boosted Surfaces, eqs. (19), (20)")
+          .details("The weight replaces the no coefficient of a point.")
+          .degenerate("coincident points", "Equal weights give the zero generator.")
+          .degenerate(
+              "w = -1",
+              "With both weights -1 the scalar of a unit pair about the origin is 0 and the generator alone is left.")
+          .input("a", "First point.", defaults({0, 0, 1}).unit("m").position_handle())
+          .input("weight_a", "Weight of its no coefficient.", defaults(1).hard(-1e9, 1e9).soft(-1, 1))
+          .input("b", "Second point.", defaults({0, 0, -1}).unit("m").position_handle())
+          .input("weight_b", "Weight of its no coefficient.", defaults(1).hard(-1e9, 1e9).soft(-1, 1))
+          .output("generator", "The bivector part of the product.")
+          .output("scalar", "The scalar part of the product."));
 
   registry.add(node("flat_point", flat)
                    .title("Flat point")
@@ -110,6 +115,7 @@ void add_elements(Registry& registry) {
                    .family("elements")
                    .doc("A generator of translation: exp(k v^ni) moves by -2 k v.")
                    .source("Boosted Surfaces, section 4")
+                   .degenerate("zero direction", "The zero generator: its exponential is the identity.")
                    .input("direction", "The direction v.", defaults({0, 0, 1}).direction_handle())
                    .output("generator", "The direction v^ni."));
 
@@ -119,6 +125,7 @@ void add_elements(Registry& registry) {
                    .doc("A generator of rotation about a line: exp(k B) turns by -2 k radians, right hand.")
                    .source("Boosted Surfaces, section 4")
                    .details("The generator is the dual of the line, of unit length.")
+                   .degenerate("circle to line", "A circle is an error; one that has become a line is an axis.")
                    .input("axis", "The line to turn about.")
                    .output("generator", "The dual line."));
 }

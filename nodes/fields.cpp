@@ -72,12 +72,19 @@ void add_fields(Registry& registry) {
           .family("fields")
           .doc("Moves every point by all generators together, each weighted by its distance.")
           .source("Boosted Surfaces, eqs. (13), (16)")
-          .details(
-              "Weight 1 / (d^power + softening), rotor exp(strength * weighted sum). A point at a generator stays. "
-              "With power 2 and no softening the effect does not fade with distance and has a pole near each "
-              "generator. A generator that sits nowhere (a pure direction) is an error.")
+          .details("Weight 1 / (d^power + softening), rotor exp(strength * weighted sum). With power 2 and no "
+                   "softening the effect does not fade with distance and has a pole near each generator.")
+          .degenerate("point at a generator",
+                      "With softening 0 the point stays, whatever the other generators do; where displacements are "
+                      "summed, that generator moves it nowhere and the others do.")
+          .degenerate("zero direction",
+                      "A zero generator does nothing, wherever it sits; a pure direction sits nowhere and is an error.")
+          .degenerate("coincident points", "Generators at one place act as their sum.")
+          .degenerate("isoclinic generators",
+                      "The two equal turns have a closed form of their own; nothing is divided by their difference.")
           .input("shape", "Points or meshes.")
-          .input("generators", "Several links, or one family.", required().several())
+          .input("generators", "Several links, or one family; a single generator as a list of one.",
+                 required().several())
           .input("over", "The axis to sum over; empty means the last of generators.", defaults("").names_axis())
           .input("strength", "Factor of the sum.", defaults(1).hard(-1e9, 1e9).soft(-2, 2))
           .input("power", "Power of the distance.", defaults(2).hard(0, 16).soft(0, 4))

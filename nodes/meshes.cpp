@@ -50,6 +50,7 @@ void add_meshes(Registry& registry) {
           .title("Sphere mesh")
           .family("meshes")
           .doc("A sphere as a mesh with clean poles.")
+          .degenerate("zero radius", "Refused as out of range.")
           .input("center", "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
           .input("radius", "Its radius.", defaults(1).hard(1e-9, 1e6).soft(0.1, 4).unit("m").radius_handle("center"))
           .input("segments", "Around the vertical axis.", defaults(96).hard(3, 8192).soft(8, 256))
@@ -63,7 +64,9 @@ void add_meshes(Registry& registry) {
           .title("Torus mesh")
           .family("meshes")
           .doc("A torus as a mesh.")
-          .details("A zero axis is an error.")
+
+          .degenerate("zero radius", "Refused as out of range.")
+          .degenerate("zero direction", "A zero axis is an error.")
           .input("center", "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
           .input("axis", "Direction of its axis, of any length.", defaults({0, 0, 1}).direction_handle("center"))
           .input("major_radius", "From the center to the middle of the tube.",

@@ -1,4 +1,4 @@
-// Transforms that the paper builds from special operators: loxodromes, products of points, Hopf fibres, ratios of
+// Transforms that the paper builds from special operators: loxodromes, products of points, Hopf fibers, ratios of
 // spheres.
 
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace dini {
 
-/// The paper's composition of a boost and a twist, or true fibres of the Hopf fibration.
+/// The paper's composition of a boost and a twist, or true fibers of the Hopf fibration.
 enum class HopfMethod { exact, paper };
 
 template <>
@@ -59,10 +59,10 @@ Attempt<Versor> sphere_to_sphere(const Sphere& from, const Sphere& to, double am
   return exponential((0.5 * amount * angle_per_sine) * wedge);
 }
 
-/// The true fibre at `tilt` turns (a quarter is the axis) over the direction `outward`, for a base circle about the
+/// The true fiber at `tilt` turns (a quarter is the axis) over the direction `outward`, for a base circle about the
 /// origin: center -r tan(tilt) outward, radius r / cos(tilt), multiplied by cos(tilt) so that the axis itself comes out
 /// as a line.
-Circle fibre(const CircleCoordinates& base, const Vector& outward, double tilt) {
+Circle fiber(const CircleCoordinates& base, const Vector& outward, double tilt) {
   const auto [sine, cosine] = elementary::sincos_turns(tilt);
   const Vector normal = cosine * base.normal - sine * cross(base.normal, outward);
   const double r = base.radius;
@@ -70,7 +70,7 @@ Circle fibre(const CircleCoordinates& base, const Vector& outward, double tilt) 
   return {seen_from(dual, -to_vector(base.center))};
 }
 
-Attempt<Circle> hopf_fibre(const Circle& shape, double theta, double latitude, HopfMethod method) {
+Attempt<Circle> hopf_fiber(const Circle& shape, double theta, double latitude, HopfMethod method) {
   const std::optional<CircleCoordinates> base = coordinates(shape);
   if (!base || base->line || base->radius == 0) {
     return Failure{"degenerate", "the base must be a circle with a radius, so that it has an axis", "shape"};
@@ -78,7 +78,7 @@ Attempt<Circle> hopf_fibre(const Circle& shape, double theta, double latitude, H
   const Vector start = any_perpendicular(base->normal);
   const auto [sine, cosine] = elementary::sincos_turns(theta);
   const Vector outward = cosine * start + sine * cross(base->normal, start);
-  if (method == HopfMethod::exact) return fibre(*base, outward, 0.25 * latitude);
+  if (method == HopfMethod::exact) return fiber(*base, outward, 0.25 * latitude);
   const Generator tangent = null_pair(base->center, outward / base->radius);
   const Circle straight = apply(exponential(tangent), shape);
   const std::optional<Versor> motor = motor_between(straight, line_from(base->center, base->normal));
@@ -96,9 +96,8 @@ void add_operators(Registry& registry) {
           .family("transforms")
           .doc("A boost at the origin and a translation in one exponential: exp(amount (lambda no^a + gamma b^ni)).")
           .source("Boosted Surfaces, section 3, fig. 3")
-          .details(
-              "The generator is simple, and both rules agree, only when a and b are parallel. Zero vectors leave out "
-              "their part; all zero is the identity.")
+          .details("The generator is simple, and both rules agree, only when a and b are parallel.")
+          .degenerate("zero direction", "A zero vector leaves out its part; without both it is the identity.")
           .input("shape", "Points, circles, spheres, generators or meshes.")
           .input("a", "Direction of the boost.", defaults({1, 0, 0}).direction_handle())
           .input("lambda", "Strength of the boost.", defaults(1).hard(-1e6, 1e6).soft(-4, 4).unit("1/m"))
@@ -118,6 +117,10 @@ void add_operators(Registry& registry) {
           .details("K = <ab>_0 + amount <ab>_2; each weight replaces the no coefficient of its point. Where K ~K = 0 "
                    "everything "
                    "collapses to one point. K = 0 is an error.")
+          .degenerate("coincident points", "Equal weights 1 give K = 0: an error.")
+          .degenerate("w = -1",
+                      "With both weights -1 the scalar part of a unit pair about the origin is 0: every amount gives "
+                      "the same map, and amount 0, where K = 0, is an error.")
           .input("shape", "Points, circles, spheres, generators or meshes.")
           .input("a", "First point.", defaults({0, 0, 1}).unit("m").position_handle())
           .input("weight_a", "Weight of its no coefficient.", defaults(1).hard(-1e6, 1e6).soft(-1, 1))
@@ -126,37 +129,40 @@ void add_operators(Registry& registry) {
           .input("amount", "Factor of the bivector part.", defaults(0.5).hard(-1e6, 1e6).soft(-1, 1))
           .output("shape", "The transformed shape."));
 
-  registry.add(VersorNode<sphere_to_sphere, Sphere, Sphere, double>::declare("boost_between")
-                   .title("Boost between")
-                   .family("transforms")
-                   .doc("Applies a power of the simple rotor that takes one sphere or plane to another.")
-                   .source("Colapinto, Composing Surfaces with Conformal Rotors, AACA 27 (2017)")
-                   .details("Orientation does not count: the nearer of the two ways is taken. Equal spheres give the "
-                            "identity, parallel "
-                            "planes a translation. A sphere of radius zero is an error.")
-                   .input("shape", "Points, circles, spheres, generators or meshes.")
-                   .input("from", "The sphere that is moved.")
-                   .input("to", "The sphere that it is moved to.")
-                   .input("amount", "0 nothing, 1 the whole way.", defaults(1).hard(-1e6, 1e6).soft(0, 1))
-                   .output("shape", "The moved shape."));
+  registry.add(
+      VersorNode<sphere_to_sphere, Sphere, Sphere, double>::declare("boost_between")
+          .title("Boost between")
+          .family("transforms")
+          .doc("Applies a power of the simple rotor that takes one sphere or plane to another.")
+          .source("Colapinto, Composing Surfaces with Conformal Rotors, AACA 27 (2017)")
+          .details("Orientation does not count: the nearer of the two ways is taken. Equal spheres give the identity.")
+          .degenerate("zero radius", "A sphere of radius zero has no inverse: an error.")
+          .degenerate("parallel lines", "Parallel planes give a translation.")
+          .degenerate("opposite lines",
+                      "Orientation does not count: opposite planes give what equally oriented ones give.")
+          .input("shape", "Points, circles, spheres, generators or meshes.")
+          .input("from", "The sphere that is moved.")
+          .input("to", "The sphere that it is moved to.")
+          .input("amount", "0 nothing, 1 the whole way.", defaults(1).hard(-1e6, 1e6).soft(0, 1))
+          .output("shape", "The moved shape."));
 
-  registry.add(node("hopf", hopf_fibre)
-                   .title("Hopf fibre")
+  registry.add(node("hopf", hopf_fiber)
+                   .title("Hopf fiber")
                    .family("transforms")
-                   .doc("A base circle boosted towards a line and twisted towards its axis: one fibre of a bundle of "
+                   .doc("A base circle boosted towards a line and twisted towards its axis: one fiber of a bundle of "
                         "linked circles.")
                    .source("Boosted Surfaces, eqs. (9), (10), (11), (12), figs. 6, 7")
                    .details("For a base of radius 1 the squared radius less the squared distance of the center is 1 "
-                            "for every fibre of the "
-                            "exact method, as in the Hopf fibration, and 1 - latitude^2/4 for the paper's. Latitude 0 "
-                            "is the base, 1 its "
-                            "axis. A line, or a circle of radius zero, is an error.")
+                            "for every fiber of the exact method, as in the Hopf fibration, and 1 - latitude^2/4 for "
+                            "the paper's. Latitude 0 is the base, 1 its axis.")
+                   .degenerate("circle to line", "Latitude 1 is the axis, a line; a line as the base is an error.")
+                   .degenerate("zero radius", "An error: the base has no size to measure by.")
                    .input("shape", "The base circle.")
                    .input("theta", "Longitude; 1 is once around.", defaults(0).soft(0, 1).unit("turn"))
                    .input("latitude", "From the base circle to its axis: the paper's 1/2 + phi/pi.",
                           defaults(0.5).hard(0, 1).soft(0, 1))
-                   .input("method", "True Hopf fibres, or the paper's boost and twist.", defaults("exact"))
-                   .output("circle", "The fibre."));
+                   .input("method", "True Hopf fibers, or the paper's boost and twist.", defaults("exact"))
+                   .output("circle", "The fiber."));
 }
 
 }  // namespace dini

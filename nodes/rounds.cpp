@@ -104,7 +104,9 @@ void add_rounds(Registry& registry) {
                    .title("Circle through three points")
                    .family("elements")
                    .doc("The circle through three points, run from a over b to c.")
-                   .details("Collinear points, or one at infinity, give the line. Two points that agree are an error.")
+
+                   .degenerate("circle to line", "Collinear points, or one at infinity, give the line.")
+                   .degenerate("coincident points", "An error: many circles pass through two points.")
                    .input("a", "First point.", defaults({1, 0, 0}).unit("m").position_handle())
                    .input("b", "Second point.", defaults({0, 1, 0}).unit("m").position_handle())
                    .input("c", "Third point.", defaults({-1, 0, 0}).unit("m").position_handle())
@@ -115,7 +117,8 @@ void add_rounds(Registry& registry) {
           .title("Sphere")
           .family("elements")
           .doc("An oriented sphere as an element; transforms carry it, also into planes.")
-          .details("A radius of zero gives the point sphere at the center. To draw one, see sphere mesh.")
+          .details("To draw one, see sphere mesh.")
+          .degenerate("zero radius", "The point sphere at the center.")
           .input("center", "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
           .input("radius", "Its radius.", defaults(1).hard(0, 1e9).soft(0, 4).unit("m").radius_handle("center"))
           .output("sphere", "The sphere."));
@@ -126,11 +129,11 @@ void add_rounds(Registry& registry) {
           .family("elements")
           .doc("The sphere of a given curvature through a point: a plane bent by the boost of its own normal.")
           .source("Colapinto, Composing Surfaces with Conformal Rotors, AACA 27 (2017)")
-          .details(
-              "Its center is at position - normal / curvature; curvature 0 gives the plane. A zero normal is an error.")
+          .details("Its center is at position - normal / curvature; curvature 0 gives the plane.")
+          .degenerate("zero direction", "A zero normal is an error.")
           .input("position", "Where it touches.", defaults({0, 0, 0}).unit("m").position_handle())
           .input("normal", "Normal of the plane, of any length.", defaults({0, 0, 1}).direction_handle("position"))
-          .input("curvature", "One over the radius; below 0 it bends the other way.",
+          .input("curvature", "One over the radius; above 0 the center is against the normal, below 0 along it.",
                  defaults(1).hard(-1e9, 1e9).soft(-4, 4).unit("1/m"))
           .output("sphere", "The sphere, or the plane."));
 
@@ -139,31 +142,37 @@ void add_rounds(Registry& registry) {
                    .family("elements")
                    .doc("The line through the center of a circle along its normal.")
                    .source("Boosted Surfaces, eqs. (6), (7), (8)")
-                   .details("The axis runs along the normal, about which the circle runs counter-clockwise. A line has "
-                            "no axis: an error.")
+                   .details("The axis runs along the normal, about which the circle runs counter-clockwise.")
+                   .degenerate("circle to line", "A line has no axis: an error.")
+                   .degenerate("zero radius", "The axis along the normal that the circle has kept.")
                    .input("shape", "The circle.")
                    .output("axis", "The axis, a line.")
                    .output("direction", "The unit normal."));
 
-  registry.add(node("poles_of", poles_of_circle, poles_of_pair)
-                   .title("Poles of")
-                   .family("elements")
-                   .doc("The two poles of a circle, of which it is the equator; or the two points of a point pair.")
-                   .source("Boosted Surfaces, section 6, fig. 16")
-                   .details("A circle of radius zero and a null pair have both poles in one point; a flat point has "
-                            "one at infinity. A "
-                            "line, an imaginary pair and a generator that is no pair are errors.")
-                   .input("shape", "A circle or a point pair.")
-                   .output("a", "The pole at center + radius * normal, or ahead along the tangent.")
-                   .output("b", "The other pole."));
+  registry.add(
+      node("poles_of", poles_of_circle, poles_of_pair)
+          .title("Poles of")
+          .family("elements")
+          .doc("The two poles of a circle, of which it is the equator; or the two points of a point pair.")
+          .source("Boosted Surfaces, section 6, fig. 16")
+          .details("A circle of radius zero and a null pair have both poles in one point; a flat point has "
+                   "one at infinity. A "
+                   "line, an imaginary pair and a generator that is no pair are errors.")
+          .degenerate("circle to line", "The poles of a line are at infinity, in no particular direction: an error.")
+          .degenerate("zero radius", "Both poles are the center; those of a null pair are its point.")
+          .input("shape", "A circle or a point pair.")
+          .output("a", "The pole at center + radius * normal, or ahead along the tangent.")
+          .output("b", "The other pole."));
 
   registry.add(node("center_of", center_of_circle, center_of_sphere, center_of_generator)
                    .title("Center of")
                    .family("elements")
                    .doc("The center of a circle or sphere, or the place where a generator sits.")
                    .details("Lines, planes and directions have theirs at infinity. A rotation sits at the point of its "
-                            "axis nearest the "
-                            "origin. The zero generator is an error.")
+                            "axis nearest the origin.")
+                   .degenerate("circle to line", "The point at infinity, as for planes and directions.")
+                   .degenerate("zero radius", "The center.")
+                   .degenerate("zero direction", "The zero generator sits nowhere: an error.")
                    .input("shape", "A circle, sphere or generator.")
                    .output("point", "The center."));
 
@@ -171,7 +180,9 @@ void add_rounds(Registry& registry) {
                    .title("Radius of")
                    .family("elements")
                    .doc("The radius of a circle or sphere.")
-                   .details("A line or a plane has no finite radius: an error.")
+
+                   .degenerate("circle to line", "A line, or a plane, has no finite radius: an error.")
+                   .degenerate("zero radius", "0.")
                    .input("shape", "A circle or sphere.")
                    .output("radius", "The radius, in meters."));
 }

@@ -56,6 +56,8 @@ void add_sampling(Registry& registry) {
           .doc("Points along a circle, or along a piece of a line, on a new axis.")
           .details("A circle starts at a fixed direction that depends on its normal. A line is sampled about its point "
                    "nearest the origin.")
+          .degenerate("circle to line", "A piece of the line about its point nearest the origin.")
+          .degenerate("zero radius", "Every point is the center.")
           .input("shape", "A circle or a line.")
           .input("count", "How many points.", defaults(64).hard(1, 10'000'000).soft(3, 256))
           .input("closed", "Whether the last point joins the first; a closed circle does not repeat its start.",
@@ -73,6 +75,7 @@ void add_sampling(Registry& registry) {
           .doc("Points of a flat parallelogram over two new axes, with their positions u and v from 0 to 1.")
           .details("It spans center - u_vector - v_vector to center + u_vector + v_vector. A count of 1 "
                    "stands at the start.")
+          .degenerate("zero direction", "Points repeat along the axis of a zero vector.")
           .input("center", "The middle.", defaults({0, 0, 0}).unit("m").position_handle())
           .input("u_vector", "Half the extent along u.", defaults({1, 0, 0}).unit("m").direction_handle("center"))
           .input("v_vector", "Half the extent along v.", defaults({0, 1, 0}).unit("m").direction_handle("center"))

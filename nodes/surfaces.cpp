@@ -125,6 +125,9 @@ void add_surfaces(Registry& registry) {
           .details("Closed axes are welded. Rows that shrink to a point become clean poles. Where the surface passes "
                    "through "
                    "infinity it is cut at the clip radius, with a warning, or the node fails, as at_infinity says.")
+          .degenerate("circle to line", "The row runs to the clip radius and is cut there.")
+          .degenerate("zero radius", "The row is one point, a clean pole.")
+          .degenerate("coincident points", "They become one vertex; without area the mesh is empty.")
           .input("shape", "Points over two axes, or circles over one.")
           .input("segments", "Points around each circle; points over two axes do not use it.",
                  defaults(96).hard(3, 65536).soft(8, 256))
@@ -143,12 +146,16 @@ void add_surfaces(Registry& registry) {
                    .family("surfaces")
                    .doc("A round tube along a curve: points over one axis, or a circle.")
                    .details("A closed axis makes a closed tube. Parts beyond the clip radius are left out.")
+                   .degenerate("circle to line", "A straight tube as long as the clip radius allows.")
+                   .degenerate("zero radius", "A circle of radius zero has no tube: an empty mesh.")
+                   .degenerate("coincident points", "Repeated points are skipped; if all agree the mesh is empty.")
                    .input("shape", "Points over one axis, or a circle or line.")
                    .input("radius", "Radius of the tube.", defaults(0.02).hard(1e-9, 1e6).soft(0.005, 0.2).unit("m"))
                    .input("segments", "Points along a circle; a curve of points does not use it.",
                           defaults(128).hard(3, 65536).soft(16, 512))
                    .input("sides", "Corners around the tube.", defaults(16).hard(3, 1024).soft(4, 32))
-                   .input("clip_radius", "Distance from the origin that counts as infinity.", clip_radius_input(100))
+                   .input("clip_radius", "Distance from the origin that counts as infinity; a line ends there.",
+                          clip_radius_input(100))
                    .input("over", "The axis along the curve; empty means the last.", defaults("").names_axis())
                    .over({"over"})
                    .vertices(tube_vertices)
@@ -162,6 +169,8 @@ void add_surfaces(Registry& registry) {
           .doc("A surface patch: every point of a flat parallelogram moved by the bilinear blend of four generators.")
           .source("Boosted Surfaces, eq. (15), fig. 11")
           .details("The parallelogram spans center - u_vector - v_vector to center + u_vector + v_vector.")
+          .degenerate("point at a generator", "A corner that stands at its own null pair stays.")
+          .degenerate("zero direction", "Vectors that span no plane give an empty mesh.")
           .input("a", "Generator at u = 0, v = 0.")
           .input("b", "Generator at u = 1, v = 0.")
           .input("c", "Generator at u = 0, v = 1.")

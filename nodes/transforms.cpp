@@ -57,6 +57,12 @@ SharedMesh boost_mesh(const Context& context, const SharedMesh& shape, const Gen
 NodeBuilder exponential_node(const char* id) {
   return node(id, boost_points, boost_element<Circle>, boost_element<Sphere>, boost_element<Generator>, boost_mesh)
       .family("transforms")
+      .degenerate("point at a generator", "A fixed point stays: the point of a null pair, the poles of a real one.")
+      .degenerate("circle to line", "A circle through the point that goes to infinity becomes a line.")
+      .degenerate("zero radius", "A circle of radius zero keeps it.")
+      .degenerate("zero direction", "The zero generator is the identity.")
+      .degenerate("isoclinic generators",
+                  "The two equal turns have a closed form of their own; nothing is divided by their difference.")
       .input("shape", "Points, circles, spheres, generators or meshes.")
       .input("generator", "The generator B of the rotor exp(amount B).")
       .input("amount", "How much of it.", defaults(1).soft(-2, 2))
@@ -86,30 +92,33 @@ void add_transforms(Registry& registry) {
                    .family("transforms")
                    .doc("Turns a shape about a line while sliding it along the line.")
                    .source("Boosted Surfaces, section 3.1, fig. 5")
+                   .degenerate("circle to line", "A circle as axis is an error; one that has become a line is an axis.")
                    .input("shape", "Points, circles, spheres, generators or meshes.")
                    .input("axis", "The line to turn about.")
                    .input("angle", "The turn, right hand.", defaults(90).soft(-360, 360).unit("deg"))
                    .input("slide", "The way along the line.", defaults(0).soft(-4, 4).unit("m"))
                    .output("shape", "The twisted shape."));
 
-  registry.add(
-      VersorNode<line_to_line, Circle, Circle, double>::declare("twist_between")
-          .title("Twist between")
-          .family("transforms")
-          .doc("Applies a power of the screw motion that takes one line to another.")
-          .source("Boosted Surfaces, eq. (11)")
-          .details("The turn is the shorter one. Parallel lines: the shift between them. Opposite lines: a half turn "
-                   "about an axis chosen by a fixed rule.")
-          .input("shape", "Points, circles, spheres, generators or meshes.")
-          .input("from", "The line that is moved.")
-          .input("to", "The line that it is moved to.")
-          .input("amount", "0 nothing, 1 the whole way.", defaults(1).soft(0, 1))
-          .output("shape", "The moved shape."));
+  registry.add(VersorNode<line_to_line, Circle, Circle, double>::declare("twist_between")
+                   .title("Twist between")
+                   .family("transforms")
+                   .doc("Applies a power of the screw motion that takes one line to another.")
+                   .source("Boosted Surfaces, eq. (11)")
+                   .details("The turn is the shorter one.")
+                   .degenerate("circle to line", "A circle is an error; one that has become a line is a line.")
+                   .degenerate("parallel lines", "The shift between them.")
+                   .degenerate("opposite lines", "A half turn about an axis across both, chosen by a fixed rule.")
+                   .input("shape", "Points, circles, spheres, generators or meshes.")
+                   .input("from", "The line that is moved.")
+                   .input("to", "The line that it is moved to.")
+                   .input("amount", "0 nothing, 1 the whole way.", defaults(1).soft(0, 1))
+                   .output("shape", "The moved shape."));
 
   registry.add(VersorNode<translation, Vector>::declare("translate")
                    .title("Translate")
                    .family("transforms")
                    .doc("Moves a shape.")
+                   .degenerate("zero direction", "The identity.")
                    .input("shape", "Points, circles, spheres, generators or meshes.")
                    .input("vector", "By how much.", defaults({0, 0, 0}).unit("m").direction_handle())
                    .output("shape", "The moved shape."));
@@ -118,6 +127,7 @@ void add_transforms(Registry& registry) {
                    .title("Rotate")
                    .family("transforms")
                    .doc("Turns a shape about a line.")
+                   .degenerate("circle to line", "A circle as axis is an error; one that has become a line is an axis.")
                    .input("shape", "Points, circles, spheres, generators or meshes.")
                    .input("axis", "The line to turn about.")
                    .input("angle", "The turn, right hand.", defaults(90).soft(-360, 360).unit("deg"))

@@ -71,6 +71,15 @@ void write_inputs(const Json& inputs, std::string& page) {
   page += "\n";
 }
 
+void write_degenerate(const Json& cases, std::string& page) {
+  if (cases.empty()) return;
+  page += "| singular input | what happens |\n|---|---|\n";
+  for (const Json& one : cases) {
+    page += "| " + cell(text_of(one, "input")) + " | " + cell(text_of(one, "result")) + " |\n";
+  }
+  page += "\n";
+}
+
 void write_outputs(const Json& outputs, std::string& page) {
   if (outputs.empty()) return;
   page += "| output | type | what it is |\n|---|---|---|\n";
@@ -111,6 +120,7 @@ void write_node(const Json& node, const NodeExamples& examples, std::string& pag
   page += example_picture(examples, text_of(node, "id"));
   write_inputs(node.value("inputs", Json::array()), page);
   write_outputs(node.value("outputs", Json::array()), page);
+  write_degenerate(node.value("degenerate", Json::array()), page);
   page += example_graph(examples, text_of(node, "id"));
 }
 

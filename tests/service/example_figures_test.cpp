@@ -128,6 +128,27 @@ TEST_CASE("The exact pseudosphere has the Gauss curvature -1 everywhere") {
   CHECK(looked_up(graph, "paint.maximum")["values"][0].get<double>() < -0.9);
 }
 
+TEST_CASE("Fig. 5: the points of the twisted ring lie on a horn torus that is carried along the screw") {
+  const Json graph = example("fig05_twisted_ring");
+  for (const Json& parameters : {Json::object(), Json{{"turns", 1.3}, {"pitch", 1.1}, {"reach", 1.7}}}) {
+    const double pitch = parameters.value("pitch", 0.55);
+    const Json turns = looked_up(graph, "turn", parameters), amounts = looked_up(graph, "k", parameters);
+    const Json points = looked_up(graph, "boosted", parameters);
+    const double h = 1.5, a = (1 + h * h) / 2;
+    REQUIRE(points["axes"][0]["name"] == "turn");
+    const std::size_t columns = amounts["values"].size();
+    for (std::size_t i = 0; i < points["values"].size(); ++i) {
+      const Vector point = triple(points["values"][i]);
+      const double turn = at(turns, i / columns), across = std::hypot(point.x, point.y);
+      // Carried back along the screw, every point is on the circle of radius a through the generator, tangent to it.
+      const double height = point.z + turn * pitch - h;
+      CHECK(std::abs(std::hypot(across - a, height) - a) < 1e-12);
+      const double angle = turn * (std::atan(1.0) * 8);
+      CHECK(length(Vector{point.x, point.y, 0} - across * Vector{std::cos(angle), std::sin(angle), 0}) < 1e-11);
+    }
+  }
+}
+
 TEST_CASE("The exact surface of Dini has the Gauss curvature -1/(1+b^2) everywhere") {
   const Json graph = example("exact_dini");
   for (const double climb : {0.1, 0.2, 0.5}) {

@@ -183,6 +183,49 @@ TEST_CASE("figures 6 and 7 in a graph: fibers by boost and twist between lines")
   }
 }
 
+TEST_CASE("figure 7 in a graph: the true fibers of the same tilt") {
+  for (const Json& item : reference()["i"]["items"]) {
+    const Json& exact = item["true_hopf_fibre_same_tilt"];
+    if (!exact.contains("centre")) continue;
+    const double k = item["phi"].get<double>() + 0.5;
+    // The node counts theta from a direction of its own, so lengths are compared, and the tilt.
+    const Json nodes = {{"shape", make("circle", {{"normal", {0, 1, 0}}})},
+                        {"image", make("hopf", {{"shape", from("shape")}, {"latitude", k}, {"theta", item["theta"]}})}};
+    const Json fibre = value_at(nodes, "image");
+    const double radius = exact["radius"];
+    CHECK(fibre["radius"].get<double>() == Approx(radius).epsilon(1e-12));
+    CHECK(length(vector_of(fibre["center"])) ==
+          Approx(length(vector_of(exact["centre"]))).epsilon(1e-12).margin(1e-12));
+    CHECK(std::abs(vector_of(fibre["normal"]).y) ==
+          Approx(std::abs(vector_of(exact["normal_up_to_sign"]).y)).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("figure 16 in a graph: products of weighted points carry the equator, collapse it, or vanish") {
+  for (const Json& item : reference()["h"]["items"]) {
+    const Json nodes = {{"shape", make("circle", {{"normal", {0, 1, 0}}})},
+                        {"image", make("product", {{"shape", from("shape")},
+                                                   {"a", {0, 1, 0}},
+                                                   {"b", {0, -1, 0}},
+                                                   {"weight_a", item["w"]},
+                                                   {"weight_b", item["w"]},
+                                                   {"amount", item["lambda"]}})}};
+    if (item.contains("centre")) {
+      require_circle(value_at(nodes, "image"), item, false);
+    } else if (item["w"] == -1) {
+      const auto refused = engine().inspect(
+          {.graph = document(nodes), .parameters = Json::object(), .node = "image", .output = "", .full = false},
+          Cancel());
+      REQUIRE_FALSE(refused);
+      CHECK(refused.problems().front().code == "degenerate");
+    } else {
+      const Json point = value_at(nodes, "image");
+      require_near(point["center"], {0, item["lambda"], 0});
+      CHECK(point["radius"].get<double>() < 1e-7);  // a root of a difference: half the digits
+    }
+  }
+}
+
 TEST_CASE("figures 4 and 5 in a graph: boosted helices") {
   for (const Json& item : reference()["j"]["items"]) {
     const Json nodes = {{"shape", point(item["helix_point"])},
