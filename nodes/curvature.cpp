@@ -115,8 +115,8 @@ void add_curvature(Registry& registry) {
                  defaults({0, 0, 1}).direction_handle("position"))
           .input("u_direction", "Where u runs in the plane; v runs to its left.",
                  defaults({1, 0, 0}).direction_handle("position"))
-          .input("curvature_u", "Curvature along u.", curvature_input(1))
-          .input("curvature_v", "Curvature along v.", curvature_input(0))
+          .input("curvature_u", "Curvature along u; above 0 it bends against the normal.", curvature_input(1))
+          .input("curvature_v", "Curvature along v; above 0 it bends against the normal.", curvature_input(0))
           .input("u", "Place of the bent point along u.", defaults(0).hard(-1e9, 1e9).soft(-2, 2).unit("m"))
           .input("v", "Place of the bent point along v.", defaults(0).hard(-1e9, 1e9).soft(-2, 2).unit("m"))
           .input("method", "Curvatures as asked, or eq. (18) to the letter.", defaults("exact"))

@@ -27,6 +27,9 @@ struct ChoiceNames<Palette> {
 
 namespace {
 
+constexpr const char* palette_doc =
+    "Diverging: blue over white to red; sequential: violet over green to yellow; cyclic: all hues, alike at both ends.";
+
 Attempt<SharedMesh> box(const Context& context, const Point& center, const Vector& size, std::int64_t segments) {
   if (!(size.x > 0) || !(size.y > 0) || !(size.z > 0)) {
     return Failure{"degenerate", "the edges of a box must have positive lengths", "size"};
@@ -120,7 +123,7 @@ void add_mesh_tools(Registry& registry) {
                    .input("kind", "Product or mean of the principal curvatures.", defaults("gauss"))
                    .input("range", "Curvature at the ends of the palette; 0 means the largest magnitude found.",
                           defaults(0).hard(0, 1e9).soft(0, 10))
-                   .input("palette", "The colors.", defaults("diverging"))
+                   .input("palette", palette_doc, defaults("diverging"))
                    .output("shape", "The colored mesh.")
                    .output("minimum", "Least curvature, in 1/m for mean and 1/m^2 for Gauss.")
                    .output("maximum", "Greatest curvature."));
@@ -135,7 +138,7 @@ void add_mesh_tools(Registry& registry) {
                    .input("value", "The number.")
                    .input("minimum", "Number at the start of the palette.", defaults(0).soft(-10, 10))
                    .input("maximum", "Number at its end.", defaults(1).soft(-10, 10))
-                   .input("palette", "The colors.", defaults("cyclic"))
+                   .input("palette", palette_doc, defaults("cyclic"))
                    .output("shape", "The colored mesh."));
 }
 

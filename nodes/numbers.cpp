@@ -60,7 +60,8 @@ void add_numbers(Registry& registry) {
                    .family("numbers")
                    .doc("Values given one by one, along a new axis.")
                    .details("Literal triples are read as points.")
-                   .input("items", "Links or literals, all of one type.", required().several())
+                   .input("items", "Links or literals, all of one type; three numbers are a point, vectors are linked.",
+                          required().several())
                    .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
                    .output("items", "The values, over the new axis."));
 

@@ -1,4 +1,4 @@
-// Transforms that the paper builds from special operators: loxodromes, products of points, Hopf fibres, ratios of
+// Transforms that the paper builds from special operators: loxodromes, products of points, Hopf fibers, ratios of
 // spheres.
 
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace dini {
 
-/// The paper's composition of a boost and a twist, or true fibres of the Hopf fibration.
+/// The paper's composition of a boost and a twist, or true fibers of the Hopf fibration.
 enum class HopfMethod { exact, paper };
 
 template <>
@@ -59,10 +59,10 @@ Attempt<Versor> sphere_to_sphere(const Sphere& from, const Sphere& to, double am
   return exponential((0.5 * amount * angle_per_sine) * wedge);
 }
 
-/// The true fibre at `tilt` turns (a quarter is the axis) over the direction `outward`, for a base circle about the
+/// The true fiber at `tilt` turns (a quarter is the axis) over the direction `outward`, for a base circle about the
 /// origin: center -r tan(tilt) outward, radius r / cos(tilt), multiplied by cos(tilt) so that the axis itself comes out
 /// as a line.
-Circle fibre(const CircleCoordinates& base, const Vector& outward, double tilt) {
+Circle fiber(const CircleCoordinates& base, const Vector& outward, double tilt) {
   const auto [sine, cosine] = elementary::sincos_turns(tilt);
   const Vector normal = cosine * base.normal - sine * cross(base.normal, outward);
   const double r = base.radius;
@@ -70,7 +70,7 @@ Circle fibre(const CircleCoordinates& base, const Vector& outward, double tilt) 
   return {seen_from(dual, -to_vector(base.center))};
 }
 
-Attempt<Circle> hopf_fibre(const Circle& shape, double theta, double latitude, HopfMethod method) {
+Attempt<Circle> hopf_fiber(const Circle& shape, double theta, double latitude, HopfMethod method) {
   const std::optional<CircleCoordinates> base = coordinates(shape);
   if (!base || base->line || base->radius == 0) {
     return Failure{"degenerate", "the base must be a circle with a radius, so that it has an axis", "shape"};
@@ -78,7 +78,7 @@ Attempt<Circle> hopf_fibre(const Circle& shape, double theta, double latitude, H
   const Vector start = any_perpendicular(base->normal);
   const auto [sine, cosine] = elementary::sincos_turns(theta);
   const Vector outward = cosine * start + sine * cross(base->normal, start);
-  if (method == HopfMethod::exact) return fibre(*base, outward, 0.25 * latitude);
+  if (method == HopfMethod::exact) return fiber(*base, outward, 0.25 * latitude);
   const Generator tangent = null_pair(base->center, outward / base->radius);
   const Circle straight = apply(exponential(tangent), shape);
   const std::optional<Versor> motor = motor_between(straight, line_from(base->center, base->normal));
@@ -146,14 +146,14 @@ void add_operators(Registry& registry) {
           .input("amount", "0 nothing, 1 the whole way.", defaults(1).hard(-1e6, 1e6).soft(0, 1))
           .output("shape", "The moved shape."));
 
-  registry.add(node("hopf", hopf_fibre)
-                   .title("Hopf fibre")
+  registry.add(node("hopf", hopf_fiber)
+                   .title("Hopf fiber")
                    .family("transforms")
-                   .doc("A base circle boosted towards a line and twisted towards its axis: one fibre of a bundle of "
+                   .doc("A base circle boosted towards a line and twisted towards its axis: one fiber of a bundle of "
                         "linked circles.")
                    .source("Boosted Surfaces, eqs. (9), (10), (11), (12), figs. 6, 7")
                    .details("For a base of radius 1 the squared radius less the squared distance of the center is 1 "
-                            "for every fibre of the exact method, as in the Hopf fibration, and 1 - latitude^2/4 for "
+                            "for every fiber of the exact method, as in the Hopf fibration, and 1 - latitude^2/4 for "
                             "the paper's. Latitude 0 is the base, 1 its axis.")
                    .degenerate("circle to line", "Latitude 1 is the axis, a line; a line as the base is an error.")
                    .degenerate("zero radius", "An error: the base has no size to measure by.")
@@ -161,8 +161,8 @@ void add_operators(Registry& registry) {
                    .input("theta", "Longitude; 1 is once around.", defaults(0).soft(0, 1).unit("turn"))
                    .input("latitude", "From the base circle to its axis: the paper's 1/2 + phi/pi.",
                           defaults(0.5).hard(0, 1).soft(0, 1))
-                   .input("method", "True Hopf fibres, or the paper's boost and twist.", defaults("exact"))
-                   .output("circle", "The fibre."));
+                   .input("method", "True Hopf fibers, or the paper's boost and twist.", defaults("exact"))
+                   .output("circle", "The fiber."));
 }
 
 }  // namespace dini

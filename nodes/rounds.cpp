@@ -133,7 +133,7 @@ void add_rounds(Registry& registry) {
           .degenerate("zero direction", "A zero normal is an error.")
           .input("position", "Where it touches.", defaults({0, 0, 0}).unit("m").position_handle())
           .input("normal", "Normal of the plane, of any length.", defaults({0, 0, 1}).direction_handle("position"))
-          .input("curvature", "One over the radius; below 0 it bends the other way.",
+          .input("curvature", "One over the radius; above 0 the center is against the normal, below 0 along it.",
                  defaults(1).hard(-1e9, 1e9).soft(-4, 4).unit("1/m"))
           .output("sphere", "The sphere, or the plane."));
 

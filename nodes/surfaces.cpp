@@ -154,7 +154,8 @@ void add_surfaces(Registry& registry) {
                    .input("segments", "Points along a circle; a curve of points does not use it.",
                           defaults(128).hard(3, 65536).soft(16, 512))
                    .input("sides", "Corners around the tube.", defaults(16).hard(3, 1024).soft(4, 32))
-                   .input("clip_radius", "Distance from the origin that counts as infinity.", clip_radius_input(100))
+                   .input("clip_radius", "Distance from the origin that counts as infinity; a line ends there.",
+                          clip_radius_input(100))
                    .input("over", "The axis along the curve; empty means the last.", defaults("").names_axis())
                    .over({"over"})
                    .vertices(tube_vertices)
