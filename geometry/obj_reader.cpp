@@ -1,5 +1,6 @@
 #include "geometry/obj_reader.h"
 
+#include <random>
 #include <unordered_map>
 
 #include "geometry/polygon.h"
@@ -17,9 +18,12 @@ struct Corner {
   friend bool operator==(const Corner&, const Corner&) = default;
 };
 
+/// Seeded anew by every process: a file that is made to put all corners into one bucket would take minutes. The order
+/// of the table never shows.
 struct CornerHash {
   std::size_t operator()(const Corner& corner) const {
-    std::uint64_t bits = 0;
+    static const std::uint64_t seed = std::uint64_t{std::random_device()()} << 32 | std::random_device()();
+    std::uint64_t bits = seed;
     for (const std::int64_t index : {corner.position, corner.uv, corner.normal}) {
       bits = (bits ^ static_cast<std::uint64_t>(index)) * 0x9E3779B97F4A7C15u;
       bits ^= bits >> 29;
@@ -140,11 +144,14 @@ class ObjReader {
       if (error_) return;
       polygon_.push_back(vertex_of(corner));
       corners_.push_back(positions_[static_cast<std::size_t>(corner.position)]);
+      // Looked at while the face is read: one line can be the whole file.
+      if (raw_.positions.size() > limits_.vertices) {
+        error_ = too_many(limits_.vertices, "vertices");
+      } else if (raw_.triangles.size() + polygon_.size() > limits_.triangles + 2) {
+        error_ = too_many(limits_.triangles, "triangles");
+      }
     }
     if (polygon_.size() < 3) fail("a face has fewer than three corners");
-    if (raw_.positions.size() > limits_.vertices) error_ = too_many(limits_.vertices, "vertices");
-    if (raw_.triangles.size() + polygon_.size() > limits_.triangles + 2)
-      error_ = too_many(limits_.triangles, "triangles");
     if (error_) return;
     pieces_.clear();
     cutter_.cut(corners_, pieces_);

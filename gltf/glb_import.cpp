@@ -197,7 +197,7 @@ class GlbImporter {
   void add_triangles(const GltfJson& primitive, std::size_t mode, std::size_t base, std::size_t count, bool mirrored) {
     std::vector<std::uint32_t> corners;
     if (const auto accessor = whole_number(primitive, "indices")) {
-      corners = document_.indices(*accessor);
+      corners = document_.indices(*accessor, 3 * limits_.triangles + 2);
     } else {
       for (std::size_t i = 0; i < count; ++i) corners.push_back(static_cast<std::uint32_t>(i));
     }

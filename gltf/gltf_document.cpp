@@ -211,8 +211,9 @@ std::vector<double> GltfDocument::colors(std::size_t accessor, std::size_t& widt
   return read(found);
 }
 
-std::vector<std::uint32_t> GltfDocument::indices(std::size_t accessor) const {
+std::vector<std::uint32_t> GltfDocument::indices(std::size_t accessor, std::size_t most) const {
   const Layout found = layout(accessor);
+  if (found.count > most) throw GltfRefused{too_many(most, "indices in one piece")};
   if (found.width != 1 || (found.type != 5121 && found.type != 5123 && found.type != 5125)) {
     refuse_gltf("indices must be unsigned whole numbers");
   }

@@ -39,7 +39,8 @@ class GltfDocument {
   std::vector<double> numbers(std::size_t accessor, std::size_t width) const;
   /// Like `numbers`, for accessors of three or four components: their own width.
   std::vector<double> colors(std::size_t accessor, std::size_t& width) const;
-  std::vector<std::uint32_t> indices(std::size_t accessor) const;
+  /// At most `most` of them: one byte in the file becomes twelve in memory.
+  std::vector<std::uint32_t> indices(std::size_t accessor, std::size_t most) const;
   std::size_t accessor_count(std::size_t accessor) const;
 
  private:

@@ -224,18 +224,18 @@ class LiftedFunction {
       if (auto* failure = std::get_if<Failure>(&result)) {
         first.report(index, std::move(*failure));
       } else {
-        store(std::get<0>(std::move(result)), index, columns, first);
+        store(std::get<0>(std::forward<V>(result)), index, columns, first);
       }
     } else if constexpr (requires { std::tuple_size<Plain>::value; }) {
-      store_tuple(std::move(result), index, columns, std::make_index_sequence<output_count>{});
+      store_tuple(std::forward<V>(result), index, columns, std::make_index_sequence<output_count>{});
     } else {
-      store_one(std::move(result), index, std::get<0>(columns));
+      store_one(std::forward<V>(result), index, std::get<0>(columns));
     }
   }
 
   template <class T, class Columns, std::size_t... O>
   static void store_tuple(T&& results, std::size_t index, Columns& columns, std::index_sequence<O...>) {
-    (store_one(std::get<O>(std::move(results)), index, std::get<O>(columns)), ...);
+    (store_one(std::get<O>(std::forward<T>(results)), index, std::get<O>(columns)), ...);
   }
 
   template <class T>

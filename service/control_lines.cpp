@@ -61,9 +61,12 @@ void ControlLines::cross_mark(const Vector& at) {
 }
 
 void ControlLines::line(const CircleCoordinates& line) {
+  // The chord of the sphere of reach; a line far off has none.
   const Vector place = to_vector(line.point);
-  const Vector nearest = place + dot(frame_.center - place, line.direction) * line.direction;
-  segment(nearest - frame_.reach * line.direction, nearest + frame_.reach * line.direction);
+  const double distance = length(place);
+  if (!(distance < frame_.reach)) return;
+  const double half = (1 - 1e-9) * std::sqrt((frame_.reach - distance) * (frame_.reach + distance));
+  segment(place - half * line.direction, place + half * line.direction);
 }
 
 void ControlLines::round(const CircleCoordinates& circle, bool dashed) {

@@ -86,6 +86,12 @@ Result<std::string> find_output(const Registry& registry, const Document& docume
   return asked;
 }
 
+std::string reason_of(const Problems& problems, const std::string& node) {
+  const auto own =
+      std::find_if(problems.begin(), problems.end(), [&](const Problem& problem) { return problem.node == node; });
+  return own == problems.end() ? "the check stands behind a broken node, so it did not run" : own->detail;
+}
+
 std::vector<BrokenCheck> broken_checks(const Registry& registry, const Document& document, const CheckReport& report) {
   std::vector<BrokenCheck> broken;
   for (const auto& [id, node] : document.nodes) {
@@ -93,10 +99,7 @@ std::vector<BrokenCheck> broken_checks(const Registry& registry, const Document&
     if (type == nullptr || !type->always_evaluated || node.bypass) continue;
     const auto planned = report.plan.index.find(id);
     if (planned != report.plan.index.end() && !report.plan.nodes[planned->second].doubtful) continue;
-    const auto own = std::find_if(report.elsewhere.begin(), report.elsewhere.end(),
-                                  [&](const Problem& problem) { return problem.node == id; });
-    broken.push_back(
-        {id, own == report.elsewhere.end() ? "the check stands behind a broken node, so it did not run" : own->detail});
+    broken.push_back({id, reason_of(report.elsewhere, id)});
   }
   return broken;
 }

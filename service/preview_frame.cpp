@@ -73,6 +73,9 @@ double median(std::vector<double> numbers) {
 
 Vector median_center(const std::vector<Ball>& balls) {
   std::vector<double> x, y, z;
+  x.reserve(balls.size());
+  y.reserve(balls.size());
+  z.reserve(balls.size());
   for (const Ball& ball : balls) {
     x.push_back(ball.center.x);
     y.push_back(ball.center.y);
@@ -99,6 +102,7 @@ PreviewFrame frame_of(const std::vector<Value>& values, std::size_t elements) {
   if (balls.empty()) return frame;
   frame.center = median_center(balls);
   std::vector<double> distances;
+  distances.reserve(balls.size());
   for (const Ball& ball : balls) distances.push_back(length(ball.center - frame.center) + ball.radius);
   const double usual = median(distances);
   double size = 0;
@@ -113,6 +117,7 @@ PreviewFrame frame_of(const std::vector<Value>& values, std::size_t elements) {
 std::vector<std::size_t> spread_indices(std::size_t count, std::size_t most) {
   std::vector<std::size_t> indices;
   const std::size_t kept = std::min(count, most);
+  indices.reserve(kept);
   for (std::size_t i = 0; i < kept; ++i) {
     indices.push_back(kept < 2 ? 0 : kept == count ? i : i * (count - 1) / (kept - 1));
   }

@@ -199,6 +199,12 @@ TEST_CASE("PLY files that are wrong are refused") {
   }
 }
 
+TEST_CASE("One face that is the whole file is refused before it is held") {
+  std::string face = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf";
+  for (int i = 0; i < 300'000; ++i) face += " 1 2 3";
+  CHECK(refusal(read_obj, face, {100, 1000}) == "too large: the file has more than 1000 triangles, which is the limit");
+}
+
 TEST_CASE("What is over a limit is refused as too large") {
   CHECK(refusal(read_obj, quad_obj, {5, 2}).empty());
   CHECK(refusal(read_obj, quad_obj, {4, 2}) == "too large: the file has more than 4 vertices, which is the limit");

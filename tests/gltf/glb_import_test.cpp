@@ -186,6 +186,17 @@ TEST_CASE("a small file cannot ask for endless work") {
   CHECK(refusal(read_glb_mesh, glb, {4000, 1999}).starts_with("too large: "));
 }
 
+TEST_CASE("indices are counted before they are unpacked") {
+  json document = quad_document();
+  document["accessors"][3] = {{"bufferView", 3}, {"componentType", 5121}, {"count", 3000}, {"type", "SCALAR"}};
+  document["bufferViews"][3]["byteLength"] = 3000;
+  document["buffers"][0]["byteLength"] = 3096;
+  const std::string glb = glb_of(document.dump(), quad_binary().substr(0, 96) + std::string(3000, '\0'));
+  CHECK(refusal(read_glb_mesh, glb, {100, 900}) ==
+        "too large: the file has more than 2702 indices in one piece, which is the limit");
+  CHECK(refusal(read_glb_mesh, glb, {100, 1000}) == "invalid: the file has no triangles");
+}
+
 TEST_CASE("a GLB cut short at any byte, or with any byte changed, is read or refused and nothing worse") {
   const std::string good = quad_glb();
   CHECK(refusal(read_glb_mesh, good).empty());

@@ -193,6 +193,18 @@ TEST_CASE("large families are thinned, and what has no end stays within a few si
   CHECK(extent_of(json) < 60);
 }
 
+TEST_CASE("a line crosses everything that is shown with it, wherever it runs") {
+  const Json nodes = {{"ring", make("circle", {{"center", {5, 1, 0}}})},
+                      {"axis", make("line", {{"point", {4, 0, 2}}, {"direction", {0, 1, 0}}})}};
+  const Json json = json_of(preview_of(showing(nodes, {"ring", "axis"})));
+  const Json line = children_of(json).at("axis.circle");
+  const Json& positions = json["accessors"][line["primitives"][0]["attributes"]["POSITION"].get<std::size_t>()];
+  CHECK(positions["min"][1] < -2);
+  CHECK(positions["max"][1] > 4);
+  CHECK(positions["min"][0] == 4);
+  CHECK(positions["max"][2] == 2);
+}
+
 TEST_CASE("an evaluation gives the model, the preview, or both, and says so in its report") {
   EvaluateRequest request = showing(ring_graph, {});
   const Result<Evaluated> model = answered(engine(), request);
