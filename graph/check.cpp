@@ -149,15 +149,13 @@ class Checker {
     Resolved resolved = resolve_node(id, entry, *registry_.find(entry.type), document_, report_.plan, find_asset_);
     const bool sound = resolved.problems.empty();
     const bool can_be_told = outputs_can_be_told(resolved);
-    // Behind a broken node problems may be consequences.
-    if (!doubtful) {
-      for (Problem& problem : resolved.problems) add(std::move(problem));
-    }
+    for (Problem& problem : resolved.problems) add(std::move(problem));
     if (!can_be_told) return;
     PlannedNode& node = resolved.node;
     if (!node.bypass) {
       if (std::optional<Problem> problem = infer_axes(node, limits_)) {
         problem->pointer = input_pointer(id, problem->port);
+        // Behind a broken node axes may be missing, so this may be a consequence.
         if (sound && !doubtful) add(std::move(*problem));
         return;
       }

@@ -103,6 +103,7 @@ TEST_CASE("wires are told as far as they follow, also of broken nodes and behind
   const CheckReport report = checked(registry, document({{"r", make("ramp", {{"count", 4}})},
                                                          {"bad", make("sum", {{"a", from("r")}, {"b", "x"}})},
                                                          {"behind", make("sum", {{"a", from("bad")}})},
+                                                         {"also", make("sum", {{"a", from("bad")}, {"b", "y"}})},
                                                          {"lacking", make("shifted")},
                                                          {"unknown", make("nothing")},
                                                          {"lost", make("sum", {{"a", from("unknown")}})}}));
@@ -113,7 +114,8 @@ TEST_CASE("wires are told as far as they follow, also of broken nodes and behind
   CHECK_FALSE(report.plan.index.contains("lost"));
   CHECK(report.blocked == std::vector<std::string>{"behind", "lost"});
   CHECK(codes(report.problems) == std::multiset<std::string>{"required-input-missing lacking.point",
-                                                             "type-mismatch bad.b", "unknown-node-type unknown"});
+                                                             "type-mismatch also.b", "type-mismatch bad.b",
+                                                             "unknown-node-type unknown"});
 }
 
 TEST_CASE("what is not asked for is checked apart") {
