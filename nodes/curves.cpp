@@ -171,8 +171,7 @@ void add_curves(Registry& registry) {
           .degenerate("point at a generator", "There is no direction: every point is the start.")
           .degenerate("zero direction", "A zero normal is an error.")
           .input("point", "Where the curve starts.", defaults({1, 0, 0}).unit("m").position_handle())
-          .input("generators", "Several links, or one family; a single generator as a list of one.",
-                 required().several())
+          .input("generators", "Links to one or several, or one family of them.", required().several())
           .input("over", "The axis to sum over; empty means the last of generators.", defaults("").names_axis())
           .input("normal", "Normal of the plane of the curve.", defaults({0, 0, 1}).direction_handle("point"))
           .input("length", "The curve is at most so long; below 0 it runs the other way.",

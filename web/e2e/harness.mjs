@@ -82,7 +82,11 @@ export function launchBrowser() {
 /** A page that keeps account of everything that must not happen: `page.offences`. */
 export async function openPage(browser, url, options = {}) {
   const { hash = "", theme = "dark", width = 1280, height = 720, expectOutage = false, firstRun = false } = options;
-  const context = await browser.newContext({ viewport: { width, height }, colorScheme: theme, acceptDownloads: true });
+  const { touch = false, clipboard = false, count = false } = options;
+  const context = await browser.newContext({
+    ...{ viewport: { width, height }, colorScheme: theme, acceptDownloads: true, hasTouch: touch },
+    permissions: clipboard ? ["clipboard-read", "clipboard-write"] : [],
+  });
   await context.addInitScript(() => {
     window.cspViolations = [];
     document.addEventListener("securitypolicyviolation", (event) =>
@@ -91,6 +95,12 @@ export async function openPage(browser, url, options = {}) {
   });
   // What is said to someone new lies over the page until it is closed.
   if (!firstRun) await context.addInitScript(() => localStorage.setItem("dini.hint", "yes"));
+  // The browser's own file dialogs cannot be answered by a test; without them files are up- and downloads.
+  await context.addInitScript(() => {
+    delete window.showOpenFilePicker;
+    delete window.showSaveFilePicker;
+  });
+  if (count) await context.addInitScript(countThings);
   const page = await context.newPage();
   const offences = [];
   const origin = new URL(url).origin;
@@ -114,6 +124,50 @@ export async function openPage(browser, url, options = {}) {
     ...(await page.evaluate(() => window.cspViolations)).map((text) => `policy: ${text}`),
   ];
   return page;
+}
+
+/** Runs in the page: `window.counted` has the workers that were started and the listeners that are there. */
+function countThings() {
+  const counted = (window.counted = { workers: 0, listeners: 0 });
+  window.Worker = class extends window.Worker {
+    constructor(...parts) {
+      super(...parts);
+      counted.workers++;
+    }
+  };
+  const { addEventListener, removeEventListener } = EventTarget.prototype;
+  const kept = new WeakMap();
+  const keyOf = (type, options) => `${type} ${typeof options === "object" ? Boolean(options?.capture) : Boolean(options)}`;
+  EventTarget.prototype.addEventListener = function (type, listener, options) {
+    // Signals for aborting come and go with their requests.
+    if (listener && !(this instanceof AbortSignal) && !options?.once && !options?.signal) {
+      const target = this ?? window;
+      const all = kept.get(target) ?? new Map();
+      kept.set(target, all);
+      const set = all.get(keyOf(type, options)) ?? new Set();
+      all.set(keyOf(type, options), set);
+      if (!set.has(listener)) counted.listeners++;
+      set.add(listener);
+    }
+    return addEventListener.call(this, type, listener, options);
+  };
+  EventTarget.prototype.removeEventListener = function (type, listener, options) {
+    if (kept.get(this ?? window)?.get(keyOf(type, options))?.delete(listener)) counted.listeners--;
+    return removeEventListener.call(this, type, listener, options);
+  };
+}
+
+/** The document as Save writes it. */
+export async function saved(page) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+Shift+s")]);
+  return JSON.parse(readFileSync(await download.path(), "utf8"));
+}
+
+/** Selects a node by a click on its title. */
+export async function selectNode(page, id) {
+  const graph = page.getByRole("region", { name: "Graph" });
+  const node = graph.getByRole("group", { name: new RegExp(`, ${id}$`) });
+  await node.click({ position: { x: 24, y: 6 } });
 }
 
 /** Waits until the newest input is shown in full quality. */

@@ -211,7 +211,7 @@ test("after a reset nothing of the old document is shown", async () => {
 
 test("drafts get coarser while round trips are slow, and finer while they are quick", async () => {
   const slow = setUp({ evaluate: () => 90 });
-  for (let body = 1; body <= 40; body++) {
+  for (let body = 1; body <= 60; body++) {
     slow.evaluator.input(body, true);
     await slow.clock.advance(33);
   }
@@ -219,13 +219,13 @@ test("drafts get coarser while round trips are slow, and finer while they are qu
   assert.equal(slow.log.budgets.at(-1), 1250);
   assert.ok(slow.log.budgets.every((budget, at) => at === 0 || budget <= (slow.log.budgets[at - 1] ?? 0)));
   const quick = setUp({ evaluate: () => 5, decode: () => 5 });
-  for (let body = 1; body <= 40; body++) {
+  for (let body = 1; body <= 60; body++) {
     quick.evaluator.input(body, true);
     await quick.clock.advance(33);
   }
   assert.equal(quick.log.budgets.at(-1), 320_000);
   const even = setUp({ evaluate: () => 30, decode: () => 5 });
-  for (let body = 1; body <= 40; body++) {
+  for (let body = 1; body <= 60; body++) {
     even.evaluator.input(body, true);
     await even.clock.advance(33);
   }

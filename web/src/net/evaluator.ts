@@ -39,6 +39,7 @@ const SUPERSEDED = 409;
 /** A draft that takes longer than this from asking to showing is halved the next time, a quicker one is doubled. */
 const SLOW_DRAFT = 50;
 const QUICK_DRAFT = 20;
+const DRAFTS_TO_JUDGE = 5;
 const FIRST_BUDGET = 20_000;
 const SMALLEST_BUDGET = 1250;
 const LARGEST_BUDGET = 320_000;
@@ -62,6 +63,8 @@ export class Evaluator<Body, Model> {
   private retries = 0;
   private roundTrip = 0;
   private budget = FIRST_BUDGET;
+  /** Milliseconds of the last drafts of this budget. */
+  private recent: number[] = [];
   /** Rank of the newest answer that is shown, being decoded or reported as failed. */
   private answered = -1;
   private settled = -1;
@@ -142,11 +145,16 @@ export class Evaluator<Body, Model> {
   /** What a round trip teaches: how many to have under way, and how fine a draft may be. */
   private measured(milliseconds: number, answer: Answer, effort: Effort): void {
     this.roundTrip = milliseconds;
-    // Two drafts under way teach the same thing once: only one that was sent with the present budget counts.
+    // Only drafts of the present budget count, and several of them: one that was held up by other work must not
+    // change what is seen.
     if (answer.kind !== "model" || effort.quality !== "draft" || effort.triangles !== this.budget) return;
-    if (milliseconds > SLOW_DRAFT) this.budget = Math.max(SMALLEST_BUDGET, this.budget / 2);
+    this.recent.push(milliseconds);
+    if (this.recent.length < DRAFTS_TO_JUDGE) return;
+    const typical = this.recent.sort((a, b) => a - b)[DRAFTS_TO_JUDGE >> 1] ?? 0;
+    this.recent = [];
+    if (typical > SLOW_DRAFT) this.budget = Math.max(SMALLEST_BUDGET, this.budget / 2);
     // A draft below its budget is as fine as the model; a larger budget changes nothing but the next surprise.
-    else if (milliseconds < QUICK_DRAFT && answer.report.triangles > this.budget / 2) {
+    else if (typical < QUICK_DRAFT && answer.report.triangles > this.budget / 2) {
       this.budget = Math.min(LARGEST_BUDGET, this.budget * 2);
     }
   }

@@ -4,6 +4,7 @@ import { Group, Scene, Vector3, WebGLRenderer, type LineSegments } from "three";
 import type { ControlInfo } from "../app/state";
 import type { CameraPlace } from "../model/document";
 import { ControlGeometry } from "./control_geometry";
+import { ControlMaterials } from "./control_materials";
 import { Decoder, type DecodedModel } from "./decode";
 import { frame, framingOf, samplePositions, type Framing } from "./framing";
 import { GizmoLayer, type GizmoHost } from "./gizmos";
@@ -51,6 +52,7 @@ export class Viewer {
   private readonly scene = new Scene();
   private readonly rig: CameraRig;
   private readonly materials = new Materials();
+  private readonly controlMaterials = new ControlMaterials();
   private readonly decoder = new Decoder(this.materials);
   private readonly look = new ModelLook(this.materials);
   private readonly gizmos: GizmoLayer;
@@ -133,7 +135,7 @@ export class Viewer {
   /** Replaces the control geometry over the model. */
   showControl(model: DecodedModel | null, info: ControlInfo): void {
     this.control?.dispose();
-    this.control = model ? new ControlGeometry(model, { ...info, light: this.settings.light }) : undefined;
+    this.control = model ? new ControlGeometry(model, info, this.controlMaterials) : undefined;
     if (this.control) {
       this.control.group.visible = this.settings.control;
       this.scene.add(this.control.group);
@@ -162,10 +164,8 @@ export class Viewer {
     if (changed("mode", "light", "curvatureKind")) this.dressModel();
     if (changed("light", "grid", "axes")) this.rebuildOverlays();
     if (changed("light", "section")) this.placeSection();
-    if (this.control) {
-      this.control.group.visible = settings.control;
-      if (changed("light")) this.control.setLight(settings.light);
-    }
+    if (this.control) this.control.group.visible = settings.control;
+    if (changed("light")) this.controlMaterials.setLight(settings.light);
     if (!settings.control) this.gizmos.set([]);
     this.setHandles();
     this.draw();
@@ -219,6 +219,7 @@ export class Viewer {
     this.look.dispose();
     this.rig.dispose();
     this.materials.dispose();
+    this.controlMaterials.dispose();
     this.decoder.dispose();
     this.renderer.dispose();
     this.renderer.domElement.remove();

@@ -1,123 +1,77 @@
 // Points, point pairs, circles and lines of the chosen nodes, drawn over the model in the colors of their types. What is
 // behind the model shows through, fainter.
 
-import {
-  BufferGeometry,
-  Color,
-  GreaterDepth,
-  Group,
-  LessEqualDepth,
-  Line,
-  LineSegments,
-  Mesh,
-  MeshBasicMaterial,
-  Points,
-  PointsMaterial,
-  DoubleSide,
-  type DepthModes,
-  type Material,
-  type Object3D,
-} from "three";
+import { BufferGeometry, Group, Line, LineSegments, Mesh, Points, Vector3, type Object3D } from "three";
 import type { ControlInfo } from "../app/state";
+import type { ControlMaterials } from "./control_materials";
 import type { DecodedModel } from "./decode";
-import { pairsOf, segmentGeometry, thickLines, thickMaterial } from "./thick_lines";
+import { segmentGeometry, thickLines } from "./thick_lines";
 
-export interface ControlColors extends ControlInfo {
-  light: boolean;
-}
-
-const WIDTH = 2;
-const POINT_SIZE = 8;
-const HIDDEN = 0.28;
-const FAINT = 0.45;
-const SURFACE = 0.35;
+const OVER_MODEL = 5;
 
 /** One drawn preview; it takes over what `model` holds and frees it. */
 export class ControlGeometry {
   readonly group = new Group();
-  private readonly materials: Material[] = [];
-  private readonly painted: { color: Color; type: string }[] = [];
 
   constructor(
     private readonly model: DecodedModel,
-    private readonly colors: ControlColors,
+    info: ControlInfo,
+    materials: ControlMaterials,
   ) {
     model.scene.updateMatrixWorld(true);
-    model.scene.traverse((object) => this.add(object));
-    this.group.renderOrder = 5;
-  }
-
-  /** Another theme: the same colors, taken down on light ground. */
-  setLight(light: boolean): void {
-    for (const { color, type } of this.painted) color.copy(shade(this.colors.ofType(type), light));
+    // All lines of a look are one drawing: a family may have hundreds.
+    const lines = new Map<string, { color: string; isFaint: boolean; pairs: number[] }>();
+    model.scene.traverse((object) => {
+      const geometry = (object as Mesh).geometry as BufferGeometry | undefined;
+      if (!geometry) return;
+      const color = info.ofType(extra(object, "type"));
+      const isFaint = info.faint.has(extra(object, "id"));
+      if (object instanceof Line) {
+        const key = `${color} ${isFaint}`;
+        const entry = lines.get(key) ?? { color, isFaint, pairs: [] };
+        lines.set(key, entry);
+        addPairs(entry.pairs, object);
+        return;
+      }
+      const kind = object instanceof Points ? "points" : "faces";
+      for (const material of materials.pair(kind, color, isFaint)) {
+        const drawn = kind === "points" ? new Points(geometry, material) : new Mesh(geometry, material);
+        drawn.matrixAutoUpdate = false;
+        drawn.matrix.copy(object.matrixWorld);
+        this.add(drawn);
+      }
+    });
+    for (const { color, isFaint, pairs } of lines.values()) {
+      const geometry = segmentGeometry(pairs);
+      for (const material of materials.pair("lines", color, isFaint)) this.add(thickLines(geometry, material));
+    }
   }
 
   dispose(): void {
     this.group.removeFromParent();
     this.group.traverse((object) => (object as Mesh).geometry?.dispose());
-    for (const material of this.materials) material.dispose();
     this.model.dispose();
   }
 
   private add(object: Object3D): void {
-    const source = (object as Mesh).geometry as BufferGeometry | undefined;
-    if (!source) return;
-    const type = extra(object, "type");
-    const color = shade(this.colors.ofType(type), this.colors.light);
-    this.painted.push({ color, type });
-    const strength = isFaint(object, this.colors.faint) ? FAINT : 1;
-    for (const [depth, opacity] of [
-      [LessEqualDepth, strength],
-      [GreaterDepth, HIDDEN * strength],
-    ] as const) {
-      const drawn = this.drawn(object, source, color, opacity, depth);
-      drawn.renderOrder = 5;
-      drawn.matrixAutoUpdate = false;
-      drawn.matrix.copy(object.matrixWorld);
-      this.group.add(drawn);
-    }
-  }
-
-  private drawn(object: Object3D, source: BufferGeometry, color: Color, opacity: number, depthFunc: DepthModes): Object3D {
-    if (object instanceof Points) return new Points(source, this.keep(pointMaterial(color, opacity, depthFunc)));
-    if (object instanceof Line) {
-      const positions = source.getAttribute("position").array;
-      const index = source.getIndex();
-      const pairs = object instanceof LineSegments ? (index ? gathered(positions, index.array) : positions) : pairsOf(positions);
-      return thickLines(segmentGeometry(pairs), this.keep(thickMaterial({ color, width: WIDTH, opacity, depthFunc })));
-    }
-    const material = new MeshBasicMaterial({ side: DoubleSide, transparent: true, depthWrite: false });
-    material.color = color;
-    material.opacity = SURFACE * opacity;
-    material.depthFunc = depthFunc;
-    return new Mesh(source, this.keep(material));
-  }
-
-  private keep<T extends Material>(material: T): T {
-    this.materials.push(material);
-    return material;
+    object.renderOrder = OVER_MODEL;
+    this.group.add(object);
   }
 }
 
-/** Round points of one size on the screen. */
-export function pointMaterial(color: Color, opacity: number, depthFunc: DepthModes): PointsMaterial {
-  const material = new PointsMaterial({ size: POINT_SIZE, sizeAttenuation: false, transparent: true, opacity });
-  material.color = color;
-  material.depthFunc = depthFunc;
-  material.depthWrite = false;
-  material.onBeforeCompile = (shader) => {
-    shader.fragmentShader = shader.fragmentShader.replace(
-      "#include <color_fragment>",
-      "#include <color_fragment>\nif (length(gl_PointCoord - 0.5) > 0.5) discard;",
-    );
-  };
-  return material;
-}
-
-function gathered(positions: ArrayLike<number>, index: ArrayLike<number>): Float32Array {
-  const pairs = new Float32Array(3 * index.length);
-  for (let at = 0; at < pairs.length; at++) pairs[at] = positions[3 * (index[Math.floor(at / 3)] ?? 0) + (at % 3)] ?? 0;
-  return pairs;
+/** The segments of a line, strip or list, in the coordinates of the scene. */
+function addPairs(pairs: number[], line: Line): void {
+  const position = line.geometry.getAttribute("position");
+  const index = line.geometry.getIndex();
+  const count = index?.count ?? position.count;
+  const step = line instanceof LineSegments ? 2 : 1;
+  const point = new Vector3();
+  for (let at = 0; at + 1 < count; at += step) {
+    for (const corner of [at, at + 1]) {
+      point.fromBufferAttribute(position, index ? index.getX(corner) : corner).applyMatrix4(line.matrixWorld);
+      pairs.push(point.x, point.y, point.z);
+    }
+  }
 }
 
 /** The word `name` in the extras of the nearest node above that has it. */
@@ -127,15 +81,4 @@ function extra(object: Object3D, name: string): string {
     if (typeof value === "string") return value;
   }
   return "";
-}
-
-function isFaint(object: Object3D, faint: ReadonlySet<string>): boolean {
-  return faint.has(extra(object, "id"));
-}
-
-/** The types' colors are made for dark ground; on light ground they are taken down until they are seen. */
-function shade(text: string, light: boolean): Color {
-  const color = new Color(text);
-  const bright = 0.21 * color.r + 0.72 * color.g + 0.07 * color.b;
-  return light && bright > 0.18 ? color.multiplyScalar(0.18 / bright) : color;
 }

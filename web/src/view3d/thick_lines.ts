@@ -1,14 +1,14 @@
 // Lines some pixels wide: WebGL's own are one pixel. Every segment is a rectangle that the vertex shader turns to the eye.
 
 import {
-  Color,
-  Float32BufferAttribute,
-  InstancedBufferAttribute,
-  InstancedBufferGeometry,
+  BufferAttribute,
+  BufferGeometry,
   Mesh,
   ShaderMaterial,
   Vector2,
+  type Color,
   type DepthModes,
+  type Material,
 } from "three";
 
 const VERTEX = `
@@ -51,22 +51,35 @@ export interface LineLook {
 /** Size of the drawing in pixels, shared by all thick lines: set it whenever the size changes. */
 export const drawingSize = { value: new Vector2(1, 1) };
 
-/** Segments between pairs of points, three numbers a point. */
-export function segmentGeometry(pairs: ArrayLike<number>): InstancedBufferGeometry {
-  const geometry = new InstancedBufferGeometry();
-  geometry.setAttribute("position", new Float32BufferAttribute([0, -1, 0, 1, -1, 0, 1, 1, 0, 0, 1, 0], 3));
-  geometry.setIndex([0, 1, 2, 0, 2, 3]);
+/**
+ * Segments between pairs of points, three numbers a point. Every corner is a vertex of its own: without a GPU, an
+ * instance costs as much as a drawing.
+ */
+export function segmentGeometry(pairs: ArrayLike<number>): BufferGeometry {
   const count = Math.floor(pairs.length / 6);
-  const [from, to] = [new Float32Array(3 * count), new Float32Array(3 * count)];
+  const [from, to] = [new Float32Array(12 * count), new Float32Array(12 * count)];
+  const corners = new Float32Array(12 * count);
+  const index = new Uint32Array(6 * count);
   for (let segment = 0; segment < count; segment++) {
-    for (let axis = 0; axis < 3; axis++) {
-      from[3 * segment + axis] = pairs[6 * segment + axis] ?? 0;
-      to[3 * segment + axis] = pairs[6 * segment + 3 + axis] ?? 0;
+    for (let corner = 0; corner < 4; corner++) {
+      const vertex = 4 * segment + corner;
+      for (let axis = 0; axis < 3; axis++) {
+        from[3 * vertex + axis] = pairs[6 * segment + axis] ?? 0;
+        to[3 * vertex + axis] = pairs[6 * segment + 3 + axis] ?? 0;
+      }
+      corners[3 * vertex] = corner === 1 || corner === 2 ? 1 : 0;
+      corners[3 * vertex + 1] = corner < 2 ? -1 : 1;
     }
+    index.set(
+      [0, 1, 2, 0, 2, 3].map((corner) => 4 * segment + corner),
+      6 * segment,
+    );
   }
-  geometry.setAttribute("from", new InstancedBufferAttribute(from, 3));
-  geometry.setAttribute("to", new InstancedBufferAttribute(to, 3));
-  geometry.instanceCount = count;
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(corners, 3));
+  geometry.setAttribute("from", new BufferAttribute(from, 3));
+  geometry.setAttribute("to", new BufferAttribute(to, 3));
+  geometry.setIndex(new BufferAttribute(index, 1));
   return geometry;
 }
 
@@ -94,7 +107,7 @@ export function thickMaterial({ color, width, opacity, depthFunc, depthTest = tr
 }
 
 /** A drawn object of segments; it is never taken for out of sight, because its corners are where the shader says. */
-export function thickLines(geometry: InstancedBufferGeometry, material: ShaderMaterial): Mesh {
+export function thickLines(geometry: BufferGeometry, material: Material): Mesh {
   const mesh = new Mesh(geometry, material);
   mesh.frustumCulled = false;
   return mesh;

@@ -31,7 +31,9 @@ export function useViewKeys(pane: RefObject<HTMLElement | null>, actions: ViewAc
       const target = event.target as HTMLElement;
       if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
       if (target.closest("input, select, textarea, [role=slider], [role=separator], [role=dialog], [role=menu]")) return;
-      if (!element || !(element.matches(":hover") || element.contains(target))) return;
+      // Someone who works with the keys may have left the pointer anywhere, but the graph has keys of the same names.
+      const hasFocus = element?.contains(target) && (target.role === "img" || !document.querySelector(".graph-pane:hover"));
+      if (!element?.matches(":hover") && !hasFocus) return;
       const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
       const run = VIEW_KEYS.find(({ key }) => key === name);
       if (!run) return;

@@ -1,0 +1,256 @@
+// Files: saving and opening, drafts, links, dropping, importing.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { deflateRawSync } from "node:zlib";
+import { launchBrowser, openPage, saved, Server, settled } from "./harness.mjs";
+
+const RING = "#example=fig04_boosted_ring";
+const OBJ = "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+const server = new Server();
+let browser;
+
+before(async () => {
+  await server.start();
+  browser = await launchBrowser();
+});
+
+after(async () => {
+  await browser?.close();
+  await server.stop();
+});
+
+async function withPage(options, run) {
+  const page = await openPage(browser, server.url, { hash: RING, ...options });
+  try {
+    await settled(page);
+    await run(page);
+    assert.deepEqual(await page.offences(), []);
+  } finally {
+    await page.context().close();
+  }
+}
+
+const titleOf = (page) => page.getByRole("textbox", { name: "Title of the graph" });
+
+async function rename(page, title) {
+  await titleOf(page).fill(title);
+  await titleOf(page).press("Enter");
+}
+
+async function openFile(page, name, text) {
+  const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.keyboard.press("Control+o")]);
+  await chooser.setFiles({ name, mimeType: "application/json", buffer: Buffer.from(text) });
+}
+
+/** Drops a file on the page as a file manager would. */
+async function drop(page, name, bytes) {
+  await page.evaluate(
+    ({ name, data }) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0))], name));
+      for (const type of ["dragenter", "dragover", "drop"]) {
+        document.body.dispatchEvent(new DragEvent(type, { dataTransfer: transfer, bubbles: true, cancelable: true }));
+      }
+    },
+    { name, data: Buffer.from(bytes).toString("base64") },
+  );
+}
+
+const note = (page, text) => page.getByRole("status").filter({ hasText: text }).waitFor();
+
+/** The drafts as the browser keeps them. */
+const draftsOf = (page) =>
+  page.evaluate(
+    () =>
+      new Promise((done) => {
+        const request = indexedDB.open("dini", 1);
+        request.onsuccess = () => {
+          const all = request.result.transaction("drafts").objectStore("drafts").getAll();
+          all.onsuccess = () => {
+            request.result.close();
+            done(all.result);
+          };
+        };
+      }),
+  );
+
+async function draftTitled(page, title) {
+  for (let round = 0; round < 100; round++) {
+    const draft = (await draftsOf(page)).find((one) => one.title === title);
+    if (draft) return draft;
+    await new Promise((done) => setTimeout(done, 50));
+  }
+  throw new Error(`no draft ${title}`);
+}
+
+test("what is saved, opened and saved again is the same, and keeps its file's name", () =>
+  withPage({}, async (page) => {
+    await page.getByRole("slider", { name: "Reach", exact: true }).press("PageUp");
+    await rename(page, "Mine & <b>yours</b>");
+    await settled(page);
+    const triangles = () => page.getByLabel("Statistics").getByText("triangles").textContent();
+    const before = await triangles();
+    const first = await saved(page);
+    assert.equal(first.meta.title, "Mine & <b>yours</b>");
+    assert.notEqual(first.parameters.reach.default, 1, "the slider's value is what is saved");
+    const given = { ...first, meta: { ...first.meta, title: "Given" } };
+    await openFile(page, "my graph.json", JSON.stringify(given));
+    await page.waitForFunction(() => document.title.startsWith("Given"));
+    await settled(page);
+    assert.equal(await triangles(), before);
+    const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+s")]);
+    assert.equal(download.suggestedFilename(), "my graph.json");
+    assert.deepEqual(JSON.parse(readFileSync(await download.path(), "utf8")), given);
+    assert.equal(new URL(page.url()).hash, "", "the address does not name an example any more");
+    assert.equal(await page.locator("b").count(), 0, "markup is shown as text");
+  }));
+
+test("what was not saved is open again after a reload, is listed, and goes when it is saved", () =>
+  withPage({}, async (page) => {
+    await rename(page, "Unsaved work");
+    await draftTitled(page, "Unsaved work");
+    await page.reload();
+    await settled(page);
+    assert.equal(await titleOf(page).inputValue(), "Unsaved work");
+    await note(page, "“Unsaved work” is open again");
+    await rename(page, "More work");
+    const draft = await draftTitled(page, "More work");
+    assert.equal((await draftsOf(page)).filter((one) => one.id === draft.id).length, 1);
+    // Another document takes its place; the draft is still there.
+    await page.getByRole("button", { name: "File", exact: true }).click();
+    await page.getByRole("menuitem", { name: "New" }).click();
+    await page.waitForFunction(() => document.title !== "More work · Dini");
+    await page.getByRole("button", { name: "File", exact: true }).click();
+    await page.getByRole("menuitem", { name: "Recover…" }).click();
+    const dialog = page.getByRole("dialog", { name: "Recover" });
+    await dialog.getByRole("button", { name: /^More work/ }).click();
+    await settled(page);
+    assert.equal(await titleOf(page).inputValue(), "More work");
+    await rename(page, "Saved work");
+    await draftTitled(page, "Saved work");
+    await saved(page);
+    for (let round = 0; (await draftsOf(page)).length > 0; round++) {
+      assert.ok(round < 60, JSON.stringify((await draftsOf(page)).map((one) => one.title)));
+      await new Promise((done) => setTimeout(done, 50));
+    }
+  }));
+
+test("a draft never takes the place of an example that is asked for", () =>
+  withPage({}, async (page) => {
+    await rename(page, "Not this");
+    await draftTitled(page, "Not this");
+    await page.goto(`${server.url}/?fresh#example=fig02_boosted_circle`);
+    await settled(page);
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.example), "fig02_boosted_circle");
+  }));
+
+test("dropped graphs open, and what cannot be opened says why and changes nothing", () =>
+  withPage({}, async (page) => {
+    const graph = JSON.parse(readFileSync(new URL("../../examples/fig02_boosted_circle.json", import.meta.url), "utf8"));
+    graph.meta.title = "Dropped";
+    await drop(page, "dropped.json", JSON.stringify(graph));
+    await page.waitForFunction(() => document.documentElement.dataset.example === "");
+    await settled(page);
+    assert.equal(await titleOf(page).inputValue(), "Dropped");
+    for (const [name, text, message] of [
+      ["a.json", "{", "it is not JSON"],
+      ["b.json", "[]", "a JSON object was expected"],
+      ["c.json", '{"format":99,"nodes":{}}', "format 99"],
+      ["d.json", '{"hello":1}', "no format number"],
+      ["e.glb", "no model", "This is no GLB file"],
+    ]) {
+      await drop(page, name, text);
+      await note(page, message);
+    }
+    assert.equal(await titleOf(page).inputValue(), "Dropped");
+  }));
+
+test("a model of ours opens its graph, or says that it holds only a hash", () =>
+  withPage({}, async (page) => {
+    const sample = readFileSync(new URL("../test/data/sample.glb", import.meta.url));
+    await drop(page, "sample.glb", sample);
+    await note(page, "names its graph only by hash");
+  }));
+
+test("a dropped mesh is sent to the server and becomes a node that is seen", () =>
+  withPage({}, async (page) => {
+    const before = await saved(page);
+    await drop(page, "tetrahedron.obj", OBJ);
+    await note(page, "Imported tetrahedron.obj");
+    await settled(page);
+    const after = await saved(page);
+    const [id] = Object.keys(after.nodes).filter((name) => !(name in before.nodes));
+    assert.ok(Object.values(after.nodes[id].inputs).some((value) => /^[0-9a-f]{64}$/.test(value)), JSON.stringify(after.nodes[id]));
+    assert.equal(after.ui.nodes[id].preview, true);
+    await drop(page, "broken.obj", "v 1 2\nf 1 2 3\n");
+    await note(page, "broken.obj was not imported");
+  }));
+
+test("a mesh dropped on an empty graph is shown at once", () =>
+  withPage({}, async (page) => {
+    await page.getByRole("button", { name: "New graph" }).click();
+    await drop(page, "tetrahedron.obj", OBJ);
+    await note(page, "Imported tetrahedron.obj");
+    await settled(page);
+    assert.match(await page.getByLabel("Statistics").textContent(), /^4 triangles/);
+  }));
+
+test("a link opens what was shared, and hostile links open nothing", () =>
+  withPage({}, async (page) => {
+    await rename(page, "Shared ⚙ ring");
+    await page.getByRole("slider", { name: "Reach", exact: true }).press("PageUp");
+    await settled(page);
+    const json = await saved(page);
+    await page.getByRole("button", { name: "Share", exact: true }).click();
+    await page.getByRole("menuitem", { name: "Link to this graph…" }).click();
+    const link = await page.getByRole("dialog", { name: "Share" }).getByRole("textbox", { name: "Link" }).inputValue();
+    assert.ok(link.length < 8000 && new URL(link).hash.startsWith("#g="));
+    await page.getByRole("dialog").getByRole("button", { name: "Close" }).click();
+    await withPage({ hash: new URL(link).hash }, async (other) => {
+      assert.equal(await titleOf(other).inputValue(), "Shared ⚙ ring");
+      assert.deepEqual(await saved(other), json);
+    });
+    for (const packed of ["AAAA", "%22", deflateRawSync(Buffer.alloc(3e7)).toString("base64url")]) {
+      await withPage({ hash: `#g=${packed}` }, async (other) => {
+        await note(other, /link/);
+        assert.notEqual(await other.evaluate(() => document.documentElement.dataset.example), "");
+      });
+    }
+  }));
+
+test("a graph too large for a link is offered as a file", () =>
+  withPage({}, async (page) => {
+    const graph = await saved(page);
+    // Text that does not shrink.
+    graph.meta.description = Array.from({ length: 1500 }, (_, at) => Math.sin(at).toString(36).slice(3)).join("");
+    await openFile(page, "large.json", JSON.stringify(graph));
+    await page.waitForFunction(() => document.documentElement.dataset.example === "");
+    await page.getByRole("button", { name: "Share", exact: true }).click();
+    await page.getByRole("menuitem", { name: "Link to this graph…" }).click();
+    const dialog = page.getByRole("dialog", { name: "Share" });
+    await dialog.getByText("too large for a link").waitFor();
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      dialog.getByRole("button", { name: "Save as a file" }).click(),
+    ]);
+    assert.equal(download.suggestedFilename(), "large.json");
+  }));
+
+test("an edited graph is copied as commands that hold it", () =>
+  withPage({ clipboard: true }, async (page) => {
+    const copied = async (name) => {
+      await page.getByRole("button", { name: "Share", exact: true }).click();
+      await page.getByRole("menuitem", { name }).click();
+      await note(page, "Copied");
+      return page.evaluate(() => navigator.clipboard.readText());
+    };
+    assert.match(await copied("Copy as dini eval"), /^dini eval examples\/fig04_boosted_ring\.json -o boosted-ring\.glb$/);
+    await rename(page, "It's mine");
+    const command = await copied("Copy as dini eval");
+    assert.match(command, /^dini eval - -o it-s-mine\.glb <<'GRAPH'\n\{.*\}\nGRAPH$/);
+    assert.equal(JSON.parse(command.split("\n")[1]).meta.title, "It's mine");
+    const curl = await copied("Copy as curl");
+    assert.ok(curl.startsWith(`curl -sf ${server.url}/v1/evaluate`) && curl.includes("It'\\''s mine"));
+  }));

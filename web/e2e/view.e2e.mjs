@@ -1,0 +1,299 @@
+// The 3D view: ways to look, the section, gizmos, control geometry, and what it must not waste.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { deflateRawSync } from "node:zlib";
+import { coverage, launchBrowser, openPage, saved, selectNode, Server, settled } from "./harness.mjs";
+
+const RING = "#example=fig04_boosted_ring";
+const server = new Server();
+let browser;
+
+before(async () => {
+  await server.start();
+  browser = await launchBrowser();
+});
+
+after(async () => {
+  await browser?.close();
+  await server.stop();
+});
+
+async function withPage(options, run) {
+  const page = await openPage(browser, server.url, { hash: RING, ...options });
+  try {
+    await settled(page);
+    await run(page);
+    assert.deepEqual(await page.offences(), []);
+  } finally {
+    await page.context().close();
+  }
+}
+
+const canvasOf = (page) => page.getByRole("img", { name: /^The model/ });
+const twoFrames = (page) =>
+  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+async function picture(page) {
+  await twoFrames(page);
+  return canvasOf(page).screenshot();
+}
+
+/** The drawing alone, without what lies over it. */
+async function drawing(page) {
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("button", { name: "Save a picture" }).click(),
+  ]);
+  return readFileSync(await download.path());
+}
+
+/** Fails unless `act` changes the picture. */
+async function changes(page, what, act) {
+  const last = await picture(page);
+  await act();
+  assert.ok(!(await picture(page)).equals(last), what);
+}
+
+/** Drags an element by some pixels, in steps, and waits until the answer is shown. */
+async function drag(page, element, dx, dy, { release = true } = {}) {
+  const box = await element.boundingBox();
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let step = 1; step <= 8; step++) await page.mouse.move(x + (dx * step) / 8, y + (dy * step) / 8);
+  if (!release) return;
+  await page.mouse.up();
+  await settled(page);
+}
+
+test("curvature has a legend, and every way to look draws something else", () =>
+  withPage({}, async (page) => {
+    const seen = new Set();
+    for (const mode of ["Shaded", "Lines", "Wire", "Normals", "Curvature"]) {
+      await page.getByRole("radio", { name: mode, exact: true }).click();
+      seen.add((await picture(page)).toString("base64"));
+    }
+    assert.equal(seen.size, 5);
+    const legend = page.getByRole("group", { name: "Curvature legend" });
+    assert.match(await legend.textContent(), /1\/m²/);
+    await changes(page, "mean curvature", () => legend.getByRole("radio", { name: "Mean" }).click());
+    assert.match(await legend.textContent(), /1\/m(?!²)/);
+    await page.reload();
+    await settled(page);
+    assert.ok(await page.getByRole("radio", { name: "Curvature", exact: true }).isChecked(), "the choice is remembered");
+  }));
+
+test("a section is placed by hand and by number, along any axis, on either side", () =>
+  withPage({}, async (page) => {
+    await changes(page, "section", () => page.getByRole("button", { name: "Section", exact: true }).click());
+    const panel = page.getByRole("group", { name: "Section" });
+    const offset = panel.getByRole("textbox", { name: "Section offset value" });
+    const before = Number(await offset.inputValue());
+    await changes(page, "dragged", () => drag(page, page.getByRole("button", { name: "Move the section plane" }), 40, 20));
+    assert.notEqual(Number(await offset.inputValue()), before);
+    await changes(page, "other side", () => panel.getByRole("button", { name: "Keep the other side" }).click());
+    await changes(page, "axis", () => panel.getByRole("radio", { name: "Z" }).click());
+    await changes(page, "slider", () => panel.getByRole("slider", { name: "Section offset" }).press("PageUp"));
+    await changes(page, "no section", () => page.getByRole("button", { name: "Section", exact: true }).click());
+  }));
+
+test("standard views and keys act on the pane under the pointer", () =>
+  withPage({}, async (page) => {
+    for (const view of ["Front", "Right", "Top", "Iso"]) {
+      await changes(page, view, () => page.getByRole("button", { name: view, exact: true }).click());
+      assert.ok((await coverage(page)) > 0.03, `${view} frames the model`);
+    }
+    await changes(page, "orthographic", () => page.getByRole("button", { name: "Orthographic" }).click());
+    await canvasOf(page).hover();
+    for (const key of ["1", "3", "7", "5", "Home"]) await changes(page, key, () => page.keyboard.press(key));
+    await page.getByRole("region", { name: "Graph" }).hover({ position: { x: 20, y: 200 } });
+    const still = await picture(page);
+    await page.keyboard.press("1");
+    assert.ok((await picture(page)).equals(still), "the pointer is elsewhere");
+  }));
+
+test("dragging a gizmo changes the mesh and the document, and one undo returns both", () =>
+  withPage({}, async (page) => {
+    const before = { drawing: await drawing(page), json: await saved(page) };
+    await selectNode(page, "ring");
+    const handle = page.getByRole("button", { name: "Change radius of Circle" });
+    await handle.waitFor();
+    await drag(page, handle, 45, 0);
+    const after = await saved(page);
+    assert.ok(after.nodes.ring.inputs.radius > before.json.nodes.ring.inputs.radius + 0.05, JSON.stringify(after.nodes.ring));
+    const direction = page.getByRole("button", { name: "Turn normal of Circle" });
+    await changes(page, "turned", () => drag(page, direction, 30, 10));
+    assert.notDeepEqual((await saved(page)).nodes.ring.inputs.normal, before.json.nodes.ring.inputs.normal);
+    await page.keyboard.press("Control+z");
+    await settled(page);
+    assert.deepEqual((await saved(page)).nodes, after.nodes, "the second drag is one step");
+    await page.keyboard.press("Control+z");
+    await settled(page);
+    assert.deepEqual((await saved(page)).nodes, before.json.nodes, "the first drag is one step");
+    assert.ok(!(await drawing(page)).equals(before.drawing), "the gizmo is in the picture");
+    await page.getByRole("button", { name: "Control geometry" }).click();
+    assert.ok((await drawing(page)).equals(before.drawing), "the picture is the one before");
+  }));
+
+test("Escape takes a drag back without a trace, Ctrl snaps, and arrow keys nudge", () =>
+  withPage({}, async (page) => {
+    const before = await saved(page);
+    await selectNode(page, "tangent");
+    const handle = page.getByRole("button", { name: "Move position of Point pair along Z" });
+    await drag(page, handle, 0, -60, { release: false });
+    await page.keyboard.press("Escape");
+    await page.mouse.up();
+    await settled(page);
+    assert.deepEqual((await saved(page)).nodes, before.nodes);
+    assert.ok(await page.getByRole("button", { name: /^Undo/ }).isDisabled(), "nothing to undo");
+    await page.keyboard.down("Control");
+    await drag(page, handle, 3, -57);
+    await page.keyboard.up("Control");
+    const [x, y, z] = (await saved(page)).nodes.tangent.inputs.position;
+    assert.deepEqual([x, y], [0, 0]);
+    assert.ok(z > 0 && Math.abs(z * 20 - Math.round(z * 20)) < 1e-9, `${z} is on the grid`);
+    await handle.press("ArrowUp");
+    await settled(page);
+    assert.ok((await saved(page)).nodes.tangent.inputs.position[2] > z);
+  }));
+
+test("a handle follows a finger", () =>
+  withPage({ touch: true }, async (page) => {
+    const before = await saved(page);
+    await selectNode(page, "ring");
+    const box = await page.getByRole("button", { name: "Change radius of Circle" }).boundingBox();
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    const session = await page.context().newCDPSession(page);
+    const touch = (type, points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points });
+    await touch("touchStart", [{ x, y }]);
+    for (let step = 1; step <= 6; step++) await touch("touchMove", [{ x: x - 6 * step, y }]);
+    await touch("touchEnd", []);
+    await settled(page);
+    assert.ok((await saved(page)).nodes.ring.inputs.radius < before.nodes.ring.inputs.radius - 0.02);
+  }));
+
+test("what a selected node makes and takes is drawn over the model, and goes with the selection", () =>
+  withPage({}, async (page) => {
+    const plain = await picture(page);
+    const frames = Number(await canvasOf(page).getAttribute("data-geometries"));
+    await selectNode(page, "boosted");
+    await page.waitForFunction(
+      (count) => Number(document.querySelector("canvas[role=img]").dataset.geometries) > count,
+      frames,
+    );
+    await changes(page, "hidden by its button", () => page.getByRole("button", { name: "Control geometry" }).click());
+    await page.getByRole("button", { name: "Control geometry" }).click();
+    await page.getByRole("region", { name: "Graph" }).click({ position: { x: 12, y: 320 } });
+    await page.waitForFunction(
+      (count) => Number(document.querySelector("canvas[role=img]").dataset.geometries) <= count,
+      frames,
+    );
+    assert.ok((await picture(page)).equals(plain));
+  }));
+
+test("a picture is saved as it is seen", () =>
+  withPage({}, async (page) => {
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      page.getByRole("button", { name: "Save a picture" }).click(),
+    ]);
+    assert.equal(download.suggestedFilename(), "boosted-ring.png");
+    const bytes = readFileSync(await download.path());
+    assert.equal(bytes.toString("latin1", 1, 4), "PNG");
+    assert.ok(bytes.length > 5000);
+  }));
+
+test("the show has the model and its controls only, and Escape ends it", () =>
+  withPage({}, async (page) => {
+    await page.getByRole("button", { name: "Show", exact: true }).click();
+    assert.ok(!(await page.getByRole("region", { name: "Graph" }).isVisible()));
+    const view = await page.getByRole("region", { name: "Model" }).boundingBox();
+    assert.ok(view.width > 1270 && view.height > 710, JSON.stringify(view));
+    const slider = page.getByRole("slider", { name: "Reach", exact: true });
+    await changes(page, "controls work", async () => {
+      await slider.press("PageUp");
+      await settled(page);
+    });
+    await page.keyboard.press("Escape");
+    await page.getByRole("region", { name: "Graph" }).waitFor();
+  }));
+
+test("a long evaluation says so and can be stopped", () =>
+  withPage({}, async (page) => {
+    let hold = true;
+    await page.route("**/v1/evaluate", async (route) => {
+      if (hold) await new Promise((done) => setTimeout(done, 6000));
+      await route.continue().catch(() => undefined);
+    });
+    const shown = await page.evaluate(() => document.documentElement.dataset.shown);
+    const slider = page.getByRole("slider", { name: "Reach", exact: true });
+    await slider.press("PageUp");
+    await page.getByText(/^Evaluating… \d s$/).waitFor();
+    await page.getByRole("button", { name: "Stop", exact: true }).click();
+    await page.getByText("The evaluation was stopped.").first().waitFor();
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.shown), shown);
+    assert.ok((await coverage(page)) > 0.03, "the last picture stays");
+    hold = false;
+    await slider.press("PageUp");
+    await settled(page);
+  }));
+
+/** A graph that takes the server a moment only, with a slider. */
+const SMALL = {
+  format: 1,
+  meta: { title: "Small" },
+  parameters: { reach: { type: "number", default: 1, min: 0, max: 10, step: 0.01, label: "Reach" } },
+  nodes: {
+    ring: { type: "circle", inputs: { radius: 1 } },
+    pair: { type: "point_pair", inputs: { position: [0, 0, 2], direction: [0, 0, 1] } },
+    k: { type: "range", inputs: { from: 0, to: { parameter: "reach" }, count: 24 } },
+    boosted: {
+      type: "boost",
+      inputs: { shape: { from: "ring" }, generator: { from: "pair" }, amount: { from: "k" } },
+    },
+    skin: { type: "surface", inputs: { shape: { from: "boosted" }, segments: 24 } },
+    out: { type: "export", inputs: { model: { from: "skin" } } },
+  },
+};
+
+test("nothing is drawn while nothing changes, and 500 updates leave nothing behind", { timeout: 400_000 }, () =>
+  withPage({ count: true, hash: `#g=${deflateRawSync(JSON.stringify(SMALL)).toString("base64url")}` }, async (page) => {
+    await selectNode(page, "boosted");
+    await page.getByRole("radio", { name: "Lines" }).click();
+    await page.getByRole("tab", { name: "Controls" }).click();
+    const slider = page.getByRole("slider", { name: "Reach", exact: true });
+    // In the page, because a call from outside takes longer than an update.
+    const update = async (times) => {
+      await slider.evaluate(async (element, steps) => {
+        const facts = document.documentElement.dataset;
+        for (let step = 0; step < steps; step++) {
+          const key = step % 2 ? "ArrowLeft" : "ArrowRight";
+          element.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
+          do await new Promise((done) => requestAnimationFrame(done));
+          while (facts.revision !== facts.shown);
+        }
+      }, times);
+      await settled(page);
+      await twoFrames(page);
+    };
+    const facts = () =>
+      page.evaluate(() => ({
+        ...document.querySelector("canvas[role=img]").dataset,
+        ...window.counted,
+        revision: document.documentElement.dataset.revision,
+      }));
+    await update(10);
+    const first = await facts();
+    await update(500);
+    const last = await facts();
+    assert.equal(Number(last.revision) - Number(first.revision), 500);
+    assert.ok(Number(last.frames) - Number(first.frames) >= 500, "every update was drawn");
+    assert.equal(last.geometries, first.geometries, "geometries");
+    assert.equal(last.textures, first.textures, "textures");
+    assert.equal(last.workers, 1, "workers");
+    assert.ok(last.listeners <= first.listeners + 5, `listeners: ${first.listeners}, then ${last.listeners}`);
+    await new Promise((done) => setTimeout(done, 1000));
+    assert.equal((await facts()).frames, last.frames, "no frame without a reason");
+  }));
