@@ -134,7 +134,9 @@ Result<Evaluated> Engine::evaluate(const Prepared& prepared, const Cancel& cance
     std::shared_ptr<const NodeResult> known_preview;
     if (!prepared.previews.empty()) known_preview = state_->cache.find(prepared.preview_digest);
     if (known_preview == nullptr) {
-      for (const Preview& preview : prepared.previews) targets.push_back(preview.node);
+      for (const Preview& preview : prepared.previews) {
+        if (!preview.outputs.empty()) targets.push_back(preview.node);
+      }
     }
     Result<Evaluation> evaluation = dini::evaluate(prepared.plan, targets, state_->cache, shared);
     if (!evaluation) return evaluation.problems();
