@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { curvatureColors, curvatureRange, estimateCurvature } from "../src/view3d/curvature";
+import { curvatureColors, curvatureRange, estimateCurvature, smoothed } from "../src/view3d/curvature";
 
 /** A surface over a grid of two parameters, with its normals. */
 function surface(at: (u: number, v: number) => { place: number[]; normal: number[] }, size = 40) {
@@ -43,6 +43,15 @@ test("a saddle is negative, a cylinder and a plane are flat", () => {
   });
   assert.ok(Math.abs(middle(estimateCurvature("gauss", cylinder.positions, cylinder.normals, cylinder.indices))) < 1e-6);
   assert.ok(Math.abs(middle(estimateCurvature("mean", cylinder.positions, cylinder.normals, cylinder.indices)) - 0.5) < 1e-3);
+});
+
+test("smoothing takes noise out and leaves what is constant", () => {
+  const { positions, indices } = surface((u, v) => ({ place: [u, v, 0], normal: [0, 0, 1] }), 80);
+  const constant = smoothed(new Float32Array(positions.length / 3).fill(-1), indices);
+  assert.ok(constant.every((value) => Math.abs(value + 1) < 1e-5));
+  const noise = new Float32Array(positions.length / 3).map((_, at) => -1 + Math.sin(at * 12.9898) * 0.5);
+  const worst = smoothed(noise, indices).reduce((most, value) => Math.max(most, Math.abs(value + 1)), 0);
+  assert.ok(worst < 0.12, `${worst}`);
 });
 
 test("triangles without area count for nothing", () => {

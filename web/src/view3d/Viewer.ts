@@ -176,9 +176,13 @@ export class Viewer {
     return this.section.reach;
   }
 
-  /** Frames the model from where the camera looks now. */
+  /** Frames the control geometry of what is selected, else the model, from where the camera looks now. */
   frame(): void {
-    this.frameAlong(this.rig.direction);
+    const points = this.settings.control && this.control ? samplePositions(this.control.source) : [];
+    const framing = frame(points, this.rig.direction, this.rig.perspective);
+    if (!framing) this.frameAlong(this.rig.direction);
+    else this.rig.look(this.rig.direction, { ...framing, radius: Math.max(framing.radius, this.radius / 50) });
+    this.draw();
   }
 
   standardView(view: StandardView): void {
