@@ -19,8 +19,9 @@ class Orbit {
  public:
   Orbit(const Point& point, const Generator& generator, Rule rule) : point_(point), rule_(rule), column_(1) {
     column_.set(0, generator);
-    for (std::size_t k = 0; k < column_.width; ++k) generator_.components[k] = column_.component(k);
+    for (std::size_t k = 0; k < Column<Generator>::width; ++k) generator_.components[k] = column_.component(k);
   }
+  Orbit(const Orbit&) = delete;  // its generator points into its column
 
   Column<Point> at(const Column<double>& amounts) const {
     Column<Point> points(amounts.size());
