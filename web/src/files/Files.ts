@@ -168,7 +168,7 @@ export class Files {
         return;
       }
       const short = content.hash.slice(0, 12);
-      this.say(`${file.name} names its graph only by hash (${short}…), so the graph cannot be opened from it.`, "bad");
+      this.say(`${file.name} names its graph only by its hash ${short}…; a model exported here with “Graph inside” can be opened.`, "bad");
     } catch (error) {
       this.say(`${file.name} was not opened. ${error instanceof Error ? error.message : ""}`, "bad");
     }
