@@ -103,6 +103,10 @@ Result<std::shared_ptr<const Prepared>> Engine::prepare(const EvaluateRequest& r
   return std::shared_ptr<const Prepared>(*std::move(prepared));
 }
 
+std::vector<std::string> Engine::blocked(const EvaluateRequest& request) const {
+  return blocked_nodes(state_->environment(), request);
+}
+
 const std::string& Engine::entity_tag(const Prepared& prepared) { return prepared.entity_tag; }
 
 Result<SharedAsset> Engine::State::exported(const Prepared& prepared, const Evaluation& evaluation) const {
