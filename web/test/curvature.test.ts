@@ -1,6 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { BufferGeometry, Float32BufferAttribute } from "three";
 import { curvatureColors, curvatureRange, estimateCurvature, smoothed } from "../src/view3d/curvature";
+import { pointsInward } from "../src/view3d/orientation";
 
 /** A surface over a grid of two parameters, with its normals. */
 function surface(at: (u: number, v: number) => { place: number[]; normal: number[] }, size = 40) {
@@ -66,4 +68,19 @@ test("the palette ends where 95 of 100 values lie, and is white at zero", () => 
   assert.ok((negative?.[2] ?? 0) > (negative?.[0] ?? 0), "blue");
   assert.ok((positive?.[0] ?? 0) > (positive?.[2] ?? 0), "orange");
   assert.ok(zero?.every((part) => part === zero[0]) && wrong?.join() === zero.join());
+});
+
+test("which side of a surface is outside does not depend on its front", () => {
+  const bowl = surface((u, v) => {
+    const [a, b] = [6 * u, 0.3 + v];
+    const normal = [Math.cos(a) * Math.sin(b), Math.sin(a) * Math.sin(b), Math.cos(b)];
+    return { place: normal, normal };
+  });
+  const geometry = (normals: number[]): BufferGeometry =>
+    new BufferGeometry()
+      .setAttribute("position", new Float32BufferAttribute(bowl.positions, 3))
+      .setAttribute("normal", new Float32BufferAttribute(normals, 3));
+  assert.equal(pointsInward([geometry(bowl.normals)]), false);
+  assert.equal(pointsInward([geometry(bowl.normals.map((part) => -part))]), true);
+  assert.equal(pointsInward([]), false);
 });

@@ -129,7 +129,10 @@ export class Files {
   }
 
   async copy(text: string | undefined, what: string): Promise<void> {
-    if (text === undefined) return;
+    if (text === undefined) {
+      this.say("No node of this graph makes a file, so there is no command for it.", "bad");
+      return;
+    }
     try {
       await navigator.clipboard.writeText(text);
       this.say(`Copied ${what}`);

@@ -7,6 +7,7 @@ import { makeRenderer } from "./canvas";
 import { ControlGeometry } from "./control_geometry";
 import { ControlMaterials } from "./control_materials";
 import { Decoder, type DecodedModel } from "./decode";
+import { inGraph, tidy } from "./drag";
 import { frame, framingOf, samplePositions, type Framing } from "./framing";
 import { GizmoLayer, type GizmoHost } from "./gizmos";
 import type { Gizmo } from "./gizmo_values";
@@ -15,9 +16,10 @@ import { HandleLayer } from "./handles";
 import { Materials } from "./materials";
 import { ModelLook } from "./model_look";
 import { cellSize } from "./overlays";
+import { pointsInward } from "./orientation";
 import { pngOf, pictureOf } from "./pictures";
 import { CameraRig, directionOf, type StandardView } from "./rig";
-import { SectionPlane } from "./section";
+import { SectionPlane, type Section } from "./section";
 import { isSoftwareRendering } from "./software";
 import { drawingSize } from "./thick_lines";
 import { PLAIN, type ViewerHost, type ViewSettings } from "./viewer_settings";
@@ -87,6 +89,7 @@ export class Viewer {
     this.clearModel();
     this.model = model;
     this.scene.add(model.scene);
+    this.materials.setInward(pointsInward(model.meshes.map((mesh) => mesh.geometry)));
     this.dressModel();
     this.draw();
   }
@@ -137,6 +140,14 @@ export class Viewer {
     this.draw();
   }
 
+  /** A section through the middle that opens the model towards the eye. */
+  sectionTowardsEye(): Section {
+    const [x, y] = inGraph(this.rig.direction);
+    const axis = Math.abs(x) > Math.abs(y) ? "x" : "y";
+    const middle = inGraph(this.center)[axis === "x" ? 0 : 1];
+    return { axis, offset: tidy(middle, this.radius / 10), flipped: (axis === "x" ? x : y) > 0 };
+  }
+
   /** The range of a section along its axis. */
   get sectionReach(): { minimum: number; maximum: number } {
     return this.section.reach;
@@ -146,8 +157,13 @@ export class Viewer {
   frame(): void {
     const points = this.settings.control && this.control ? samplePositions(this.control.source) : [];
     const framing = frame(points, this.rig.direction, this.rig.perspective);
-    if (!framing) this.frameAlong(this.rig.direction);
-    else this.rig.look(this.rig.direction, { ...framing, radius: Math.max(framing.radius, this.radius / 50) });
+    if (!framing) {
+      this.frameAlong(this.rig.direction);
+      return;
+    }
+    const radius = Math.max(framing.radius, this.radius / 50);
+    this.rig.look(this.rig.direction, { ...framing, radius });
+    this.ground.set(radius, this.settings);
     this.draw();
   }
 
