@@ -59,8 +59,8 @@ class Inference {
 
   /// Whether an input that takes several is given one value over no axes, which is a list of one.
   bool is_single(const PlannedInput& input) const {
-    return node_.type->inputs[static_cast<std::size_t>(&input - node_.inputs.data())].spec.takes_several && !input.list_axis &&
-           input.items.size() == 1 && input.items.front().shape.axes.empty() && !is_mixed(input);
+    return node_.type->inputs[static_cast<std::size_t>(&input - node_.inputs.data())].spec.takes_several &&
+           !input.list_axis && input.items.size() == 1 && input.items.front().shape.axes.empty() && !is_mixed(input);
   }
 
   std::string text_literal(const std::string& port) const {
