@@ -185,7 +185,7 @@ class GlbImporter {
     }
     any_color_ = any_color_ || !colors.empty() || base != std::array<double, 4>{1, 1, 1, 1};
     for (std::size_t i = 0; i < count; ++i) {
-      std::array<float, 4> color;
+      std::array<float, 4> color{};
       for (std::size_t k = 0; k < 4; ++k) {
         const double own = colors.empty() || k >= width ? 1 : colors[width * i + k];
         color[k] = static_cast<float>(own * std::clamp(base[k], 0.0, 1.0));
@@ -217,7 +217,7 @@ class GlbImporter {
       if (mode == 5) at = {i, i + 1 + i % 2, i + 2 - i % 2};  // a strip turns over with every triangle
       if (mode == 6) at = {0, i + 1, i + 2};
       if (mirrored) std::swap(at[1], at[2]);
-      std::array<std::uint32_t, 3> triangle;
+      std::array<std::uint32_t, 3> triangle{};
       for (std::size_t k = 0; k < 3; ++k) triangle[k] = static_cast<std::uint32_t>(base) + corners[at[k]];
       raw_.triangles.push_back(triangle);
     }

@@ -99,7 +99,7 @@ template <std::size_t N>
 std::optional<std::array<double, N>> number_list(const GltfJson& object, const char* name) {
   const auto found = object.find(name);
   if (found == object.end()) return std::nullopt;
-  std::array<double, N> numbers;
+  std::array<double, N> numbers{};
   for (std::size_t k = 0; k < N; ++k) {
     const bool number = found->is_array() && found->size() == N && (*found)[k].is_number();
     numbers[k] = number ? (*found)[k].template get<double>() : std::nan("");

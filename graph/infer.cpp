@@ -57,6 +57,12 @@ class Inference {
     return nullptr;
   }
 
+  /// Whether an input that takes several is given one value over no axes, which is a list of one.
+  bool is_single(const PlannedInput& input) const {
+    return node_.type->inputs[static_cast<std::size_t>(&input - node_.inputs.data())].spec.takes_several &&
+           !input.list_axis && input.items.size() == 1 && input.items.front().shape.axes.empty() && !is_mixed(input);
+  }
+
   std::string text_literal(const std::string& port) const {
     const auto found = node_.literals.find(port);
     return found == node_.literals.end() ? "" : std::get<std::string>(found->second);
@@ -68,6 +74,7 @@ class Inference {
     std::string name = text_literal("axis");
     if (name.empty()) name = node_.id;
     PlannedInput* first = primary();
+    if (first != nullptr && is_single(*first)) first->list_axis = Axis{name, 1, false};
     if (first != nullptr && !first->list_axis && !first->items.empty()) {
       const std::string over = text_literal(node_.type->over.front());
       const Axes& axes = first->items.front().shape.axes;

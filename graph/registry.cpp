@@ -116,7 +116,8 @@ std::string axis_name(const Literals& literals, const std::string& port, const s
 }  // namespace
 
 AxisRule one_axis(std::string count, std::string axis, std::string closed) {
-  return [=](const Literals& literals, const std::string& node_id) {
+  return [count = std::move(count), axis = std::move(axis), closed = std::move(closed)](const Literals& literals,
+                                                                                        const std::string& node_id) {
     const auto size = static_cast<std::size_t>(integer_at(literals, count));
     return std::vector<Axes>{{{axis_name(literals, axis, node_id), size, boolean_at(literals, closed)}}};
   };

@@ -130,7 +130,7 @@ void add_curvature(Registry& registry) {
           .source("Boosted Surfaces, section 5.1, fig. 15")
           .details("The corners stay where they are and keep their tangent plane. The exact method blends so smoothly "
                    "that the curvatures at each corner are the ones asked for, along both edges; the paper's blends "
-                   "eq. (18) bilinearly.")
+                   "eq. (18) bilinearly. Since the corners stay, four equal curvatures make a wave rather than a dome.")
           .degenerate("zero direction", "Vectors that span no plane give an empty mesh.")
           .input("curvature_u_a", "Along u at u = 0, v = 0.", curvature_input(1))
           .input("curvature_v_a", "Along v at u = 0, v = 0.", curvature_input(1))

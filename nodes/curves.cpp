@@ -19,8 +19,9 @@ class Orbit {
  public:
   Orbit(const Point& point, const Generator& generator, Rule rule) : point_(point), rule_(rule), column_(1) {
     column_.set(0, generator);
-    for (std::size_t k = 0; k < column_.width; ++k) generator_.components[k] = column_.component(k);
+    for (std::size_t k = 0; k < Column<Generator>::width; ++k) generator_.components[k] = column_.component(k);
   }
+  Orbit(const Orbit&) = delete;  // its generator points into its column
 
   Column<Point> at(const Column<double>& amounts) const {
     Column<Point> points(amounts.size());
@@ -171,8 +172,7 @@ void add_curves(Registry& registry) {
           .degenerate("point at a generator", "There is no direction: every point is the start.")
           .degenerate("zero direction", "A zero normal is an error.")
           .input("point", "Where the curve starts.", defaults({1, 0, 0}).unit("m").position_handle())
-          .input("generators", "Several links, or one family; a single generator as a list of one.",
-                 required().several())
+          .input("generators", "Links to one or several, or one family of them.", required().several())
           .input("over", "The axis to sum over; empty means the last of generators.", defaults("").names_axis())
           .input("normal", "Normal of the plane of the curve.", defaults({0, 0, 1}).direction_handle("point"))
           .input("length", "The curve is at most so long; below 0 it runs the other way.",

@@ -83,8 +83,7 @@ void add_fields(Registry& registry) {
           .degenerate("isoclinic generators",
                       "The two equal turns have a closed form of their own; nothing is divided by their difference.")
           .input("shape", "Points or meshes.")
-          .input("generators", "Several links, or one family; a single generator as a list of one.",
-                 required().several())
+          .input("generators", "Links to one or several, or one family of them.", required().several())
           .input("over", "The axis to sum over; empty means the last of generators.", defaults("").names_axis())
           .input("strength", "Factor of the sum.", defaults(1).hard(-1e9, 1e9).soft(-2, 2))
           .input("power", "Power of the distance.", defaults(2).hard(0, 16).soft(0, 4))

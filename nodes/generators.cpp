@@ -31,8 +31,7 @@ void add_generators(Registry& registry) {
           .family("generators")
           .doc("The weighted sum of generators, along one axis.")
           .source("Boosted Surfaces, section 4.1")
-          .input("generators", "Several links, or one family; a single generator as a list of one.",
-                 required().several())
+          .input("generators", "Links to one or several, or one family of them.", required().several())
           .input("weights", "A weight for each, or one for all.", defaults(1).soft(-2, 2).several())
           .input("over", "The axis to sum over; empty means the last of generators.", defaults("").names_axis())
           .over({"over"})

@@ -135,7 +135,11 @@ void add_operators(Registry& registry) {
           .family("transforms")
           .doc("Applies a power of the simple rotor that takes one sphere or plane to another.")
           .source("Colapinto, Composing Surfaces with Conformal Rotors, AACA 27 (2017)")
-          .details("Orientation does not count: the nearer of the two ways is taken. Equal spheres give the identity.")
+          .details(
+              "Orientation does not count: the nearer of the two ways is taken. Equal spheres give the identity. "
+              "Between "
+              "two spheres that lie apart the way goes through infinity: near the middle of it shapes are large, and "
+              "then inside out.")
           .degenerate("zero radius", "A sphere of radius zero has no inverse: an error.")
           .degenerate("parallel lines", "Parallel planes give a translation.")
           .degenerate("opposite lines",

@@ -96,10 +96,7 @@ std::variant<std::shared_ptr<const KnownRequest>, Reply> read_request(Call& call
   read.output = request.output;
   if (!body.problems().empty()) return problem_reply(body.problems(), call.exchange);
   auto prepared = call.engine().prepare(request);
-  if (!prepared) {
-    const Json verdict = call.engine().validate(request.graph, request.parameters);
-    return problem_reply(prepared.problems(), call.exchange, verdict.value("blocked", Json::array()));
-  }
+  if (!prepared) return problem_reply(prepared.problems(), call.exchange, call.engine().blocked(request));
   read.prepared = *std::move(prepared);
   return call.application.known.insert(key, std::move(read));
 }

@@ -103,6 +103,10 @@ Result<std::shared_ptr<const Prepared>> Engine::prepare(const EvaluateRequest& r
   return std::shared_ptr<const Prepared>(*std::move(prepared));
 }
 
+std::vector<std::string> Engine::blocked(const EvaluateRequest& request) const {
+  return blocked_nodes(state_->environment(), request);
+}
+
 const std::string& Engine::entity_tag(const Prepared& prepared) { return prepared.entity_tag; }
 
 Result<SharedAsset> Engine::State::exported(const Prepared& prepared, const Evaluation& evaluation) const {
@@ -134,7 +138,9 @@ Result<Evaluated> Engine::evaluate(const Prepared& prepared, const Cancel& cance
     std::shared_ptr<const NodeResult> known_preview;
     if (!prepared.previews.empty()) known_preview = state_->cache.find(prepared.preview_digest);
     if (known_preview == nullptr) {
-      for (const Preview& preview : prepared.previews) targets.push_back(preview.node);
+      for (const Preview& preview : prepared.previews) {
+        if (!preview.outputs.empty()) targets.push_back(preview.node);
+      }
     }
     Result<Evaluation> evaluation = dini::evaluate(prepared.plan, targets, state_->cache, shared);
     if (!evaluation) return evaluation.problems();

@@ -87,6 +87,9 @@ class Engine {
   /// stand in the way: the report lists them as warnings, and a check that cannot run as not passed. The entity tag
   /// depends on everything that can influence the bytes.
   Result<std::shared_ptr<const Prepared>> prepare(const EvaluateRequest& request) const;
+  /// Of a request that cannot be prepared: the nodes that are well in themselves but stand behind the ones to blame.
+  std::vector<std::string> blocked(const EvaluateRequest& request) const;
+
   static const std::string& entity_tag(const Prepared& prepared);
 
   /// Evaluates and encodes. Identical concurrent calls compute once. Problems with the codes `deadline`, `superseded`

@@ -115,6 +115,8 @@ void write_family(const Json& family, const std::vector<Json>& nodes, std::strin
 
 void write_node(const Json& node, const NodeExamples& examples, std::string& page) {
   page += "### " + heading(node) + "\n\n" + text_of(node, "doc") + "\n\n";
+  const std::string details = text_of(node, "details");
+  if (!details.empty()) page += details + "\n\n";
   const std::string source = text_of(node, "source");
   if (!source.empty()) page += "Source: " + source + "\n\n";
   page += example_picture(examples, text_of(node, "id"));

@@ -115,48 +115,66 @@ Digest entity_digest(const Prepared& prepared) {
   return digest.finish();
 }
 
-}  // namespace
+/// A request with everything that the check says about it; whether that is good is not yet looked at.
+struct CheckedRequest {
+  Document document;
+  std::string output;  ///< empty when there is none
+  PreviewNames previews;
+  CheckReport report;
+};
 
-Result<std::shared_ptr<Prepared>> prepare_evaluation(const Environment& environment, const EvaluateRequest& request) {
-  const auto begin = std::chrono::steady_clock::now();
-  const Registry& registry = environment.registry;
-  Result<Detail> detail = detail_of(request);
+Result<CheckedRequest> check_request(const Environment& environment, const EvaluateRequest& request) {
+  const Result<Detail> detail = detail_of(request);
   if (!detail) return detail.problems();
   Result<ReadGraph> read = read_graph(environment, request.graph, request.parameters);
   if (!read) return read.problems();
-  const Document& document = read->document;
-
+  CheckedRequest checked{std::move(read->document), {}, {}, {}};
   CheckScope scope;
   scope.guards = request.preview.empty() || !request.output.empty();
-  std::string output;
   if (scope.guards) {
-    Result<std::string> found = find_output(registry, document, request.output);
-    if (!found) return found.problems();
-    output = *std::move(found);
-    scope.targets.push_back(output);
+    Result<std::string> output = find_output(environment.registry, checked.document, request.output);
+    if (!output) return output.problems();
+    checked.output = *std::move(output);
+    scope.targets.push_back(checked.output);
   }
-  Result<PreviewNames> names = read_previews(registry, document, request.preview, environment.limits);
+  Result<PreviewNames> names =
+      read_previews(environment.registry, checked.document, request.preview, environment.limits);
   if (!names) return names.problems();
-  for (const auto& [node, outputs] : *names) scope.targets.push_back(node);
+  checked.previews = *std::move(names);
+  for (const auto& [node, outputs] : checked.previews) scope.targets.push_back(node);
+  checked.report = check(environment.registry, checked.document, read->values, *detail, environment.limits,
+                         environment.find_asset, scope);
+  return checked;
+}
 
-  CheckReport report =
-      check(registry, document, read->values, *detail, environment.limits, environment.find_asset, scope);
+}  // namespace
+
+std::vector<std::string> blocked_nodes(const Environment& environment, const EvaluateRequest& request) {
+  const Result<CheckedRequest> checked = check_request(environment, request);
+  return checked ? checked->report.blocked : std::vector<std::string>{};
+}
+
+Result<std::shared_ptr<Prepared>> prepare_evaluation(const Environment& environment, const EvaluateRequest& request) {
+  const auto begin = std::chrono::steady_clock::now();
+  Result<CheckedRequest> checked = check_request(environment, request);
+  if (!checked) return checked.problems();
+  CheckReport& report = checked->report;
   if (!report.problems.empty()) return report.problems;
   auto prepared = std::make_shared<Prepared>();
-  if (scope.guards) {
-    prepared->output = report.plan.index.at(output);
+  if (!checked->output.empty()) {
+    prepared->output = report.plan.index.at(checked->output);
     prepared->targets.push_back(*prepared->output);
     prepared->targets.insert(prepared->targets.end(), report.guards.begin(), report.guards.end());
-    prepared->broken_checks = broken_checks(registry, document, report);
+    prepared->broken_checks = broken_checks(environment.registry, checked->document, report);
     prepared->extras = file_extras(report.plan, *prepared->output);
   }
   prepared->elsewhere = std::move(report.elsewhere);
   prepared->plan = std::move(report.plan);
-  Result<std::vector<Preview>> previews = plan_previews(prepared->plan, *names, environment.limits);
+  Result<std::vector<Preview>> previews = plan_previews(prepared->plan, checked->previews, environment.limits);
   if (!previews) return previews.problems();
   prepared->previews = *std::move(previews);
   prepared->preview_digest = preview_digest(prepared->plan, prepared->previews, environment.limits);
-  prepared->document = std::move(read->document);
+  prepared->document = std::move(checked->document);
   prepared->entity_tag = "\"" + to_hex(entity_digest(*prepared)) + "\"";
   prepared->milliseconds = milliseconds_since(begin);
   return prepared;

@@ -10,7 +10,7 @@
 
 namespace dini {
 
-/// Outputs of one node that are drawn, in their order.
+/// Outputs of one node that can be drawn, in their order; a node without any only shows that it is there.
 struct Preview {
   std::size_t node = 0;  ///< by index into the plan
   std::vector<std::size_t> outputs;

@@ -68,6 +68,8 @@ std::optional<std::size_t> curve_axis(const Plan& plan, std::size_t node, const 
   return std::nullopt;
 }
 
+bool is_drawn(WireType type) { return type != WireType::number && type != WireType::asset; }
+
 PreviewedOutput previewed(const Plan& plan, const Evaluation& evaluation, std::size_t node, std::size_t output) {
   PreviewedOutput found{plan.nodes[node].type->outputs[output].name, evaluation.value(plan, node, output)};
   if (found.value.type() == WireType::point) found.curve_axis = curve_axis(plan, node, found.value.axes);
@@ -103,9 +105,10 @@ Result<std::vector<Preview>> plan_previews(const Plan& plan, const PreviewNames&
   std::vector<Preview> previews;
   std::size_t vertices = 0;
   for (const auto& [id, outputs] : names) {
-    previews.push_back({plan.index.at(id), {outputs.begin(), outputs.end()}});
+    Preview& preview = previews.emplace_back(Preview{plan.index.at(id), {}});
     for (const std::size_t output : outputs) {
-      const WireShape& shape = plan.nodes[previews.back().node].outputs[output];
+      const WireShape& shape = plan.nodes[preview.node].outputs[output];
+      if (is_drawn(shape.type)) preview.outputs.push_back(output);
       if (shape.type == WireType::mesh) vertices += shape.vertices;
     }
   }
@@ -123,7 +126,9 @@ Digest preview_digest(const Plan& plan, const std::vector<Preview>& previews, co
   digest.text("preview").integer(limits.preview_elements).integer(limits.preview_points);
   for (const Preview& preview : previews) {
     const PlannedNode& node = plan.nodes[preview.node];
-    digest.text(node.id).text(node.type->id).digest(plan.nodes[resolved(plan, preview.node)].fingerprint);
+    digest.text(node.id).text(node.type->id).integer(preview.outputs.size());
+    if (preview.outputs.empty()) continue;
+    digest.digest(plan.nodes[resolved(plan, preview.node)].fingerprint);
     if (node.bypass) digest.integer(std::get<Source>(node.bypass->from).output);
     for (const std::size_t output : preview.outputs) digest.integer(output);
   }

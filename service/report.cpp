@@ -28,7 +28,9 @@ Json node_json(const PlannedNode& node, const NodeRun* run, bool needed) {
 std::set<std::string> needed_nodes(const Prepared& prepared) {
   std::vector<std::string> ids;
   for (const std::size_t target : prepared.targets) ids.push_back(prepared.plan.nodes[target].id);
-  for (const Preview& preview : prepared.previews) ids.push_back(prepared.plan.nodes[preview.node].id);
+  for (const Preview& preview : prepared.previews) {
+    if (!preview.outputs.empty()) ids.push_back(prepared.plan.nodes[preview.node].id);
+  }
   return needed_for(prepared.document, ids);
 }
 

@@ -105,7 +105,16 @@ TEST_CASE("consuming an axis that is not there is an error that lists those that
     return report.problems[0].detail;
   };
   CHECK(problem({{"values", from("r")}, {"over", "q"}}).find("it has the axis r") != std::string::npos);
-  CHECK(problem({{"values", 4}}).find("needs 1 axis, it has no axes") != std::string::npos);
+}
+
+TEST_CASE("one value where several may stand is a list of one") {
+  const auto total = [&](Json inputs) {
+    const Json node = {{"type", "total"}, {"inputs", std::move(inputs)}};
+    return support::numbers(registry,
+                            document({{"one", {{"type", "constant"}, {"inputs", {{"value", 4}}}}}, {"x", node}}), "x");
+  };
+  CHECK(total({{"values", 4}, {"weights", 3}}) == std::vector<double>{12});
+  CHECK(total({{"values", from("one")}, {"weights", {3}}}) == std::vector<double>{12});
 }
 
 TEST_CASE("batched functions see the same values as single ones") {

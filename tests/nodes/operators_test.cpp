@@ -1,4 +1,4 @@
-// Loxodromes, products of points, ratios of spheres, and Hopf fibres.
+// Loxodromes, products of points, ratios of spheres, and Hopf fibers.
 
 #include "algebra/extract.h"
 #include "tests/support/catalogue.h"
@@ -82,31 +82,31 @@ TEST_CASE("The ratio of two spheres takes one to the other, half of it half the 
   CHECK(same.radius == Approx(1.3).epsilon(1e-13));
 }
 
-TEST_CASE("The paper's fibres have the center distance k/(1-k^2) + k/2, radius 1/(1-k^2) and tilt k * 90 degrees") {
+TEST_CASE("The paper's fibers have the center distance k/(1-k^2) + k/2, radius 1/(1-k^2) and tilt k * 90 degrees") {
   for (const double k : {0.0, 0.25, 0.5, 0.9}) {
     CAPTURE(k);
-    const CircleCoordinates fibre =
+    const CircleCoordinates fiber =
         circle_of(of("hopf", {{"shape", from("ring")}, {"theta", 0.3}, {"latitude", k}, {"method", "paper"}}, ring));
-    CHECK(length(to_vector(fibre.center)) == Approx(k / (1 - k * k) + k / 2).epsilon(1e-13).margin(1e-14));
-    CHECK(fibre.radius == Approx(1 / (1 - k * k)).epsilon(1e-13));
-    CHECK(fibre.normal.z == Approx(std::cos(k * std::acos(0.0))).epsilon(1e-13));
+    CHECK(length(to_vector(fiber.center)) == Approx(k / (1 - k * k) + k / 2).epsilon(1e-13).margin(1e-14));
+    CHECK(fiber.radius == Approx(1 / (1 - k * k)).epsilon(1e-13));
+    CHECK(fiber.normal.z == Approx(std::cos(k * std::acos(0.0))).epsilon(1e-13));
   }
 }
 
 TEST_CASE(
-    "True fibres have the center distance tan a and the radius 1/cos a, on the side and with the tilt of the paper's") {
+    "True fibers have the center distance tan a and the radius 1/cos a, on the side and with the tilt of the paper's") {
   for (const double k : {0.0, 0.25, 0.5, 0.9}) {
     CAPTURE(k);
     const auto by = [&](const char* method) {
       return circle_of(
           of("hopf", {{"shape", from("ring")}, {"theta", 0.3}, {"latitude", k}, {"method", method}}, ring));
     };
-    const CircleCoordinates fibre = by("exact"), paper = by("paper");
+    const CircleCoordinates fiber = by("exact"), paper = by("paper");
     const double tilt = k * std::acos(0.0);
-    CHECK(fibre.radius == Approx(1 / std::cos(tilt)).epsilon(1e-13));
-    CHECK(length(to_vector(fibre.center)) == Approx(std::tan(tilt)).epsilon(1e-13).margin(1e-14));
-    require_close(fibre.normal, paper.normal, 1e-13);
-    if (k > 0) require_close(normalized(to_vector(fibre.center)), normalized(to_vector(paper.center)), 1e-13);
+    CHECK(fiber.radius == Approx(1 / std::cos(tilt)).epsilon(1e-13));
+    CHECK(length(to_vector(fiber.center)) == Approx(std::tan(tilt)).epsilon(1e-13).margin(1e-14));
+    require_close(fiber.normal, paper.normal, 1e-13);
+    if (k > 0) require_close(normalized(to_vector(fiber.center)), normalized(to_vector(paper.center)), 1e-13);
   }
 }
 

@@ -71,6 +71,17 @@ TEST_CASE("Wrong previews and budgets are problems at their place, and their lim
   for (const char* name : {"previews", "preview_elements", "preview_points"}) CHECK(limits[name] > 0);
 }
 
+TEST_CASE("Only nodes behind the ones to blame are blocked") {
+  const Running server;
+  Json broken = graph;
+  broken["nodes"]["ring"]["inputs"]["radius"] = -1;
+  broken["nodes"]["lost"] = make("translate", {{"shape", from("loose")}});
+  const auto answer = post(server.port(), "/v1/evaluate", Json{{"graph", broken}}.dump());
+  REQUIRE(answer->status == 422);
+  CHECK(answer->json()["errors"].size() == 1);
+  CHECK(answer->json()["blocked"] == Json({"out", "skin"}));
+}
+
 TEST_CASE("Validation tells every wire it can, and fixes") {
   const Running server;
   Json broken = graph;

@@ -66,6 +66,27 @@ TEST_CASE("files are the same with the lowest and the highest instruction set") 
   }
 }
 
+TEST_CASE("previews of every node of the examples can be drawn and are the same everywhere") {
+  const RestoreInstructionSet restore;
+  const auto lowest = kernels::instruction_sets().back();
+  for (const auto& [id, graph] : examples()) {
+    CAPTURE(id);
+    EvaluateRequest request = request_for(graph, Json::object(), Quality::draft);
+    for (const auto& [node, entry] : graph["nodes"].items()) {
+      if (request.preview.size() < Limits().previews) request.preview.push_back(node);
+    }
+    std::set<std::string> files;
+    for (const char* set : {"", lowest}) {
+      REQUIRE(kernels::force_instruction_set(set));
+      const tbb::global_control control(tbb::global_control::max_allowed_parallelism, set == lowest ? 1 : 4);
+      const Result<Evaluated> answer = answered(ExampleEngine(), request);
+      require_none(answer ? Problems{} : answer.problems());
+      files.insert(*answer->preview);
+    }
+    CHECK(files.size() == 1);
+  }
+}
+
 TEST_CASE("files are the same from a cold cache, a warm one, and one that knows only parts") {
   for (const auto& [id, graph] : examples()) {
     CAPTURE(id);

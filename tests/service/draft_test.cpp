@@ -58,6 +58,17 @@ TEST_CASE("a draft has about as many triangles as its budget, whatever meshes sh
   CHECK(triangles_of(draft_of(large_graph(), std::nullopt)) == triangles_of(draft_of(large_graph(), 20'000)));
 }
 
+TEST_CASE("a mesh that a family uses counts as often as it is used") {
+  const Json graph = document({{"ball", make("sphere_mesh", {{"segments", 64}, {"rings", 32}})},
+                               {"k", make("range", {{"to", 9}, {"count", 10}})},
+                               {"by", make("vector", {{"x", from("k")}})},
+                               {"row", make("translate", {{"shape", from("ball")}, {"vector", from("by")}})},
+                               {"out", make("export", {{"model", from("row")}})}});
+  const std::size_t triangles = triangles_of(draft_of(graph, 10'000));
+  CHECK(triangles <= 10'000);
+  CHECK(triangles > 6'000);
+}
+
 TEST_CASE("a draft that fits its budget is as fine as the final answer") {
   Json graph = document({{"ball", make("sphere_mesh")}, {"out", make("export", {{"model", from("ball")}})}});
   EvaluateRequest final_request = draft_of(graph, std::nullopt);

@@ -160,25 +160,25 @@ TEST_CASE("The exact surface of Dini has the Gauss curvature -1/(1+b^2) everywhe
 }
 
 TEST_CASE(
-    "Fig. 7: every pair of fibres links once, and the squared radius less that of the center is 1 only when exact") {
-  const Json graph = example("fig07_hopf_fibres");
+    "Fig. 7: every pair of fibers links once, and the squared radius less that of the center is 1 only when exact") {
+  const Json graph = example("fig07_hopf_fibers");
   const std::string method = GENERATE(as<std::string>{}, "paper", "exact");
-  const Json chosen = {{"method", method}, {"fibres", 5}};
-  const Json circles = looked_up(graph, "fibres", chosen), latitudes = looked_up(graph, "latitude", chosen);
+  const Json chosen = {{"method", method}, {"fibers", 5}};
+  const Json circles = looked_up(graph, "fibers", chosen), latitudes = looked_up(graph, "latitude", chosen);
   REQUIRE(circles["values"].size() == 15);
   const bool theta_first = circles["axes"][0]["name"] == "theta";
-  std::vector<std::vector<Vector>> fibres;
+  std::vector<std::vector<Vector>> fibers;
   for (std::size_t i = 0; i < 15; ++i) {
     const double k = at(latitudes, theta_first ? i % 3 : i / 5);
     const Json& circle = circles["values"][i];
     const double r = circle["radius"], c = length(triple(circle["center"]));
     require_near(r * r - c * c, method == "exact" ? 1 : 1 - k * k / 4, 1e-12);
-    fibres.push_back(polygon(circle));
+    fibers.push_back(polygon(circle));
   }
-  for (std::size_t i = 0; i < fibres.size(); ++i) {
-    for (std::size_t j = i + 1; j < fibres.size(); ++j) {
+  for (std::size_t i = 0; i < fibers.size(); ++i) {
+    for (std::size_t j = i + 1; j < fibers.size(); ++j) {
       CAPTURE(method, i, j);
-      CHECK(std::abs(std::abs(linking(fibres[i], fibres[j])) - 1) < 0.05);
+      CHECK(std::abs(std::abs(linking(fibers[i], fibers[j])) - 1) < 0.05);
     }
   }
 }

@@ -191,12 +191,12 @@ TEST_CASE("figure 7 in a graph: the true fibers of the same tilt") {
     // The node counts theta from a direction of its own, so lengths are compared, and the tilt.
     const Json nodes = {{"shape", make("circle", {{"normal", {0, 1, 0}}})},
                         {"image", make("hopf", {{"shape", from("shape")}, {"latitude", k}, {"theta", item["theta"]}})}};
-    const Json fibre = value_at(nodes, "image");
+    const Json fiber = value_at(nodes, "image");
     const double radius = exact["radius"];
-    CHECK(fibre["radius"].get<double>() == Approx(radius).epsilon(1e-12));
-    CHECK(length(vector_of(fibre["center"])) ==
+    CHECK(fiber["radius"].get<double>() == Approx(radius).epsilon(1e-12));
+    CHECK(length(vector_of(fiber["center"])) ==
           Approx(length(vector_of(exact["centre"]))).epsilon(1e-12).margin(1e-12));
-    CHECK(std::abs(vector_of(fibre["normal"]).y) ==
+    CHECK(std::abs(vector_of(fiber["normal"]).y) ==
           Approx(std::abs(vector_of(exact["normal_up_to_sign"]).y)).epsilon(1e-12));
   }
 }

@@ -249,6 +249,16 @@ TEST_CASE("the tag of an answer depends on what is drawn, and equal previews are
   CHECK(*again->preview == *answered(other, requests[3])->preview);
 }
 
+TEST_CASE("a node with nothing to draw is not evaluated for its preview") {
+  const Json nodes = {{"bad", make("expression", {{"formula", "1 / x"}})}, {"ring", make("circle")}};
+  const Json json = json_of(preview_of(showing(nodes, {"bad", "ring"})));
+  CHECK(json["nodes"][1]["extras"] == Json({{"id", "bad"}, {"type", "expression"}, {"drawable", false}}));
+  const Result<Evaluated> failed = answered(
+      engine(), showing({{"ring", make("circle", {{"radius", from("bad")}})}, {"bad", nodes["bad"]}}, {"ring"}));
+  REQUIRE_FALSE(failed);
+  CHECK(failed.problems().front().node == "bad");
+}
+
 TEST_CASE("a preview works without an export node, and broken nodes elsewhere do not matter") {
   Json nodes = {{"ring", make("circle")}, {"bad", make("boost")}, {"worse", make("nothing")}};
   CHECK(children_of(json_of(preview_of(showing(nodes, {"ring"})))).size() == 1);

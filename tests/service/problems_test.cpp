@@ -68,6 +68,7 @@ std::vector<Fault> faults() {
       {"graph-has-cycle", "/graph/nodes/loop", cycle},
       {"unknown-member", "/graph/nodez", with("/nodez", Json::object())},
       {"unknown-member", "/graph/nodes/skin/imputs", with("/nodes/skin/imputs", Json::object())},
+      {"axis-mismatch", "/graph/nodes/skin/inputs/shape", with("/nodes/skin/inputs/shape", {0, 0, 0})},
       {"limit-exceeded", "/graph/nodes/skin",
        with("/nodes/skin", make("sphere_mesh", {{"segments", 8192}, {"rings", 8192}}))},
   };

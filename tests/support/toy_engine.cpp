@@ -126,6 +126,8 @@ Result<std::shared_ptr<const Prepared>> Engine::prepare(const EvaluateRequest& r
   return std::shared_ptr<const Prepared>(prepared);
 }
 
+std::vector<std::string> Engine::blocked(const EvaluateRequest&) const { return {"skin"}; }
+
 const std::string& Engine::entity_tag(const Prepared& prepared) { return prepared.tag; }
 
 Result<Evaluated> Engine::evaluate(const Prepared& prepared, const Cancel& cancel) const {

@@ -115,6 +115,9 @@ test("what was not saved is open again after a reload, is listed, and goes when 
     await settled(page);
     assert.equal(await titleOf(page).inputValue(), "Unsaved work");
     await note(page, "“Unsaved work” is open again");
+    await page.reload();
+    await settled(page);
+    assert.equal(await titleOf(page).inputValue(), "Unsaved work", "also after a second reload");
     await rename(page, "More work");
     const draft = await draftTitled(page, "More work");
     assert.equal((await draftsOf(page)).filter((one) => one.id === draft.id).length, 1);
@@ -169,9 +172,25 @@ test("dropped graphs open, and what cannot be opened says why and changes nothin
 
 test("a model of ours opens its graph, or says that it holds only a hash", () =>
   withPage({}, async (page) => {
+    await page.getByRole("slider", { name: "Reach", exact: true }).press("PageUp");
+    await settled(page);
+    const json = await saved(page);
+    await page.getByRole("button", { name: "Export", exact: true }).click();
+    const dialog = page.getByRole("dialog", { name: "Export" });
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      dialog.getByRole("button", { name: /^Download boosted-ring.glb/ }).click(),
+    ]);
+    const model = readFileSync(await download.path());
+    await page.getByRole("button", { name: "New graph" }).click();
+    await page.waitForFunction(() => !document.title.startsWith("Boosted ring"));
+    await drop(page, "boosted-ring.glb", model);
+    await page.waitForFunction(() => document.title.startsWith("Boosted ring"));
+    await settled(page);
+    assert.deepEqual(await saved(page), json);
     const sample = readFileSync(new URL("../test/data/sample.glb", import.meta.url));
     await drop(page, "sample.glb", sample);
-    await note(page, "names its graph only by hash");
+    await note(page, "names its graph only by its hash");
   }));
 
 test("a dropped mesh is sent to the server and becomes a node that is seen", () =>

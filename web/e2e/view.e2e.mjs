@@ -77,13 +77,31 @@ test("curvature has a legend, and every way to look draws something else", () =>
     }
     assert.equal(seen.size, 5);
     const legend = page.getByRole("group", { name: "Curvature legend" });
-    assert.match(await legend.textContent(), /1\/m²/);
+    assert.match(await legend.textContent(), /m⁻²/);
     await changes(page, "mean curvature", () => legend.getByRole("radio", { name: "Mean" }).click());
-    assert.match(await legend.textContent(), /1\/m(?!²)/);
+    assert.match(await legend.textContent(), /m⁻¹/);
     await page.reload();
     await settled(page);
     assert.ok(await page.getByRole("radio", { name: "Curvature", exact: true }).isChecked(), "the choice is remembered");
   }));
+
+test("the page is there before the 3D view has arrived", async () => {
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  let give;
+  const held = new Promise((resolve) => (give = resolve));
+  await page.route("**/Viewer-*.js", async (route) => {
+    await held;
+    await route.continue();
+  });
+  await page.goto(`${server.url}/${RING}`);
+  await page.getByRole("button", { name: "Add node" }).waitFor();
+  await page.getByRole("group", { name: /, ring$/ }).waitFor();
+  assert.equal(await canvasOf(page).count(), 0);
+  give();
+  await settled(page);
+  await context.close();
+});
 
 test("a section is placed by hand and by number, along any axis, on either side", () =>
   withPage({}, async (page) => {

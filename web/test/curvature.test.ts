@@ -1,6 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { curvatureColors, curvatureRange, estimateCurvature } from "../src/view3d/curvature";
+import { BufferGeometry, Float32BufferAttribute } from "three";
+import { curvatureColors, curvatureRange, estimateCurvature, smoothed } from "../src/view3d/curvature";
+import { pointsInward } from "../src/view3d/orientation";
 
 /** A surface over a grid of two parameters, with its normals. */
 function surface(at: (u: number, v: number) => { place: number[]; normal: number[] }, size = 40) {
@@ -45,6 +47,15 @@ test("a saddle is negative, a cylinder and a plane are flat", () => {
   assert.ok(Math.abs(middle(estimateCurvature("mean", cylinder.positions, cylinder.normals, cylinder.indices)) - 0.5) < 1e-3);
 });
 
+test("smoothing takes noise out and leaves what is constant", () => {
+  const { positions, indices } = surface((u, v) => ({ place: [u, v, 0], normal: [0, 0, 1] }), 80);
+  const constant = smoothed(new Float32Array(positions.length / 3).fill(-1), indices);
+  assert.ok(constant.every((value) => Math.abs(value + 1) < 1e-5));
+  const noise = new Float32Array(positions.length / 3).map((_, at) => -1 + Math.sin(at * 12.9898) * 0.5);
+  const worst = smoothed(noise, indices).reduce((most, value) => Math.max(most, Math.abs(value + 1)), 0);
+  assert.ok(worst < 0.12, `${worst}`);
+});
+
 test("triangles without area count for nothing", () => {
   const flat = estimateCurvature("gauss", [0, 0, 0, 1, 0, 0, 2, 0, 0], [0, 0, 1, 0, 0, 1, 0, 0, 1], [0, 1, 2, 0, 0, 0]);
   assert.deepEqual([...flat], [0, 0, 0]);
@@ -57,4 +68,19 @@ test("the palette ends where 95 of 100 values lie, and is white at zero", () => 
   assert.ok((negative?.[2] ?? 0) > (negative?.[0] ?? 0), "blue");
   assert.ok((positive?.[0] ?? 0) > (positive?.[2] ?? 0), "orange");
   assert.ok(zero?.every((part) => part === zero[0]) && wrong?.join() === zero.join());
+});
+
+test("which side of a surface is outside does not depend on its front", () => {
+  const bowl = surface((u, v) => {
+    const [a, b] = [6 * u, 0.3 + v];
+    const normal = [Math.cos(a) * Math.sin(b), Math.sin(a) * Math.sin(b), Math.cos(b)];
+    return { place: normal, normal };
+  });
+  const geometry = (normals: number[]): BufferGeometry =>
+    new BufferGeometry()
+      .setAttribute("position", new Float32BufferAttribute(bowl.positions, 3))
+      .setAttribute("normal", new Float32BufferAttribute(normals, 3));
+  assert.equal(pointsInward([geometry(bowl.normals)]), false);
+  assert.equal(pointsInward([geometry(bowl.normals.map((part) => -part))]), true);
+  assert.equal(pointsInward([]), false);
 });

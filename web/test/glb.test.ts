@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { allIn, decodeInWorker } from "./draco_in_node";
-import { isGlb, splitGlb } from "../src/view3d/glb";
+import { isGlb, joinGlb, splitGlb } from "../src/view3d/glb";
 import { readGltf } from "../src/view3d/gltf";
 
 // Made by: dini eval web/test/data/sample.json -o web/test/data/sample.glb
@@ -13,17 +13,7 @@ function changed(change: (json: any) => void): Uint8Array<ArrayBuffer> {
   const { json, binary } = splitGlb(sample);
   const copy = structuredClone(json);
   change(copy);
-  const text = new TextEncoder().encode(JSON.stringify(copy).padEnd(4, " "));
-  const padded = new Uint8Array(Math.ceil(text.length / 4) * 4).fill(32);
-  padded.set(text);
-  const bytes = new Uint8Array(12 + 8 + padded.length + 8 + binary.length);
-  const view = new DataView(bytes.buffer);
-  [0x46546c67, 2, bytes.length, padded.length, 0x4e4f534a].forEach((word, at) => view.setUint32(4 * at, word, true));
-  bytes.set(padded, 20);
-  view.setUint32(20 + padded.length, binary.length, true);
-  view.setUint32(24 + padded.length, 0x004e4942, true);
-  bytes.set(binary, 28 + padded.length);
-  return bytes;
+  return joinGlb({ json: copy, binary });
 }
 
 test("a file of the real program is read: a surface, a line and points below the root that turns them up", () => {

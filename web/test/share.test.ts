@@ -4,9 +4,10 @@ import { test } from "node:test";
 import { deflateRawSync } from "node:zlib";
 import { documentText, documentWithValues } from "../src/files/document_file";
 import { surplus, type Draft } from "../src/files/drafts";
-import { graphInGlb } from "../src/files/glb_graph";
+import { graphInGlb, withGraph } from "../src/files/glb_graph";
 import { packGraph, unpackGraph } from "../src/files/share";
 import { readDocument } from "../src/model/document";
+import { splitGlb } from "../src/view3d/glb";
 import type { JsonObject } from "../src/model/json";
 
 const examples = readdirSync("../examples")
@@ -92,6 +93,12 @@ test("a model of ours tells what it knows of its graph", () => {
   const content = graphInGlb(sample);
   assert.ok(content.kind === "graph" || (content.kind === "hash" && content.hash.length === 64));
   assert.throws(() => graphInGlb(sample.slice(0, 100)), /cut short/);
+  for (const json of examples) {
+    const stamped = withGraph(sample, json);
+    assert.deepEqual(graphInGlb(stamped), { kind: "graph", json });
+    assert.deepEqual(splitGlb(stamped).binary, splitGlb(sample).binary, "the model is as it was");
+    assert.deepEqual(graphInGlb(withGraph(stamped, { format: 1, nodes: {} })), { kind: "graph", json: { format: 1, nodes: {} } });
+  }
 });
 
 test("only the ten newest drafts are kept", () => {

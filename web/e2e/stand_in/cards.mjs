@@ -85,7 +85,7 @@ const CARDS = [
   ],
   [
     "hopf",
-    "Hopf fibre",
+    "Hopf fiber",
     "transforms",
     "The linked circle that belongs to an amount.",
     "Boosted Surfaces, eqs. 9-12",

@@ -94,9 +94,9 @@ const SHAPES = {
       true,
     ),
   ],
-  fig06_hopf_fibres: (p, n) =>
-    Array.from({ length: p.fibres }, (_, index) => {
-      const angle = (2 * Math.PI * index) / p.fibres;
+  fig06_hopf_fibers: (p, n) =>
+    Array.from({ length: p.fibers }, (_, index) => {
+      const angle = (2 * Math.PI * index) / p.fibers;
       const hue = [0.55 + 0.4 * Math.cos(angle), 0.55 + 0.4 * Math.cos(angle - 2.1), 0.6 + 0.4 * Math.cos(angle + 2.1)];
       return sheet(
         n(96),

@@ -10,6 +10,7 @@ import { Dialog } from "./Dialog";
 import { documentText, documentWithValues } from "./document_file";
 import { exportOptions, withOptions, type ExportOption } from "./export_options";
 import { filesOf } from "./Files";
+import { withGraph } from "./glb_graph";
 
 const PAUSE_MILLISECONDS = 250;
 const DRAFT_TRIANGLES = 20_000;
@@ -24,6 +25,7 @@ export function ExportDialog(): ReactElement {
   const [format, setFormat] = useState<"glb" | "json">("glb");
   const [quality, setQuality] = useState<Quality>("final");
   const [changes, setChanges] = useState<Record<string, Json>>({});
+  const [withDocument, setWithDocument] = useState(true);
   const [answer, setAnswer] = useState<Answer | null>(null);
   const output = document && catalogue ? fileOutput(document, catalogue) : undefined;
 
@@ -45,15 +47,16 @@ export function ExportDialog(): ReactElement {
   }, [document, values, output, quality, changes]);
 
   const name = `${fileName(document?.title ?? "")}.${format}`;
-  const model = answer?.kind === "model" ? answer : undefined;
+  const model = answer?.kind === "model" ? answer.model : undefined;
+  const file = model && document && withDocument ? withGraph(model, documentWithValues(document, values)) : model;
   const download = (): void => {
-    if (format === "glb" && model) saveBlob(new Blob([model.model], { type: "model/gltf-binary" }), name);
+    if (format === "glb" && file) saveBlob(new Blob([file], { type: "model/gltf-binary" }), name);
     if (format === "json" && document) {
       saveBlob(new Blob([documentText(documentWithValues(document, values))], { type: "application/json" }), name);
     }
     files.show(null);
   };
-  const isReady = format === "json" ? document !== null : model !== undefined;
+  const isReady = format === "json" ? document !== null : file !== undefined;
   return (
     <Dialog
       title="Export"
@@ -97,25 +100,35 @@ export function ExportDialog(): ReactElement {
                   onChange={(value) => setChanges({ ...changes, [option.input.name]: value })}
                 />
               ))}
+            <label htmlFor="export-graph" title="The file can be opened here again, dropped on this page">
+              Graph inside
+            </label>
+            <input
+              id="export-graph"
+              type="checkbox"
+              className="checkbox"
+              checked={withDocument}
+              onChange={(event) => setWithDocument(event.currentTarget.checked)}
+            />
           </>
         )}
       </div>
       {format === "glb" && (
         <p className="export-result" role="status" data-tone={answer?.kind === "problem" ? "error" : "ok"}>
-          {resultText(output, answer)}
+          {resultText(output, answer, file?.byteLength ?? 0)}
         </p>
       )}
     </Dialog>
   );
 }
 
-function resultText(output: string | undefined, answer: Answer | null): string {
+function resultText(output: string | undefined, answer: Answer | null, bytes: number): string {
   if (output === undefined) return "No node of this graph makes a file.";
   if (answer === null) return "Measuring…";
   if (answer.kind === "away") return "The server does not answer.";
   if (answer.kind === "problem") return problemText(answer.problem);
-  const { model, report } = answer;
-  const parts = [byteText(model.byteLength), `${grouped(report.triangles)} triangles`];
+  const { report } = answer;
+  const parts = [byteText(bytes), `${grouped(report.triangles)} triangles`];
   if (report.positionError !== undefined) parts.push(`no point off by more than ${lengthText(report.positionError)}`);
   return parts.join(" · ");
 }

@@ -53,7 +53,8 @@ export function ShareMenus(): ReactElement {
           },
         ]}
       >
-        <span>Share</span>
+        <ShareIcon />
+        <span className="wide-only">Share</span>
       </Menu>
       <button
         type="button"
@@ -66,5 +67,13 @@ export function ShareMenus(): ReactElement {
         <span className="wide-only">Export…</span>
       </button>
     </>
+  );
+}
+
+function ShareIcon(): ReactElement {
+  return (
+    <svg className="icon" viewBox="0 0 16 16" width="16" height="16" aria-hidden="true" focusable="false">
+      <path d="M8 9.5V2.6M5.2 5.2 8 2.4l2.8 2.8M4.6 7.4H3v6h10v-6h-1.6" />
+    </svg>
   );
 }

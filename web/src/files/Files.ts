@@ -27,6 +27,7 @@ export interface Beginning {
 }
 
 const NOTE_MILLISECONDS = 6000;
+const LONGEST_WAIT_MILLISECONDS = 1500;
 const kept = new WeakMap<Session, Files>();
 
 /** The files of a session; one for each. */
@@ -57,8 +58,12 @@ export class Files {
       this.say(result.error, "bad");
       return undefined;
     }
-    const mine = (await this.list()).find((draft) => draft.tab === this.tab && draft.address === location.hash);
+    // A database that another page holds back must not hold this page back.
+    const late = new Promise<Draft[]>((resolve) => window.setTimeout(() => resolve([]), LONGEST_WAIT_MILLISECONDS));
+    const mine = (await Promise.race([this.list(), late])).find((draft) => draft.tab === this.tab && draft.address === location.hash);
     if (!mine) return undefined;
+    // The address will not name an example any more, and another reload has to find it again.
+    void this.drafts.put({ ...mine, address: "" }).catch(() => undefined);
     this.say(`“${mine.title}” is open again with what was not saved.`);
     return { json: mine.json, origin: { kind: "draft", id: mine.id } };
   }
@@ -129,7 +134,10 @@ export class Files {
   }
 
   async copy(text: string | undefined, what: string): Promise<void> {
-    if (text === undefined) return;
+    if (text === undefined) {
+      this.say("No node of this graph makes a file, so there is no command for it.", "bad");
+      return;
+    }
     try {
       await navigator.clipboard.writeText(text);
       this.say(`Copied ${what}`);
@@ -168,7 +176,7 @@ export class Files {
         return;
       }
       const short = content.hash.slice(0, 12);
-      this.say(`${file.name} names its graph only by hash (${short}…), so the graph cannot be opened from it.`, "bad");
+      this.say(`${file.name} names its graph only by its hash ${short}…; a model exported here with “Graph inside” can be opened.`, "bad");
     } catch (error) {
       this.say(`${file.name} was not opened. ${error instanceof Error ? error.message : ""}`, "bad");
     }

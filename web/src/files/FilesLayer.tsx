@@ -1,4 +1,4 @@
-import { useEffect, useState, type ReactElement } from "react";
+import { useEffect, useRef, useState, type ReactElement } from "react";
 import { useCurrentSession } from "../app/context";
 import { useStore } from "../app/hooks";
 import { Icon } from "../app/icons";
@@ -41,6 +41,8 @@ export function FilesLayer(): ReactElement {
 /** True while files are dragged over the page; `take` gets what is dropped. */
 function useDrop(take: (file: File) => void): boolean {
   const [over, setOver] = useState(false);
+  const newest = useRef(take);
+  newest.current = take;
   useEffect(() => {
     // Entering and leaving are told for every element on the way.
     let depth = 0;
@@ -59,13 +61,13 @@ function useDrop(take: (file: File) => void): boolean {
       event.preventDefault();
       depth = 0;
       setOver(false);
-      for (const file of event.dataTransfer?.files ?? []) take(file);
+      for (const file of event.dataTransfer?.files ?? []) newest.current(file);
     };
     const listeners = { dragenter: onEnter, dragleave: onLeave, dragover: onOver, drop: onDrop };
     for (const [name, run] of Object.entries(listeners)) document.addEventListener(name, run as EventListener);
     return () => {
       for (const [name, run] of Object.entries(listeners)) document.removeEventListener(name, run as EventListener);
     };
-  });
+  }, []);
   return over;
 }

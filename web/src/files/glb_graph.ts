@@ -1,7 +1,7 @@
-// The graph inside of a model of ours, where the server wrote it there.
+// The graph inside of a model of ours: the page writes it there on request, beside what the server says of the file.
 
 import { asObject, asString, isObject, type JsonObject } from "../model/json";
-import { splitGlb } from "../view3d/glb";
+import { joinGlb, splitGlb } from "../view3d/glb";
 
 export type GlbContent =
   | { kind: "graph"; json: JsonObject }
@@ -14,10 +14,16 @@ export type GlbContent =
 export function graphInGlb(bytes: Uint8Array<ArrayBuffer>): GlbContent {
   const asset = asObject(splitGlb(bytes).json["asset"]);
   const extras = asObject(asset["extras"]);
-  for (const name of ["document", "graph"]) {
-    const document = extras[name];
-    if (isObject(document) && isObject(document["nodes"])) return { kind: "graph", json: document };
-  }
+  const document = extras["document"];
+  if (isObject(document) && isObject(document["nodes"])) return { kind: "graph", json: document };
   const hash = asString(extras["graph"]);
   return hash && asString(extras["engine"]) ? { kind: "hash", hash } : { kind: "foreign" };
+}
+
+/** The same model with the graph that made it in `asset.extras.document`. */
+export function withGraph(bytes: Uint8Array<ArrayBuffer>, document: JsonObject): Uint8Array<ArrayBuffer> {
+  const { json, binary } = splitGlb(bytes);
+  const asset = asObject(json["asset"]);
+  const extras = { ...asObject(asset["extras"]), document };
+  return joinGlb({ json: { ...json, asset: { ...asset, extras } }, binary });
 }

@@ -4,8 +4,8 @@ import type { CurvatureKind } from "./curvature";
 import type { CurvatureScale } from "./model_look";
 
 const KINDS: readonly { id: CurvatureKind; title: string; unit: string }[] = [
-  { id: "gauss", title: "Gaussian", unit: "1/m²" },
-  { id: "mean", title: "Mean", unit: "1/m" },
+  { id: "gauss", title: "Gaussian", unit: "m⁻²" },
+  { id: "mean", title: "Mean", unit: "m⁻¹" },
 ];
 
 interface LegendProps {

@@ -84,9 +84,7 @@ export function ViewPane({ light, picture }: { light: boolean; picture: boolean 
   useViewKeys(pane, actions, () => choice.set({ orthographic: !settings.orthographic }));
 
   const startSection = (): void => {
-    const { minimum, maximum } = viewer?.sectionReach ?? { minimum: -1, maximum: 1 };
-    const offset = Number(((minimum + maximum) / 2).toPrecision(3));
-    choice.set({ section: settings.section ? null : { axis: "x", offset, flipped: false } });
+    choice.set({ section: settings.section ? null : (viewer?.sectionTowardsEye() ?? null) });
   };
   return (
     <section className="view-pane" aria-label="Model" data-stale={stale} data-picture={picture} ref={pane}>

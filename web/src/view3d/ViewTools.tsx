@@ -59,7 +59,7 @@ export function ViewTools({ choice, actions, showing, onSection }: ViewToolsProp
           <Toggle title="Section" on={settings.section !== null} onChange={onSection}>
             <ToolIcon name="section" />
           </Toggle>
-          <Action title="Frame" hint="Fill the view with the model (F)" onClick={actions.frame}>
+          <Action title="Frame" hint="Fill the view with the selection, or the model (F)" onClick={actions.frame}>
             <Icon name="frame" />
           </Action>
           <Action title="Home view" hint="Opening view (Home)" onClick={actions.home}>

@@ -1,50 +1,30 @@
 // The 3D view. Draws only when something changed; React never runs while it does.
 
-import { Group, Scene, Vector3, WebGLRenderer, type LineSegments } from "three";
+import { Scene, Vector3, type WebGLRenderer } from "three";
 import type { ControlInfo } from "../app/state";
 import type { CameraPlace } from "../model/document";
+import { makeRenderer } from "./canvas";
 import { ControlGeometry } from "./control_geometry";
 import { ControlMaterials } from "./control_materials";
 import { Decoder, type DecodedModel } from "./decode";
+import { inGraph, tidy } from "./drag";
 import { frame, framingOf, samplePositions, type Framing } from "./framing";
 import { GizmoLayer, type GizmoHost } from "./gizmos";
 import type { Gizmo } from "./gizmo_values";
+import { Ground } from "./ground";
 import { HandleLayer } from "./handles";
 import { Materials } from "./materials";
-import { ModelLook, type CurvatureScale, type Look } from "./model_look";
-import { cellSize, makeAxes, makeGrid, remove, type OverlayColors } from "./overlays";
+import { ModelLook } from "./model_look";
+import { cellSize } from "./overlays";
+import { pointsInward } from "./orientation";
 import { pngOf, pictureOf } from "./pictures";
 import { CameraRig, directionOf, type StandardView } from "./rig";
 import { SectionPlane, type Section } from "./section";
 import { isSoftwareRendering } from "./software";
 import { drawingSize } from "./thick_lines";
-
-export interface ViewSettings extends Look {
-  grid: boolean;
-  axes: boolean;
-  control: boolean;
-  orthographic: boolean;
-  section: Section | null;
-}
-
-/** What the view tells the page. */
-export interface ViewerHost {
-  section(section: Section): void;
-  scale(scale: CurvatureScale | null): void;
-  write: GizmoHost["write"];
-  end: GizmoHost["end"];
-}
+import { PLAIN, type ViewerHost, type ViewSettings } from "./viewer_settings";
 
 const HOME = new Vector3(-0.62, -0.5, -0.92);
-const COLORS: Record<"dark" | "light", OverlayColors> = {
-  dark: { grid: "#5a6374", axes: ["#ff7a6b", "#7ddb8c", "#4fb4ff"] },
-  light: { grid: "#8d97a8", axes: ["#d2402f", "#1f8f3e", "#1f74d0"] },
-};
-
-const PLAIN: ViewSettings = {
-  ...{ mode: "shaded", curvatureKind: "gauss", light: false },
-  ...{ grid: true, axes: true, control: true, orthographic: false, section: null },
-};
 
 export class Viewer {
   readonly isSoftware: boolean;
@@ -58,12 +38,10 @@ export class Viewer {
   private readonly gizmos: GizmoLayer;
   private readonly handles: HandleLayer;
   private readonly section: SectionPlane;
-  private readonly overlays = new Group();
+  private readonly ground = new Ground();
   private readonly observer: ResizeObserver;
   private model: DecodedModel | undefined;
   private control: ControlGeometry | undefined;
-  private grid: LineSegments | undefined;
-  private axes: Group | undefined;
   private opening: CameraPlace | null = null;
   private center = new Vector3();
   private radius = 1;
@@ -82,16 +60,8 @@ export class Viewer {
     private readonly host: ViewerHost,
   ) {
     this.isSoftware = isSoftwareRendering();
-    const antialias = smooth || !this.isSoftware;
-    this.renderer = new WebGLRenderer({ antialias, alpha: true, powerPreference: "high-performance" });
-    this.renderer.setPixelRatio(smooth ? 2 : this.isSoftware ? 1 : Math.min(2, window.devicePixelRatio));
-    this.renderer.setClearColor(0x000000, 0);
-    this.renderer.localClippingEnabled = true;
+    this.renderer = makeRenderer(container, label, smooth ? "smooth" : this.isSoftware ? "plain" : "usual");
     const canvas = this.renderer.domElement;
-    canvas.tabIndex = 0;
-    canvas.setAttribute("role", "img");
-    canvas.setAttribute("aria-label", label);
-    container.append(canvas);
     const isDamped = !this.isSoftware && !matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.rig = new CameraRig(canvas, isDamped, () => this.draw());
     canvas.addEventListener("keydown", (event) => this.rig.onKey(event));
@@ -102,14 +72,12 @@ export class Viewer {
       ray: (x, y) => this.rig.ray((2 * x) / canvas.clientWidth - 1, 1 - (2 * y) / canvas.clientHeight),
       project: (place) => this.project(place),
     });
-    // The graph's Z axis is the picture's up direction, as the export's root node turns it.
-    this.overlays.rotation.x = -Math.PI / 2;
-    this.scene.add(this.overlays, this.section.group, this.gizmos.group);
+    this.scene.add(this.ground.group, this.section.group, this.gizmos.group);
     this.rig.look(HOME, { target: new Vector3(), distance: 8, radius: 1 });
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(container);
     this.resize();
-    this.rebuildOverlays();
+    this.ground.set(this.radius, this.settings);
   }
 
   decode(bytes: Uint8Array<ArrayBuffer>): Promise<DecodedModel> {
@@ -121,6 +89,7 @@ export class Viewer {
     this.clearModel();
     this.model = model;
     this.scene.add(model.scene);
+    this.materials.setInward(pointsInward(model.meshes.map((mesh) => mesh.geometry)));
     this.dressModel();
     this.draw();
   }
@@ -162,7 +131,7 @@ export class Viewer {
     this.rig.projection = settings.orthographic ? "orthographic" : "perspective";
     const changed = (...names: (keyof ViewSettings)[]): boolean => names.some((name) => settings[name] !== before[name]);
     if (changed("mode", "light", "curvatureKind")) this.dressModel();
-    if (changed("light", "grid", "axes")) this.rebuildOverlays();
+    if (changed("light", "grid", "axes")) this.ground.set(this.radius, this.settings);
     if (changed("light", "section")) this.placeSection();
     if (this.control) this.control.group.visible = settings.control;
     if (changed("light")) this.controlMaterials.setLight(settings.light);
@@ -171,14 +140,31 @@ export class Viewer {
     this.draw();
   }
 
+  /** A section through the middle that opens the model towards the eye. */
+  sectionTowardsEye(): Section {
+    const [x, y] = inGraph(this.rig.direction);
+    const axis = Math.abs(x) > Math.abs(y) ? "x" : "y";
+    const middle = inGraph(this.center)[axis === "x" ? 0 : 1];
+    return { axis, offset: tidy(middle, this.radius / 10), flipped: (axis === "x" ? x : y) > 0 };
+  }
+
   /** The range of a section along its axis. */
   get sectionReach(): { minimum: number; maximum: number } {
     return this.section.reach;
   }
 
-  /** Frames the model from where the camera looks now. */
+  /** Frames the control geometry of what is selected, else the model, from where the camera looks now. */
   frame(): void {
-    this.frameAlong(this.rig.direction);
+    const points = this.settings.control && this.control ? samplePositions(this.control.source) : [];
+    const framing = frame(points, this.rig.direction, this.rig.perspective);
+    if (!framing) {
+      this.frameAlong(this.rig.direction);
+      return;
+    }
+    const radius = Math.max(framing.radius, this.radius / 50);
+    this.rig.look(this.rig.direction, { ...framing, radius });
+    this.ground.set(radius, this.settings);
+    this.draw();
   }
 
   standardView(view: StandardView): void {
@@ -211,8 +197,7 @@ export class Viewer {
     cancelAnimationFrame(this.requested);
     this.observer.disconnect();
     this.clear();
-    remove(this.grid);
-    remove(this.axes);
+    this.ground.clear();
     this.handles.dispose();
     this.gizmos.dispose();
     this.section.dispose();
@@ -299,19 +284,8 @@ export class Viewer {
     this.rig.look(direction, framing);
     this.radius = framing.radius;
     this.center.copy(framing.target);
-    this.rebuildOverlays();
+    this.ground.set(this.radius, this.settings);
     this.placeSection();
     this.draw();
-  }
-
-  private rebuildOverlays(): void {
-    remove(this.grid);
-    remove(this.axes);
-    const colors = COLORS[this.settings.light ? "light" : "dark"];
-    const cell = cellSize(this.radius);
-    this.grid = this.settings.grid ? makeGrid(cell, colors.grid) : undefined;
-    this.axes = this.settings.axes ? makeAxes(2.5 * cell, colors.axes) : undefined;
-    if (this.grid) this.overlays.add(this.grid);
-    if (this.axes) this.overlays.add(this.axes);
   }
 }

@@ -47,6 +47,11 @@ export class ControlGeometry {
     }
   }
 
+  /** What it was made of, with every place in it. */
+  get source(): Object3D {
+    return this.model.scene;
+  }
+
   dispose(): void {
     this.group.removeFromParent();
     this.group.traverse((object) => (object as Mesh).geometry?.dispose());

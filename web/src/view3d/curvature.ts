@@ -6,6 +6,8 @@ export type CurvatureKind = "gauss" | "mean";
 /** Share of the values that lies within the ends of the palette. */
 const CLAMP = 0.95;
 const MOST_SAMPLES = 20_000;
+const MOST_ROUNDS = 24;
+const VERTICES_PER_ROUND = 1000;
 
 /** Linear colors of the palette: blue below zero, white at zero, orange above. */
 const NEGATIVE = [0.02, 0.12, 0.55] as const;
@@ -51,6 +53,28 @@ export function estimateCurvature(
     }
   }
   return sums.map((sum, vertex) => sum / (at(weights, vertex) || 1));
+}
+
+/**
+ * Takes the grain out of an estimate: normals come in steps, and their change over a small triangle shows mostly those.
+ * Values are averaged with their neighbors', the more often the finer the mesh is.
+ */
+export function smoothed(values: Float32Array, indices: ArrayLike<number>): Float32Array {
+  const rounds = Math.min(MOST_ROUNDS, Math.floor(values.length / VERTICES_PER_ROUND));
+  let result = values;
+  for (let round = 0; round < rounds; round++) {
+    const [sums, counts] = [new Float32Array(values.length), new Float32Array(values.length)];
+    for (let corner = 0; corner + 2 < indices.length; corner += 3) {
+      const [a, b, c] = [at(indices, corner), at(indices, corner + 1), at(indices, corner + 2)];
+      const mean = (at(result, a) + at(result, b) + at(result, c)) / 3;
+      for (const vertex of [a, b, c]) {
+        sums[vertex] = at(sums, vertex) + mean;
+        counts[vertex] = at(counts, vertex) + 1;
+      }
+    }
+    result = sums.map((sum, vertex) => (at(counts, vertex) > 0 ? sum / at(counts, vertex) : at(values, vertex)));
+  }
+  return result;
 }
 
 /** The magnitude that 95 of 100 values stay within; at least a hair, so that a flat surface is white. */

@@ -46,6 +46,28 @@ export function splitGlb(bytes: Uint8Array<ArrayBuffer>): Glb {
   return { json, binary };
 }
 
+/** A GLB of a description and its data. */
+export function joinGlb({ json, binary }: Glb): Uint8Array<ArrayBuffer> {
+  const text = new TextEncoder().encode(JSON.stringify(json));
+  const chunks: [number, Uint8Array, number][] = [[JSON_CHUNK, text, 0x20]];
+  if (binary.length > 0) chunks.push([BINARY_CHUNK, binary, 0]);
+  const padded = (size: number): number => Math.ceil(size / 4) * 4;
+  const length = chunks.reduce((sum, [, data]) => sum + CHUNK_HEADER_BYTES + padded(data.length), HEADER_BYTES);
+  const bytes = new Uint8Array(length);
+  const view = new DataView(bytes.buffer);
+  [MAGIC, 2, length].forEach((word, at) => view.setUint32(4 * at, word, true));
+  let at = HEADER_BYTES;
+  for (const [type, data, filler] of chunks) {
+    const size = padded(data.length);
+    view.setUint32(at, size, true);
+    view.setUint32(at + 4, type, true);
+    bytes.fill(filler, at + CHUNK_HEADER_BYTES, at + CHUNK_HEADER_BYTES + size);
+    bytes.set(data, at + CHUNK_HEADER_BYTES);
+    at += CHUNK_HEADER_BYTES + size;
+  }
+  return bytes;
+}
+
 function readJson(chunk: Uint8Array): JsonObject {
   let json: Json;
   try {

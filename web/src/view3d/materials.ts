@@ -82,7 +82,7 @@ function byte(linear: number): number {
   return Math.round(255 * Math.min(1, Math.max(0, value)));
 }
 
-const MOST_KEPT = 64;
+const MOST_KEPT = 512;
 /** In pixels. */
 const POINT_SIZE = 5;
 
@@ -107,6 +107,7 @@ export class Materials {
   private readonly matcap = studioMatcap();
   private readonly kept = new Map<string, Material>();
   private readonly back = { value: new Vector4(0, 0, 0, 0) };
+  private readonly inward = { value: false };
 
   constructor() {
     this.normals.clippingPlanes = this.planes;
@@ -132,7 +133,12 @@ export class Materials {
     return this.shared("lines", style, () => new LineBasicMaterial(plain(style)));
   }
 
-  /** Draws the backs of surfaces flat in a color, as long as a section is shown; null as their own. */
+  /** Whether fronts are inside: a section shows the other side flat then. */
+  setInward(inward: boolean): void {
+    this.inward.value = inward;
+  }
+
+  /** Draws the insides of surfaces flat in a color, as long as a section is shown; null as their own. */
   setFlatBacks(color: Color | null): void {
     if (color) this.back.value.set(color.r, color.g, color.b, 1);
     else this.back.value.w = 0;
@@ -179,9 +185,10 @@ export class Materials {
     material.customProgramCacheKey = () => String(isPainted);
     material.onBeforeCompile = (shader) => {
       shader.uniforms["flatBack"] = this.back;
+      shader.uniforms["inward"] = this.inward;
       if (isPainted) paint(shader);
       shader.fragmentShader = shader.fragmentShader
-        .replace("#define MATCAP", "#define MATCAP\nuniform vec4 flatBack;")
+        .replace("#define MATCAP", "#define MATCAP\nuniform vec4 flatBack; uniform bool inward;")
         .replace(
           "#include <color_fragment>",
           // The back of a surface is deeper in color and a little darker, so that the two sides are told apart. It is
@@ -195,7 +202,7 @@ export class Materials {
         .replace(
           "vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;",
           `vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb * 1.2 + vec3(matcapColor.a);
-          if (isBack) outgoingLight = mix(outgoingLight, flatBack.rgb, 0.85 * flatBack.a);`,
+          if (isBack != inward) outgoingLight = mix(outgoingLight, flatBack.rgb, 0.85 * flatBack.a);`,
         );
     };
     return material;

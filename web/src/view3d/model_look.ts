@@ -1,7 +1,7 @@
 // How the surfaces of the model are drawn: the chosen mode, with lines and colors made for it.
 
 import { BufferAttribute, LineBasicMaterial, LineSegments, type BufferGeometry, type Material, type Mesh } from "three";
-import { curvatureColors, curvatureRange, estimateCurvature, type CurvatureKind } from "./curvature";
+import { curvatureColors, curvatureRange, estimateCurvature, smoothed, type CurvatureKind } from "./curvature";
 import type { DecodedModel } from "./decode";
 import { studioOf } from "./dress";
 import type { Materials } from "./materials";
@@ -94,6 +94,7 @@ function curvatureOf(geometry: BufferGeometry, kind: CurvatureKind): { list: Arr
   const sent = geometry.getAttribute(kind);
   if (sent) return { list: sent.array, isEstimate: false };
   const [position, normal, index] = [geometry.getAttribute("position"), geometry.getAttribute("normal"), geometry.getIndex()];
-  const list = estimateCurvature(kind, position.array, normal.array, index?.array ?? []);
+  const indices = index?.array ?? [];
+  const list = smoothed(estimateCurvature(kind, position.array, normal.array, indices), indices);
   return { list, isEstimate: true };
 }

@@ -5,7 +5,7 @@ import type { ViewActions } from "./ViewTools";
 
 /** The one table of the view's keys: the shortcut list reads it too. */
 export const VIEW_KEYS = [
-  { key: "f", text: "Fill the view with the model" },
+  { key: "f", text: "Fill the view with the selection, or the model" },
   { key: "Home", text: "Opening view" },
   { key: "1", text: "From the front" },
   { key: "3", text: "From the right" },

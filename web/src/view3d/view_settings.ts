@@ -4,7 +4,7 @@ import { useState } from "react";
 import { useRemembered } from "../app/hooks";
 import type { ShadingMode } from "./model_look";
 import type { Section } from "./section";
-import type { ViewSettings } from "./Viewer";
+import type { ViewSettings } from "./viewer_settings";
 
 export const MODES: readonly { id: ShadingMode; title: string; hint: string }[] = [
   { id: "shaded", title: "Shaded", hint: "Surfaces" },
