@@ -115,6 +115,9 @@ test("what was not saved is open again after a reload, is listed, and goes when 
     await settled(page);
     assert.equal(await titleOf(page).inputValue(), "Unsaved work");
     await note(page, "“Unsaved work” is open again");
+    await page.reload();
+    await settled(page);
+    assert.equal(await titleOf(page).inputValue(), "Unsaved work", "also after a second reload");
     await rename(page, "More work");
     const draft = await draftTitled(page, "More work");
     assert.equal((await draftsOf(page)).filter((one) => one.id === draft.id).length, 1);

@@ -165,8 +165,13 @@ test(
       await page.getByText("The server does not answer.").waitFor();
       assert.equal(await page.evaluate(() => document.documentElement.dataset.state), "error");
       assert.ok((await coverage(page)) > 0.03, "the last picture stays");
+      const title = page.getByRole("textbox", { name: "Title of the graph" });
+      await title.fill("Edited while the server was away");
+      await title.press("Enter");
+      await page.getByText("edited", { exact: true }).waitFor();
       await server.start();
       await settled(page);
       assert.equal(await page.getByText("The server does not answer.").count(), 0);
+      assert.equal(await title.inputValue(), "Edited while the server was away");
     }),
 );

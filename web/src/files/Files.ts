@@ -27,6 +27,7 @@ export interface Beginning {
 }
 
 const NOTE_MILLISECONDS = 6000;
+const LONGEST_WAIT_MILLISECONDS = 1500;
 const kept = new WeakMap<Session, Files>();
 
 /** The files of a session; one for each. */
@@ -57,8 +58,12 @@ export class Files {
       this.say(result.error, "bad");
       return undefined;
     }
-    const mine = (await this.list()).find((draft) => draft.tab === this.tab && draft.address === location.hash);
+    // A database that another page holds back must not hold this page back.
+    const late = new Promise<Draft[]>((resolve) => window.setTimeout(() => resolve([]), LONGEST_WAIT_MILLISECONDS));
+    const mine = (await Promise.race([this.list(), late])).find((draft) => draft.tab === this.tab && draft.address === location.hash);
     if (!mine) return undefined;
+    // The address will not name an example any more, and another reload has to find it again.
+    void this.drafts.put({ ...mine, address: "" }).catch(() => undefined);
     this.say(`“${mine.title}” is open again with what was not saved.`);
     return { json: mine.json, origin: { kind: "draft", id: mine.id } };
   }

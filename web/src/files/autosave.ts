@@ -25,7 +25,8 @@ export class Autosave {
   private opened = 0;
   /** The draft this document was taken up from; it goes when its successor is written. */
   private ancestor: string | undefined;
-  private written: unknown;
+  /** What the newest draft, or the opened document, holds. */
+  private written: { json?: unknown; values?: unknown } = {};
   private pending: Draft | undefined;
   private timer = 0;
 
@@ -55,9 +56,11 @@ export class Autosave {
       this.opened = opened;
       this.id = newId();
       this.ancestor = origin.kind === "draft" ? origin.id : undefined;
-      this.written = document?.json;
+      this.written = { json: document?.json, values };
     }
-    if (!document || !isChanged || (document.json === this.written && Object.keys(values).length === 0)) return;
+    if (!document || !isChanged) return;
+    if (document.json === this.written.json && values === this.written.values) return;
+    this.written = { json: document.json, values };
     window.clearTimeout(this.timer);
     this.pending = this.draft();
     this.timer = window.setTimeout(() => this.flush(), PAUSE_MILLISECONDS);
@@ -68,7 +71,6 @@ export class Autosave {
     const { pending, ancestor } = this;
     if (!pending) return;
     this.pending = undefined;
-    this.written = this.session.store.get().document?.json;
     // A browser that keeps nothing, or is full, is no reason to disturb the work.
     void this.store
       .put(pending)
