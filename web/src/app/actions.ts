@@ -6,7 +6,8 @@ import { inOrder, moveNodes, removeNodes, setBypass, type Edit } from "../model/
 import { addFrame, addNote, freeName, removeFrame, removeNote, setFlag } from "../model/edit_ui";
 import { disconnect, removeAndHeal } from "../model/edit_wires";
 import { plural } from "../model/format";
-import { layeredLayout, NODE_WIDTH, nodeHeight } from "../model/layout";
+import { viewGraph } from "../model/graph";
+import { layeredLayout, NODE_WIDTH, nodeHeight, roomFor } from "../model/layout";
 import { boundsOf, freePlace } from "../model/place";
 import { frameKey, noteKey, type Box, type Position } from "../model/ui";
 import type { Editor } from "./editor";
@@ -95,11 +96,11 @@ function place(
   keepIncoming: boolean,
   label: string,
 ): void {
-  const bounds = boundsOf(clipBoxes(clip));
-  const free = bounds
-    ? freePlace({ x: bounds.x + shift.x, y: bounds.y + shift.y }, bounds, occupied(editor, document))
-    : undefined;
-  const moved = bounds && free ? { x: free.x - bounds.x, y: free.y - bounds.y } : shift;
+  const trial = paste(document, clip, shift, keepIncoming).edit(document);
+  const added = roomOf(editor, trial, document);
+  const bounds = boundsOf([...added, ...shifted([...clip.frames, ...clip.notes], shift)]);
+  const free = bounds && freePlace(bounds, bounds, occupied(editor, document));
+  const moved = bounds && free ? { x: shift.x + free.x - bounds.x, y: shift.y + free.y - bounds.y } : shift;
   const { edit, ids } = paste(document, clip, moved, keepIncoming);
   editor.session.edit(`${label} ${plural(ids.length, "node")}`, edit);
   editor.session.select(ids);
@@ -202,15 +203,31 @@ export function nudge(editor: Editor, x: number, y: number): void {
 
 /** Everything that stands on the canvas, as boxes to keep clear of. */
 export function occupied(editor: Editor, document: GraphDocument): Box[] {
+  const { view } = editor.session.store.get();
   const boxes = editor.canvas?.boxes();
   return [...document.positions].map(([id, at]) => {
-    const { width, height } = boxes?.get(id) ?? { width: NODE_WIDTH, height: 120 };
-    return { ...at, width, height };
+    const node = view?.byId.get(id);
+    // What it is missing may not be said on the node yet.
+    const height = Math.max(boxes?.get(id)?.height ?? 0, node ? roomFor(node) : 0);
+    return { ...at, width: NODE_WIDTH, height };
   });
 }
 
 function boxesAt(places: ReadonlyMap<string, Position>, ids: ReadonlySet<string>): Box[] {
   return [...places].flatMap(([id, at]) => (ids.has(id) ? [{ ...at, width: NODE_WIDTH, height: 100 }] : []));
+}
+
+/** Boxes of the nodes that are in `after` and not in `before`, as high as they will be. */
+function roomOf(editor: Editor, after: GraphDocument, before: GraphDocument): Box[] {
+  const { catalogue } = editor.session.store.get();
+  if (!catalogue) return [];
+  return viewGraph(after, catalogue)
+    .nodes.filter(({ id }) => !before.nodes.has(id))
+    .map((node) => ({ ...(after.positions.get(node.id) ?? { x: 0, y: 0 }), width: NODE_WIDTH, height: roomFor(node) }));
+}
+
+function shifted(boxes: readonly Box[], { x, y }: Position): Box[] {
+  return boxes.map((box) => ({ ...box, x: box.x + x, y: box.y + y }));
 }
 
 function clipBoxes(clip: Clip): Box[] {

@@ -6,7 +6,7 @@ import { addParameter } from "../model/edit_parameters";
 import { replaceNode } from "../model/edit_replace";
 import { connect, insertOnWire } from "../model/edit_wires";
 import { viewGraph } from "../model/graph";
-import { fullHeight, HEADER_HEIGHT, NODE_WIDTH } from "../model/layout";
+import { fullHeight, HEADER_HEIGHT, NODE_WIDTH, roomFor } from "../model/layout";
 import { freePlace } from "../model/place";
 import type { Finding } from "../model/search";
 import type { Position } from "../model/ui";
@@ -60,7 +60,7 @@ function placeFor(
   const { catalogue } = editor.session.store.get();
   const added = addNodes([{ id, type, position: search.place }])(document);
   const view = catalogue && viewGraph(added, catalogue).byId.get(id);
-  const size = { width: NODE_WIDTH, height: view ? fullHeight(view) : 120 };
+  const size = { width: NODE_WIDTH, height: view ? roomFor(view, fullHeight(view)) : 120 };
   const { x, y } = search.place;
   const isFed = search.loose?.side === "output";
   const left = isFed ? x : search.loose ? x - size.width : x - size.width / 2;

@@ -23,8 +23,9 @@ export function openNode(editor: Editor): void {
   const id = focusedNode() ?? editor.session.store.get().selected;
   if (id === null || id === undefined) return;
   editor.session.select([id]);
-  const stop = stopsIn(nodeElement(id))[0];
-  stop?.focus();
+  // The button in the head comes before the sockets and is seldom what is wanted.
+  const stops = stopsIn(nodeElement(id));
+  (stops.find((item) => !item.closest(".node-head")) ?? stops[0])?.focus();
 }
 
 export function rename(editor: Editor): void {

@@ -58,7 +58,7 @@ function run(editor: Editor, id: string, event: KeyboardEvent): void {
   if (id === "add") editor.openSearch();
 }
 
-/** The shortcut meant by a key: that of the pane with the focus, or under the pointer where nothing has it. */
+/** The shortcut meant by a key: that of the graph where it has the pointer or the focus, or one of the whole page. */
 function wanted(editor: Editor, key: string, target: HTMLElement): Shortcut | undefined {
   const isField = target.matches("input:not([type=checkbox]), textarea, select, [contenteditable=true]");
   if (target.closest("[role=menu], [role=dialog], [role=listbox]")) return undefined;
@@ -66,9 +66,11 @@ function wanted(editor: Editor, key: string, target: HTMLElement): Shortcut | un
   // A field whose text is not finished keeps its own undo.
   if (page) return !isField || (page.inFields && target.dataset["typing"] !== "true") ? page : undefined;
   if (isField) return undefined;
-  const isHere = target.closest(".graph-pane") !== null;
-  const isFree = target === document.body;
-  if (!isHere && !(isFree && editor.canvas?.isUnderPointer())) return undefined;
+  // The pointer says which pane is meant; away from both, the focus does.
+  const isUnderPointer = editor.canvas?.isUnderPointer() ?? false;
+  if (!isUnderPointer && !target.closest(".graph-pane")) return undefined;
+  const isOverModel = document.querySelector(".view-pane:hover") !== null;
+  if (isOverModel && !key.startsWith("Arrow") && shortcutFor(key, "model")) return undefined;
   // A button is pressed with Space and Enter, a control moved with the arrows.
   const isControl = target.closest("button, a, [role=button], [role=slider], [role=tab], [role=checkbox]") !== null;
   if (isControl && /^(Space|Enter|Arrow)/.test(key)) return undefined;

@@ -28,6 +28,8 @@ export const InputControl = memo(function InputControl(props: InputControlProps)
   const { card } = row;
   const kind = card && controlKind(card, row.literal);
   if (!card || kind === undefined) return null;
+  // Numbers on the node would look as if they were given; where one is needed, the panel takes it.
+  if (onNode && row.required && row.isDefault && (kind === "number" || kind === "vector")) return null;
   const set = (value: Json, moving = false): void => {
     setUnreadable("");
     session.setInput(node, row.name, value, { moving });

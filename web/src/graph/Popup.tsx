@@ -24,6 +24,8 @@ const MARGIN = 8;
 export function Popup({ screen, label, className, role = "dialog", onClose, children }: PopupProps): ReactElement {
   const element = useRef<HTMLDivElement>(null);
   const [place, setPlace] = useState(screen);
+  // Read before anything inside takes the focus.
+  const [before] = useState(() => document.activeElement);
   const close = useRef(onClose);
   close.current = onClose;
 
@@ -44,7 +46,6 @@ export function Popup({ screen, label, className, role = "dialog", onClose, chil
   }, [screen]);
 
   useEffect(() => {
-    const before = document.activeElement;
     const onPress = (event: PointerEvent): void => {
       if (event.target instanceof Node && !element.current?.contains(event.target)) close.current();
     };
@@ -55,7 +56,7 @@ export function Popup({ screen, label, className, role = "dialog", onClose, chil
       const isLost = document.activeElement === null || document.activeElement === document.body;
       if (isLost && before instanceof HTMLElement) before.focus({ preventScroll: true });
     };
-  }, []);
+  }, [before]);
 
   return (
     <div

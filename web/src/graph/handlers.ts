@@ -6,7 +6,13 @@ import type {
   FinalConnectionState,
   OnConnectStartParams,
 } from "@xyflow/react";
-import { useMemo, useRef, type MouseEvent as ReactMouseEvent, type PointerEvent as ReactPointerEvent } from "react";
+import {
+  useMemo,
+  useRef,
+  type FocusEvent as ReactFocusEvent,
+  type MouseEvent as ReactMouseEvent,
+  type PointerEvent as ReactPointerEvent,
+} from "react";
 import { useEditor } from "../app/context";
 import type { Editor, MenuTarget } from "../app/editor";
 import { inOrder, moveNodes, type Edit } from "../model/edit";
@@ -71,6 +77,10 @@ export function useHandlers(flow: Flow | null) {
           editor.store.set({ wiring: null });
         },
         onEdgesChange: (changes: EdgeChange<WireEdge>[]) => selectWires(editor, changes),
+        onNodeClick: (event: ReactMouseEvent, node: FlowNode) => {
+          // A plain press on one of several selected nodes means this one.
+          if (!event.shiftKey && !event.ctrlKey && !event.metaKey) editor.session.select([node.id]);
+        },
         onNodeDragStart: () => editor.closeAll(),
         onNodeDrag: (_: unknown, node: FlowNode, dragged: FlowNode[]) => {
           const wire = dragged.length === 1 && node.type === "graph" ? wireBelow(editor, flow, node) : undefined;
@@ -97,6 +107,12 @@ export function useHandlers(flow: Flow | null) {
         },
       },
       pane: {
+        onFocus: ({ target }: ReactFocusEvent) => {
+          // Who goes from node to node with the keyboard acts on the node that has the focus.
+          const id =
+            target instanceof HTMLElement && target.matches(".react-flow__node:focus-visible") && target.dataset["id"];
+          if (id && !editor.session.store.get().selection.has(id)) editor.session.select([id]);
+        },
         onMouseDownCapture: (event: ReactMouseEvent) => pullWire(editor, event.nativeEvent),
         onDoubleClick: (event: ReactMouseEvent) => {
           if (!isPane(event.target)) return;

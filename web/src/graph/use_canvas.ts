@@ -7,7 +7,7 @@ import { nodeElement } from "../app/focus";
 import type { Box, Position } from "../model/ui";
 import { FIT, type Flow } from "./GraphPane";
 
-const FOCUS_MILLISECONDS = 200;
+const FOCUS_MILLISECONDS = 1500;
 
 interface CanvasUse {
   /** The person has moved the canvas: it is left where it is. */
@@ -38,12 +38,13 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
       return found;
     };
     const focusSoon = (find: () => HTMLElement | null | undefined): void => {
-      // The node may have just been added and not be drawn yet.
+      // A node that has just been added is not drawn at once, and hidden until it is measured.
       const until = performance.now() + FOCUS_MILLISECONDS;
       const attempt = (): void => {
         const found = find();
-        if (found) found.focus({ preventScroll: true });
-        else if (performance.now() < until) requestAnimationFrame(attempt);
+        found?.focus({ preventScroll: true });
+        const isDone = found && document.activeElement === found;
+        if (!isDone && performance.now() < until) requestAnimationFrame(attempt);
       };
       attempt();
     };

@@ -8,6 +8,7 @@ export const NODE_WIDTH = 208;
 export const HEADER_HEIGHT = 34;
 export const ROW_HEIGHT = 24;
 const NODE_PADDING = 12;
+const MESSAGE_HEIGHT = 46;
 
 const COLUMN_GAP = 54;
 const ROW_GAP = 22;
@@ -21,6 +22,11 @@ export function nodeHeight(node: ViewNode): number {
   if (node.collapsed) return HEADER_HEIGHT;
   const rows = node.inputs.length + node.outputs.length + (node.folded.length > 0 ? 1 : 0);
   return HEADER_HEIGHT + NODE_PADDING + rows * ROW_HEIGHT;
+}
+
+/** Height to keep free for a node: with the line that says what it needs, while it needs something. */
+export function roomFor(node: ViewNode, height = nodeHeight(node)): number {
+  return height + (node.inputs.some((row) => row.required && row.isDefault) ? MESSAGE_HEIGHT : 0);
 }
 
 /** Height of a node with all its inputs shown. */

@@ -37,7 +37,8 @@ export function findNodes(catalogue: Catalogue, text: string, end?: LooseEnd): F
   for (const card of catalogue.nodes.values()) {
     const socket = end && socketFor(card, end);
     if (end && !socket) continue;
-    const score = query === "" ? 1 : matchScore(card, catalogue.families.get(card.family) ?? card.family, query);
+    const family = catalogue.families.get(card.family) ?? card.family;
+    const score = query === "" ? 1 : matchScore(card, family, query.replaceAll("_", " "));
     if (score > 0) found.push({ finding: { card, socket: socket?.name }, score: score + (socket?.score ?? 0) });
   }
   if (query !== "" || end) found.sort((a, b) => b.score - a.score);

@@ -1,0 +1,326 @@
+// Working on the canvas: selecting, moving, copying, flags, frames and notes, finding one's way.
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import {
+  addNode,
+  at,
+  choose,
+  drag,
+  middle,
+  node,
+  output,
+  pane,
+  said,
+  undo,
+  untilGraph,
+  wire,
+  withEditor,
+} from "./editing.mjs";
+import { coverage, launchBrowser, Server, settled } from "./harness.mjs";
+
+const RING = "#example=fig04_boosted_ring";
+const server = new Server();
+let browser;
+
+before(async () => {
+  await server.start();
+  browser = await launchBrowser();
+});
+
+after(async () => {
+  await browser?.close();
+  await server.stop();
+});
+
+const large = { width: 1500, height: 900 };
+const empty = (run) => withEditor(browser, server.url, { isEmpty: true, ...large }, run);
+const ring = (run, options = {}) => withEditor(browser, server.url, { hash: RING, ...large, ...options }, run);
+
+const selected = (page) =>
+  pane(page)
+    .locator(".react-flow__node.selected")
+    .evaluateAll((list) => list.map((item) => item.dataset.id).sort());
+const viewport = (page) => page.locator(".react-flow__viewport").evaluate((item) => item.style.transform);
+const placeOf = async (page, id) => (await node(page, id).boundingBox()) ?? {};
+
+/** What Ctrl+C puts on the clipboard. */
+async function copied(page) {
+  await page.keyboard.press("Control+c");
+  await said(page, "Copied");
+  return JSON.parse(await page.evaluate(() => navigator.clipboard.readText()));
+}
+
+test("a left drag draws a box that selects, the selection moves together in one step of undo", () =>
+  empty(async (page) => {
+    await addNode(page, "circle", 150, 200);
+    await addNode(page, "line", 420, 200);
+    await addNode(page, "sphere mesh", 420, 600);
+    await drag(page, await at(page, 20, 60), await at(page, 540, 420));
+    assert.deepEqual(await selected(page), ["circle", "line"]);
+    const before = [await placeOf(page, "circle"), await placeOf(page, "line")];
+    await drag(page, { x: before[0].x + 60, y: before[0].y + 12 }, { x: before[0].x + 140, y: before[0].y + 72 });
+    const after = [await placeOf(page, "circle"), await placeOf(page, "line")];
+    for (const [index, box] of after.entries()) {
+      assert.ok(Math.abs(box.x - before[index].x - 80) < 8, `moved right by ${box.x - before[index].x}`);
+      assert.ok(Math.abs(box.y - before[index].y - 60) < 8);
+    }
+    await undo(page);
+    await page.waitForFunction(
+      ([id, x]) => Math.abs(document.querySelector(`[data-id=${id}]`).getBoundingClientRect().x - x) < 1,
+      ["line", before[1].x],
+    );
+    assert.equal((await placeOf(page, "circle")).x, before[0].x);
+    await choose(page, "circle");
+    await choose(page, "sphere_mesh", ["Shift"]);
+    assert.deepEqual(await selected(page), ["circle", "sphere_mesh"]);
+    await page.keyboard.press("Control+a");
+    assert.equal((await selected(page)).length, 3);
+    await page.keyboard.press("Escape");
+    assert.deepEqual(await selected(page), []);
+  }));
+
+test("middle and right button and Space move the canvas, the wheel zooms where the pointer is, a setting swaps the left", () =>
+  ring(async (page) => {
+    const [from, to] = [await at(page, 300, 700), await at(page, 360, 740)];
+    const moves = async (what, act) => {
+      const before = await viewport(page);
+      await act();
+      await page.waitForFunction(
+        (text) => document.querySelector(".react-flow__viewport").style.transform !== text,
+        before,
+        { timeout: 3000 },
+      );
+      assert.notEqual(await viewport(page), before, what);
+    };
+    for (const button of ["middle", "right"]) {
+      await moves(button, async () => {
+        await page.mouse.move(from.x, from.y);
+        await page.mouse.down({ button });
+        await page.mouse.move(to.x, to.y, { steps: 4 });
+        await page.mouse.up({ button });
+      });
+      assert.equal(await page.getByRole("menu").count(), 0, "a drag is no press");
+    }
+    await moves("Space", async () => {
+      await page.mouse.move(from.x, from.y);
+      await page.keyboard.down("Space");
+      await drag(page, from, to);
+      await page.keyboard.up("Space");
+    });
+    assert.equal(await page.getByRole("dialog").count(), 0, "Space with a drag opens no search");
+    await moves("wheel", () => page.mouse.wheel(0, -200));
+    await page.mouse.click(from.x, from.y, { button: "right" });
+    await page.getByRole("menuitem", { name: "Left drag moves the canvas" }).click();
+    await moves("left", () => drag(page, from, to));
+    await page.mouse.move(from.x, from.y);
+    await page.keyboard.press("Home");
+    await page.waitForTimeout(300);
+    const boxes = await pane(page)
+      .locator(".node")
+      .evaluateAll((list) => list.map((item) => item.getBoundingClientRect().toJSON()));
+    const area = await pane(page).boundingBox();
+    for (const box of boxes) assert.ok(box.x >= area.x && box.right <= area.x + area.width, "Home shows everything");
+  }));
+
+test("nodes are copied as JSON, pasted, cut and duplicated; Ctrl+Shift+V keeps the wires that come in", () =>
+  empty(async (page) => {
+    await addNode(page, "circle", 130, 160);
+    await addNode(page, "boost", 430, 160);
+    await wire(page, "circle", "circle", "boost", "shape");
+    await untilGraph(page, ({ nodes }) => nodes.boost.inputs.shape);
+    await choose(page, "boost");
+    const clip = await copied(page);
+    assert.deepEqual(Object.keys(clip.nodes), ["boost"]);
+    const place = await at(page, 300, 500);
+    await page.mouse.move(place.x, place.y);
+    await page.keyboard.press("Control+v");
+    await untilGraph(page, ({ nodes }) => nodes.boost_2 && !nodes.boost_2.inputs.shape);
+    await page.keyboard.press("Control+Shift+v");
+    await untilGraph(page, ({ nodes }) => nodes.boost_3?.inputs.shape?.from === "circle");
+    await page.keyboard.press("Control+d");
+    await untilGraph(page, ({ nodes }) => nodes.boost_4?.inputs.shape?.from === "circle");
+    await page.keyboard.press("Control+x");
+    await untilGraph(page, ({ nodes }) => !nodes.boost_4);
+    // Without keys: the Edit menu.
+    await choose(page, "circle");
+    await page.getByRole("button", { name: "Edit", exact: true }).click();
+    await page.getByRole("menuitem", { name: "Duplicate" }).click();
+    await untilGraph(page, ({ nodes }) => nodes.circle_2);
+    const boxes = await pane(page)
+      .locator(".node")
+      .evaluateAll((list) => list.map((item) => item.getBoundingClientRect().toJSON()));
+    for (const a of boxes)
+      for (const b of boxes)
+        assert.ok(
+          a === b || a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top,
+          "new nodes overlap no others",
+        );
+  }));
+
+test("undo and redo bring back graph and picture, by keys and buttons, and leave flags of previews alone", () =>
+  ring(async (page) => {
+    const picture = () => page.getByRole("img", { name: /^The model/ }).screenshot();
+    await choose(page, "skin");
+    await page.keyboard.press("v");
+    await page.locator('[data-id="skin"] .node-eye[aria-pressed="true"]').waitFor();
+    await page.keyboard.press("Escape");
+    await settled(page);
+    const before = JSON.stringify(page.graph().nodes);
+    await choose(page, "boosted");
+    await page.keyboard.press("Delete");
+    await page.waitForFunction(() => document.documentElement.dataset.state === "error");
+    await page.keyboard.press("Control+z");
+    await settled(page);
+    await untilGraph(page, ({ nodes }) => JSON.stringify(nodes) === before);
+    await page.locator('[data-id="skin"] .node-eye[aria-pressed="true"]').waitFor();
+    assert.ok((await coverage(page)) > 0.03);
+    await page.keyboard.press("Control+Shift+z");
+    await untilGraph(page, ({ nodes }) => !nodes.boosted);
+    await page.keyboard.press("Control+z");
+    await page.keyboard.press("Control+y");
+    await untilGraph(page, ({ nodes }) => !nodes.boosted);
+    await page.getByRole("button", { name: "Undo" }).click();
+    await untilGraph(page, ({ nodes }) => JSON.stringify(nodes) === before);
+    await page.getByRole("button", { name: "Redo" }).click();
+    await untilGraph(page, ({ nodes }) => !nodes.boosted);
+    assert.ok((await picture()).length > 0);
+  }));
+
+test("M bypasses a node, which is marked with a dashed line, and the first input passes through", () =>
+  ring(async (page) => {
+    const id = Object.entries(page.graph().nodes).find(([, item]) => item.inputs.amount)[0];
+    await choose(page, id);
+    await page.keyboard.press("m");
+    await untilGraph(page, ({ nodes }) => nodes[id].bypass === true);
+    await page.locator(`[data-id="${id}"] .node[data-bypass="true"]`).waitFor();
+    const dash = await page
+      .locator(".react-flow__edge.wire-passed .react-flow__edge-path")
+      .first()
+      .evaluate((path) => getComputedStyle(path).strokeDasharray);
+    assert.notEqual(dash, "none");
+    await page.keyboard.press("m");
+    await untilGraph(page, ({ nodes }) => nodes[id].bypass === undefined);
+    await settled(page);
+  }));
+
+test("a frame has a title and moves its members; a note holds text; markup in them is text", () =>
+  empty(async (page) => {
+    await addNode(page, "circle", 200, 200);
+    await addNode(page, "line", 200, 500);
+    await choose(page, "circle");
+    await page.keyboard.press("Control+j");
+    await page.getByRole("textbox", { name: "Title of the frame" }).fill("<img src=x onerror=alert(1)>");
+    await page.keyboard.press("Enter");
+    const frame = pane(page).getByRole("group", { name: /^Frame <img/ });
+    const box = await frame.boundingBox();
+    const before = await placeOf(page, "circle");
+    await drag(page, { x: box.x + 120, y: box.y + 14 }, { x: box.x + 320, y: box.y + 34 });
+    const after = await placeOf(page, "circle");
+    assert.ok(Math.abs(after.x - before.x - 200) < 8, "the member moves along");
+    const place = await at(page, 520, 560);
+    await page.mouse.move(place.x, place.y);
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("n");
+    await page.getByRole("textbox", { name: "Text of the note" }).fill("<b>bold</b> & more");
+    await page.keyboard.press("Escape");
+    await page.getByText("<b>bold</b> & more").waitFor();
+    assert.equal(await page.locator(".note b, .frame img").count(), 0);
+    await page.keyboard.press("Control+a");
+    const clip = await copied(page);
+    assert.equal(clip.ui.frames[0].title, "<img src=x onerror=alert(1)>");
+    assert.equal(clip.ui.notes[0].text, "<b>bold</b> & more");
+    // The frame goes, its nodes stay.
+    await page.keyboard.press("Escape");
+    await frame.click({ position: { x: 120, y: 12 } });
+    await page.keyboard.press("Delete");
+    await frame.waitFor({ state: "detached" });
+    assert.equal(await node(page, "circle").count(), 1);
+  }));
+
+test("menus open with the right button on canvas, node and wire, and name their keys", () =>
+  ring(async (page) => {
+    const open = async (place, name) => {
+      await page.mouse.click(place.x, place.y, { button: "right" });
+      const menu = page.getByRole("menu", { name });
+      await menu.waitFor();
+      return menu;
+    };
+    const box = await placeOf(page, "skin");
+    const menu = await open({ x: box.x + 30, y: box.y + 10 }, "Node menu");
+    assert.deepEqual(await selected(page), ["skin"]);
+    for (const name of ["Bypass", "Rename", "Duplicate", "Delete", "Replace by…"])
+      assert.equal((await menu.getByRole("menuitem", { name: new RegExp(`^${name}`) }).count()) > 0, true, name);
+    await menu.getByText("Ctrl+D", { exact: true }).waitFor();
+    await page.keyboard.press("ArrowDown");
+    await page.keyboard.press("Escape");
+    await menu.waitFor({ state: "detached" });
+    await open(await at(page, 300, 700), "Canvas menu");
+    await page.keyboard.press("Escape");
+    await open({ x: box.x + 30, y: box.y + 10 }, "Node menu");
+    await page.getByRole("menuitem", { name: "Replace by…" }).click();
+    await page.getByRole("combobox", { name: "Replace by" }).fill("tube");
+    await page.keyboard.press("Enter");
+    await untilGraph(page, ({ nodes }) => nodes.skin.type === "tube" && nodes.skin.inputs.shape);
+    await settled(page);
+  }));
+
+test("a long press opens the menu, and a finger moves the canvas", async () => {
+  const context = await browser.newContext({ viewport: { width: 1200, height: 800 }, hasTouch: true });
+  const page = await context.newPage();
+  await page.addInitScript(() => localStorage.setItem("dini.hint", "yes"));
+  await page.goto(`${server.url}/${RING}`);
+  await settled(page);
+  const session = await context.newCDPSession(page);
+  const touch = (type, points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points });
+  const place = await at(page, 300, 650);
+  await touch("touchStart", [place]);
+  await page.getByRole("menu", { name: "Canvas menu" }).waitFor();
+  await touch("touchEnd", []);
+  await page.getByRole("menuitem", { name: /^Add a node/ }).tap();
+  await page.getByRole("dialog", { name: "Add a node" }).waitFor();
+  await page.keyboard.press("Escape");
+  const box = await placeOf(page, "skin");
+  await touch("touchStart", [{ x: box.x + 40, y: box.y + 12 }]);
+  await page.getByRole("menu", { name: "Node menu" }).waitFor();
+  await touch("touchEnd", []);
+  await context.close();
+});
+
+test("a node is found by name with Ctrl+F and shown; L lays the graph out without overlaps; H collapses", () =>
+  ring(async (page) => {
+    const place = await at(page, 300, 650);
+    await page.mouse.move(place.x, place.y);
+    await page.keyboard.press("Control+f");
+    await page.getByRole("combobox", { name: "Find a node" }).fill("skin");
+    await page.keyboard.press("Enter");
+    assert.deepEqual(await selected(page), ["skin"]);
+    await page.waitForFunction(() => document.activeElement?.dataset.id === "skin");
+    await page.keyboard.press("h");
+    await page.locator('[data-id="skin"] .node[data-collapsed="true"]').waitFor();
+    assert.ok((await output(page, "skin", "mesh").count()) === 1, "a collapsed node keeps its sockets");
+    await page.keyboard.press("h");
+    await page.keyboard.press("Escape");
+    await page.getByRole("button", { name: "Lay out" }).click();
+    await page.waitForTimeout(400);
+    const boxes = await pane(page)
+      .locator(".node")
+      .evaluateAll((list) => list.map((item) => item.getBoundingClientRect().toJSON()));
+    for (const a of boxes)
+      for (const b of boxes)
+        assert.ok(a === b || a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top);
+    await settled(page);
+  }));
+
+test("every node shows what it took or that it was cached, and a broken one says why", () =>
+  ring(async (page) => {
+    assert.ok((await page.locator(".node-time").count()) > 0);
+    await choose(page, "boosted");
+    await page.keyboard.press("Delete");
+    await page.locator('[data-id="skin"] .node-message').waitFor();
+    await page.getByRole("tab", { name: /^Problems/ }).click();
+    const problems = page.getByRole("tabpanel", { name: /^Problems/ });
+    await page.keyboard.press("Escape");
+    await problems.getByRole("button", { name: /shape/ }).first().click();
+    assert.deepEqual(await selected(page), ["skin"]);
+  }));

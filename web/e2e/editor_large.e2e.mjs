@@ -1,0 +1,88 @@
+// Large graphs stay usable: 200 nodes with a map, 1000 nodes drawn only where they are seen.
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { drag, openEditor, pane, untilGraph } from "./editing.mjs";
+import { launchBrowser, Server } from "./harness.mjs";
+
+const server = new Server();
+let browser;
+
+before(async () => {
+  await server.start();
+  browser = await launchBrowser();
+});
+
+after(async () => {
+  await browser?.close();
+  await server.stop();
+});
+
+/** Chains of transforms side by side, as text on the clipboard. */
+function chains(count) {
+  const nodes = {};
+  const places = {};
+  for (let at = 0; at < count; at++) {
+    const [chain, step] = [Math.floor(at / 10), at % 10];
+    const id = `n${at}`;
+    nodes[id] =
+      step === 0
+        ? { type: "circle", inputs: { radius: 1 + chain } }
+        : { type: "translate", inputs: { shape: { from: `n${at - 1}` }, vector: [0, 0, step] } };
+    places[id] = { x: 262 * step, y: 190 * chain };
+  }
+  return JSON.stringify({ format: 1, nodes, ui: { nodes: places } });
+}
+
+/** Pastes the chains into an empty graph, and measures what moving a node costs the page. */
+async function measure(count) {
+  const page = await openEditor(browser, server.url, { width: 1280, height: 800 });
+  await page.getByRole("button", { name: "New graph" }).click();
+  await page.getByText("An empty graph").waitFor();
+  await page.evaluate((text) => navigator.clipboard.writeText(text), chains(count));
+  const area = await pane(page).boundingBox();
+  await page.mouse.move(area.x + 40, area.y + 120);
+  const started = Date.now();
+  await page.keyboard.press("Control+v");
+  await untilGraph(page, ({ nodes }) => Object.keys(nodes).length === count);
+  await page.locator(".node").first().waitFor();
+  const paste = Date.now() - started;
+  await page.keyboard.press("Escape");
+  const box = await page.locator('.react-flow__node[data-id="n0"]').boundingBox();
+  const client = await page.context().newCDPSession(page);
+  await client.send("Performance.enable");
+  const busy = async () => {
+    const { metrics } = await client.send("Performance.getMetrics");
+    return 1000 * metrics.find(({ name }) => name === "ScriptDuration").value;
+  };
+  const before = await busy();
+  await drag(page, { x: box.x + 40, y: box.y + 10 }, { x: box.x + 60, y: box.y + 60 }, { steps: 30 });
+  const script = ((await busy()) - before) / 30;
+  const drawn = await page.locator(".react-flow__node").count();
+  const map = await page.getByRole("img", { name: "Map of the graph" }).count();
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+f");
+  await page.getByRole("combobox", { name: "Find a node" }).fill(`n${count - 1}`);
+  await page.keyboard.press("Enter");
+  await page.waitForFunction((id) => document.activeElement?.dataset.id === id, `n${count - 1}`);
+  assert.deepEqual(await page.offences(), []);
+  await page.context().close();
+  console.log(`# ${count} nodes: pasted in ${paste} ms, ${script.toFixed(1)} ms of script a move, ${drawn} drawn`);
+  return { drawn, map };
+}
+
+test("200 nodes have a map, and only those in sight are drawn", { timeout: 120_000 }, async () => {
+  const { drawn, map } = await measure(200);
+  assert.equal(map, 1);
+  assert.ok(drawn < 200, `${drawn} drawn`);
+});
+
+test(
+  "1000 nodes are pasted, moved and found; the map, which would cost more than it helps, is gone",
+  { timeout: 180_000 },
+  async () => {
+    const { drawn, map } = await measure(1000);
+    assert.equal(map, 0);
+    assert.ok(drawn < 200, `${drawn} drawn`);
+  },
+);
