@@ -82,7 +82,7 @@ struct Batch {
   bool constant;
 
   T operator[](std::size_t i) const {
-    std::array<double, Components<T>::width> one;
+    std::array<double, Components<T>::width> one{};
     for (std::size_t k = 0; k < one.size(); ++k) one[k] = components[k][constant ? 0 : i];
     return Components<T>::get(one.data(), 1);
   }
@@ -94,7 +94,7 @@ struct BatchOut {
   std::size_t size;
 
   void set(std::size_t i, const T& value) const {
-    std::array<double, Components<T>::width> one;
+    std::array<double, Components<T>::width> one{};
     Components<T>::set(one.data(), 1, value);
     for (std::size_t k = 0; k < one.size(); ++k) components[k][i] = one[k];
   }

@@ -18,7 +18,7 @@ std::string describe(const Axis& axis) { return std::to_string(axis.size) + (axi
 std::string names_of(const Axes& axes) {
   if (axes.empty()) return "no axes";
   std::string text = axes.size() == 1 ? "the axis" : "the axes";
-  for (const Axis& axis : axes) text += " " + axis.name;
+  for (const Axis& axis : axes) text.append(" ").append(axis.name);
   return text;
 }
 

@@ -46,7 +46,7 @@ Mesh without_far_triangles(const Mesh& mesh) {
     const auto& triangle = mesh.triangles[t];
     if (std::all_of(triangle.begin(), triangle.end(),
                     [&](std::uint32_t v) { return within_reach(mesh.positions[v]); })) {
-      std::array<std::uint32_t, 3> moved;
+      std::array<std::uint32_t, 3> moved{};
       for (std::size_t corner = 0; corner < 3; ++corner) {
         std::uint32_t& to = place[triangle[corner]];
         if (to == unused) {

@@ -7,6 +7,24 @@ import { deflateRawSync } from "node:zlib";
 import { coverage, launchBrowser, openPage, saved, selectNode, Server, settled } from "./harness.mjs";
 
 const RING = "#example=fig04_boosted_ring";
+/** A graph that takes the server a moment only, with a slider. */
+const SMALL = {
+  format: 1,
+  meta: { title: "Small" },
+  parameters: { reach: { type: "number", default: 1, min: 0, max: 10, step: 0.01, label: "Reach" } },
+  nodes: {
+    ring: { type: "circle", inputs: { radius: 1 } },
+    pair: { type: "point_pair", inputs: { position: [0, 0, 2], direction: [0, 0, 1] } },
+    k: { type: "range", inputs: { from: 0, to: { parameter: "reach" }, count: 24 } },
+    boosted: {
+      type: "boost",
+      inputs: { shape: { from: "ring" }, generator: { from: "pair" }, amount: { from: "k" } },
+    },
+    skin: { type: "surface", inputs: { shape: { from: "boosted" }, segments: 24 } },
+    out: { type: "export", inputs: { model: { from: "skin" } } },
+  },
+};
+
 const server = new Server();
 let browser;
 
@@ -177,6 +195,22 @@ test("Escape takes a drag back without a trace, Ctrl snaps, and arrow keys nudge
     assert.ok((await saved(page)).nodes.tangent.inputs.position[2] > z);
   }));
 
+const WIRED = structuredClone(SMALL);
+WIRED.nodes.middle = { type: "point", inputs: { position: [0.5, 0, 0.25] } };
+WIRED.nodes.ring.inputs = { center: { from: "middle" }, radius: 1 };
+
+test("a ring whose center comes over a wire has its handle where the server says", () =>
+  withPage({ hash: `#g=${deflateRawSync(JSON.stringify(WIRED)).toString("base64url")}` }, async (page) => {
+    await selectNode(page, "ring");
+    const handle = page.getByRole("button", { name: "Change radius of Circle" });
+    await handle.waitFor();
+    assert.equal(await page.getByRole("button", { name: "Move center of Circle", exact: true }).count(), 0);
+    await drag(page, handle, 30, 0);
+    const { ring } = (await saved(page)).nodes;
+    assert.ok(ring.inputs.radius > 1.05, JSON.stringify(ring));
+    assert.deepEqual(ring.inputs.center, { from: "middle" });
+  }));
+
 test("a handle follows a finger", () =>
   withPage({ touch: true }, async (page) => {
     const before = await saved(page);
@@ -257,24 +291,6 @@ test("a long evaluation says so and can be stopped", () =>
     await slider.press("PageUp");
     await settled(page);
   }));
-
-/** A graph that takes the server a moment only, with a slider. */
-const SMALL = {
-  format: 1,
-  meta: { title: "Small" },
-  parameters: { reach: { type: "number", default: 1, min: 0, max: 10, step: 0.01, label: "Reach" } },
-  nodes: {
-    ring: { type: "circle", inputs: { radius: 1 } },
-    pair: { type: "point_pair", inputs: { position: [0, 0, 2], direction: [0, 0, 1] } },
-    k: { type: "range", inputs: { from: 0, to: { parameter: "reach" }, count: 24 } },
-    boosted: {
-      type: "boost",
-      inputs: { shape: { from: "ring" }, generator: { from: "pair" }, amount: { from: "k" } },
-    },
-    skin: { type: "surface", inputs: { shape: { from: "boosted" }, segments: 24 } },
-    out: { type: "export", inputs: { model: { from: "skin" } } },
-  },
-};
 
 test("nothing is drawn while nothing changes, and 500 updates leave nothing behind", { timeout: 400_000 }, () =>
   withPage({ count: true, hash: `#g=${deflateRawSync(JSON.stringify(SMALL)).toString("base64url")}` }, async (page) => {

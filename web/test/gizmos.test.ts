@@ -7,7 +7,7 @@ import type { Json, JsonObject } from "../src/model/json";
 import type { ParameterValues } from "../src/model/parameters";
 import { inGraph, inScene, snapped, tidy } from "../src/view3d/drag";
 import { axisDrag, planeDrag, radiusDrag, tipDrag } from "../src/view3d/gizmo_drags";
-import { gizmosOf, type Vec } from "../src/view3d/gizmo_values";
+import { anchorsOf, gizmosOf, type Vec } from "../src/view3d/gizmo_values";
 
 const vector = { types: ["vector"], default: [0, 0, 1] };
 const catalogue = readCatalogue({
@@ -21,6 +21,7 @@ const catalogue = readCatalogue({
         { name: "radius", types: ["number"], default: 1, handle: { kind: "radius", at: "center", normal: "normal" } },
         { name: "count", types: ["integer"], default: 3 },
       ],
+      outputs: [{ name: "ring", types: ["circle"] }],
     },
   ],
 } as Json);
@@ -55,6 +56,23 @@ test("a parameter is dragged in place of the input it drives, and a wire is not 
   assert.deepEqual(
     size.map((gizmo) => gizmo.kind),
     ["position"],
+  );
+});
+
+test("what hangs on a wired place is drawn once the server has said where that is", () => {
+  const json = { a: { type: "ring", inputs: { center: { from: "b" }, radius: 2 } }, b: { type: "ring" } };
+  const result = readDocument({ format: 1, nodes: json });
+  assert.ok("document" in result);
+  const source = { document: result.document, catalogue, values: {}, selected: "a" };
+  assert.deepEqual(anchorsOf(source), [{ port: "center", node: "b", output: "ring" }]);
+  assert.deepEqual(gizmosOf(source), []);
+  const all = gizmosOf({ ...source, wired: new Map([["center", [1, 2, 3] as Vec]]) });
+  assert.deepEqual(
+    all.map((gizmo) => [gizmo.kind, gizmo.kind !== "position" && gizmo.at]),
+    [
+      ["direction", [1, 2, 3]],
+      ["radius", [1, 2, 3]],
+    ],
   );
 });
 
