@@ -6,10 +6,12 @@ import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { launchBrowser, openPage, Server, settled } from "../e2e/harness.mjs";
+import { renderEditor } from "./editor.mjs";
 import { assetFolder, examples, galleryFile, galleryText, nodeExamples, pageFile, readExamples } from "./gallery.mjs";
 import { shrink } from "./png.mjs";
 
 const PAGE_NAME = "page";
+const EDITOR_NAME = "editor";
 /** What the picture of the whole page shows. */
 const PAGE = { example: "fig05_twisted_ring", width: 1440, height: 860, most: 600_000 };
 /** The browser draws on the processor, which may have other work. */
@@ -19,7 +21,7 @@ const MOST_ATTEMPTS = 10;
 async function main(chosen) {
   const isWanted = (name) => chosen.length === 0 || chosen.includes(name);
   const all = [examples, nodeExamples].map((set) => ({ set, ids: readExamples(set.graphs).map(({ id }) => id) }));
-  const known = [...all.flatMap(({ set, ids }) => ids.map((id) => set.prefix + id)), "nodes", PAGE_NAME];
+  const known = [...all.flatMap(({ set, ids }) => ids.map((id) => set.prefix + id)), "nodes", PAGE_NAME, EDITOR_NAME];
   const unknown = chosen.filter((name) => !known.includes(name));
   if (unknown.length > 0) throw new Error(`There is no ${unknown.join(", ")}; there are ${known.join(", ")}.`);
   if (new Server().isStandIn) throw new Error("The program is not built; scripts/build makes it.");
@@ -32,6 +34,7 @@ async function main(chosen) {
     }
     // After the others, since the page shows their pictures.
     if (isWanted(PAGE_NAME)) await served(examples.graphs, (url) => renderPage(browser, url));
+    if (isWanted(EDITOR_NAME)) await served(examples.graphs, (url) => renderEditor(browser, url));
   } finally {
     await browser.close();
   }

@@ -25,7 +25,8 @@ const MINIMAP_FROM = 30;
 const MINIMAP_TO = 300;
 /** Nodes outside the pane are left out from this number on; below it, bringing them back costs more than it saves. */
 const ONLY_VISIBLE_FROM = 150;
-export const FIT = { padding: 0.09, maxZoom: 1.15, minZoom: 0.2 };
+/** In a narrow window a wide graph runs out of the pane rather than becoming too small to read. */
+export const FIT = { padding: 0.09, maxZoom: 1.15, minZoom: window.innerWidth < 700 ? 0.5 : 0.2 };
 /** The middle and the right button move the canvas while the left one draws boxes. */
 const OTHER_BUTTONS = [1, 2];
 

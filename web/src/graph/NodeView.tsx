@@ -74,7 +74,6 @@ const Head = memo(function Head({ node, tone }: { node: ViewNode; tone?: string 
           {!isPlainName(node) && <span className="node-name">{node.id}</span>}
         </span>
       )}
-      <Timing id={node.id} />
       {hasPicture && (
         <button
           type="button"
@@ -89,6 +88,7 @@ const Head = memo(function Head({ node, tone }: { node: ViewNode; tone?: string 
           <Icon name="eye" />
         </button>
       )}
+      <Timing id={node.id} />
     </div>
   );
 });
