@@ -75,7 +75,7 @@ test("the list of keys comes from the table, opens with ? and closes with Escape
     await page.keyboard.press("?");
     const dialog = page.getByRole("dialog", { name: "Keys and pointer" });
     await dialog.waitFor();
-    for (const text of ["Undo", "Duplicate", "Bypass", "Fill the view with the model"])
+    for (const text of ["Undo", "Duplicate", "Bypass", "Fill the view with the selection, or the model"])
       await dialog.getByText(text, { exact: true }).waitFor();
     await page.keyboard.press("Escape");
     await dialog.waitFor({ state: "detached" });
@@ -136,7 +136,7 @@ test("forced colors and reduced motion are respected", () =>
   }));
 
 test("someone new sees a finished graph and how to change it, once", async () => {
-  const page = await openEditor(used, { firstRun: true, ...large });
+  const page = await openEditor(used.browser, used.server.url, { firstRun: true, ...large });
   await settled(page);
   const hint = page.getByRole("complementary", { name: "How to begin" });
   await hint.getByText("This is a finished graph. Change it.").waitFor();
