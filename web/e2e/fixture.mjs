@@ -4,12 +4,13 @@ import assert from "node:assert/strict";
 import { after, before } from "node:test";
 import { launchBrowser, openPage, Server } from "./harness.mjs";
 
-/** Starts a server and a browser before the tests of the file that calls it, and ends them after. */
-export function useServer() {
+/** Starts a server and a browser before the tests of the file that calls it, then `prepare`s, and ends them after. */
+export function useServer(prepare = () => undefined) {
   const used = { server: new Server(), browser: undefined };
   before(async () => {
     await used.server.start();
     used.browser = await launchBrowser();
+    await prepare(used.server);
   });
   after(async () => {
     await used.browser?.close();

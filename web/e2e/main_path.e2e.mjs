@@ -2,18 +2,15 @@
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { before, test } from "node:test";
+import { test } from "node:test";
 import { useServer, withCleanPage } from "./fixture.mjs";
 import { coverage, settled } from "./harness.mjs";
 
 const RING = "fig04_boosted_ring";
-const used = useServer();
-const { server } = used;
 let ring;
 let count;
-
-before(async () => {
-  const { examples } = await (await fetch(`${server.url}/v1/examples`)).json();
+const used = useServer(async ({ url }) => {
+  const { examples } = await (await fetch(`${url}/v1/examples`)).json();
   count = examples.length;
   ring = examples.find((item) => item.id === RING);
 });
