@@ -1,6 +1,6 @@
 // Hands for the editor's tests: they add, connect and read graphs as a person does, by role and label.
 
-import assert from "node:assert/strict";
+import { withCleanPage } from "./fixture.mjs";
 import { openPage, settled } from "./harness.mjs";
 
 /** A page whose clipboard may be used, and that keeps the graph it sent last: `page.graph()`. */
@@ -16,17 +16,14 @@ export async function openEditor(browser, url, options = {}) {
   return page;
 }
 
-/** Opens a page, runs the test in it, and fails if anything happened that must not. */
-export async function withEditor(browser, url, options, run) {
-  const page = await openEditor(browser, url, options);
-  try {
+/** Runs a test in the editor of a clean page. */
+export function withEditor(used, options, run) {
+  const start = async (page) => {
     if (options.isEmpty) await emptyGraph(page);
     else await settled(page);
     await run(page);
-    assert.deepEqual(await page.offences(), []);
-  } finally {
-    await page.context().close();
-  }
+  };
+  return withCleanPage(used, options, start, openEditor);
 }
 
 export async function emptyGraph(page) {

@@ -1,26 +1,16 @@
 // Who works without a mouse, without seeing, with other colors: names, focus, announcements, contrast, the first run.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { addNode, at, choose, node, openEditor, pane, said, untilGraph, withEditor } from "./editing.mjs";
-import { launchBrowser, Server, settled } from "./harness.mjs";
+import { useServer } from "./fixture.mjs";
+import { settled } from "./harness.mjs";
 
 const RING = "#example=fig04_boosted_ring";
-const server = new Server();
-let browser;
-
-before(async () => {
-  await server.start();
-  browser = await launchBrowser();
-});
-
-after(async () => {
-  await browser?.close();
-  await server.stop();
-});
+const used = useServer();
 
 const large = { width: 1500, height: 900 };
-const ring = (run, options = {}) => withEditor(browser, server.url, { hash: RING, ...large, ...options }, run);
+const ring = (run, options = {}) => withEditor(used, { hash: RING, ...large, ...options }, run);
 
 test("every control of the editor has a name, also in menus, search and list of keys", () =>
   ring(async (page) => {
@@ -85,7 +75,7 @@ test("the list of keys comes from the table, opens with ? and closes with Escape
     await page.keyboard.press("?");
     const dialog = page.getByRole("dialog", { name: "Keys and pointer" });
     await dialog.waitFor();
-    for (const text of ["Undo", "Duplicate", "Bypass", "Fill the view with the model"])
+    for (const text of ["Undo", "Duplicate", "Bypass", "Fill the view with the selection, or the model"])
       await dialog.getByText(text, { exact: true }).waitFor();
     await page.keyboard.press("Escape");
     await dialog.waitFor({ state: "detached" });
@@ -146,7 +136,7 @@ test("forced colors and reduced motion are respected", () =>
   }));
 
 test("someone new sees a finished graph and how to change it, once", async () => {
-  const page = await openEditor(browser, server.url, { firstRun: true, ...large });
+  const page = await openEditor(used.browser, used.server.url, { firstRun: true, ...large });
   await settled(page);
   const hint = page.getByRole("complementary", { name: "How to begin" });
   await hint.getByText("This is a finished graph. Change it.").waitFor();
@@ -160,7 +150,7 @@ test("someone new sees a finished graph and how to change it, once", async () =>
 });
 
 test("an empty canvas says how to begin and offers nodes to begin with", () =>
-  withEditor(browser, server.url, { isEmpty: true, ...large }, async (page) => {
+  withEditor(used, { isEmpty: true, ...large }, async (page) => {
     const choices = page.locator(".empty-choices").getByRole("button");
     assert.ok((await choices.count()) >= 3);
     await choices.first().click();
@@ -169,7 +159,7 @@ test("an empty canvas says how to begin and offers nodes to begin with", () =>
   }));
 
 test("in a narrow window graph and panel are tabs, and a node can be added and changed there", () =>
-  withEditor(browser, server.url, { hash: RING, width: 620, height: 860 }, async (page) => {
+  withEditor(used, { hash: RING, width: 620, height: 860 }, async (page) => {
     await page.getByRole("tablist", { name: "Panes" }).getByRole("tab", { name: "Graph" }).click();
     await page.getByRole("button", { name: "Add node" }).click();
     await page.getByRole("dialog").getByRole("combobox").fill("sphere mesh");

@@ -1,22 +1,13 @@
 // Whole graphs: figure 11 from an empty canvas with the mouse, a smaller one with the keyboard alone.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { addNode, at, choose, drag, input, middle, node, output, untilGraph, wire, withEditor } from "./editing.mjs";
-import { coverage, launchBrowser, Server, settled } from "./harness.mjs";
+import { useServer } from "./fixture.mjs";
+import { coverage, settled } from "./harness.mjs";
 
-const server = new Server();
-let browser;
-
-before(async () => {
-  await server.start();
-  browser = await launchBrowser();
-});
-
-after(async () => {
-  await browser?.close();
-  await server.stop();
-});
+const used = useServer();
+const { server } = used;
 
 /** Four point pairs at the corners of a square, and which way each looks in the first of the figure's patches. */
 const CORNERS = [
@@ -27,7 +18,7 @@ const CORNERS = [
 ];
 
 test("figure 11, a patch of four point pairs, is built from an empty canvas with the mouse", { timeout: 180_000 }, () =>
-  withEditor(browser, server.url, { isEmpty: true, width: 1800, height: 1200 }, async (page) => {
+  withEditor(used, { isEmpty: true, width: 1800, height: 1200 }, async (page) => {
     const panel = page.getByRole("tabpanel", { name: "Node" });
     await addNode(page, "patch", 420, 180);
     for (const [index, { port, position, up }] of CORNERS.entries()) {
@@ -84,7 +75,7 @@ test(
   "a tube around a boosted circle is built, changed and taken apart with the keyboard alone",
   { timeout: 120_000 },
   () =>
-    withEditor(browser, server.url, { width: 1500, height: 900 }, async (page) => {
+    withEditor(used, { width: 1500, height: 900 }, async (page) => {
       const press = async (...keys) => {
         for (const key of keys) await page.keyboard.press(key);
       };

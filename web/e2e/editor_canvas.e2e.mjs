@@ -1,7 +1,7 @@
 // Working on the canvas: selecting, moving, copying, flags, frames and notes, finding one's way.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import {
   addNode,
   at,
@@ -17,25 +17,16 @@ import {
   wire,
   withEditor,
 } from "./editing.mjs";
-import { coverage, launchBrowser, Server, settled } from "./harness.mjs";
+import { useServer } from "./fixture.mjs";
+import { coverage, settled } from "./harness.mjs";
 
 const RING = "#example=fig04_boosted_ring";
-const server = new Server();
-let browser;
-
-before(async () => {
-  await server.start();
-  browser = await launchBrowser();
-});
-
-after(async () => {
-  await browser?.close();
-  await server.stop();
-});
+const used = useServer();
+const { server } = used;
 
 const large = { width: 1500, height: 900 };
-const empty = (run) => withEditor(browser, server.url, { isEmpty: true, ...large }, run);
-const ring = (run, options = {}) => withEditor(browser, server.url, { hash: RING, ...large, ...options }, run);
+const empty = (run) => withEditor(used, { isEmpty: true, ...large }, run);
+const ring = (run, options = {}) => withEditor(used, { hash: RING, ...large, ...options }, run);
 
 const selected = (page) =>
   pane(page)
@@ -266,7 +257,7 @@ test("menus open with the right button on canvas, node and wire, and name their 
   }));
 
 test("a long press opens the menu, and a finger moves the canvas", async () => {
-  const context = await browser.newContext({ viewport: { width: 1200, height: 800 }, hasTouch: true });
+  const context = await used.browser.newContext({ viewport: { width: 1200, height: 800 }, hasTouch: true });
   const page = await context.newPage();
   await page.addInitScript(() => localStorage.setItem("dini.hint", "yes"));
   await page.goto(`${server.url}/${RING}`);

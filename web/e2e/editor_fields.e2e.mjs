@@ -1,27 +1,17 @@
 // Values: fields on nodes and in the panel, parameters, problems with their fixes.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { addNode, choose, drag, node, pane, said, undo, untilGraph, wire, withEditor } from "./editing.mjs";
-import { launchBrowser, Server, settled } from "./harness.mjs";
+import { useServer } from "./fixture.mjs";
+import { settled } from "./harness.mjs";
 
 const RING = "#example=fig04_boosted_ring";
-const server = new Server();
-let browser;
-
-before(async () => {
-  await server.start();
-  browser = await launchBrowser();
-});
-
-after(async () => {
-  await browser?.close();
-  await server.stop();
-});
+const used = useServer();
 
 const large = { width: 1500, height: 900 };
-const empty = (run) => withEditor(browser, server.url, { isEmpty: true, ...large }, run);
-const ring = (run, options = {}) => withEditor(browser, server.url, { hash: RING, ...large, ...options }, run);
+const empty = (run) => withEditor(used, { isEmpty: true, ...large }, run);
+const ring = (run, options = {}) => withEditor(used, { hash: RING, ...large, ...options }, run);
 
 const radius = (page) => node(page, "circle").getByRole("textbox", { name: "radius of Circle" });
 

@@ -1,22 +1,11 @@
 // Large graphs stay usable: 200 nodes with a map, 1000 nodes drawn only where they are seen.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { drag, openEditor, pane, untilGraph } from "./editing.mjs";
-import { launchBrowser, Server } from "./harness.mjs";
+import { useServer } from "./fixture.mjs";
 
-const server = new Server();
-let browser;
-
-before(async () => {
-  await server.start();
-  browser = await launchBrowser();
-});
-
-after(async () => {
-  await browser?.close();
-  await server.stop();
-});
+const used = useServer();
 
 /** Chains of transforms side by side, as text on the clipboard. */
 function chains(count) {
@@ -36,7 +25,7 @@ function chains(count) {
 
 /** Pastes the chains into an empty graph, and measures what moving a node costs the page. */
 async function measure(count) {
-  const page = await openEditor(browser, server.url, { width: 1280, height: 800 });
+  const page = await openEditor(used.browser, used.server.url, { width: 1280, height: 800 });
   await page.getByRole("button", { name: "New graph" }).click();
   await page.getByText("An empty graph").waitFor();
   await page.evaluate((text) => navigator.clipboard.writeText(text), chains(count));

@@ -1,7 +1,7 @@
 // Adding nodes and drawing wires with the mouse: the table of conventions, row by row.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import {
   addNode,
   at,
@@ -18,22 +18,13 @@ import {
   wire,
   withEditor,
 } from "./editing.mjs";
-import { launchBrowser, Server, settled } from "./harness.mjs";
+import { useServer } from "./fixture.mjs";
+import { settled } from "./harness.mjs";
 
-const server = new Server();
-let browser;
+const used = useServer();
+const { server } = used;
 
-before(async () => {
-  await server.start();
-  browser = await launchBrowser();
-});
-
-after(async () => {
-  await browser?.close();
-  await server.stop();
-});
-
-const empty = (run) => withEditor(browser, server.url, { isEmpty: true, width: 1500, height: 900 }, run);
+const empty = (run) => withEditor(used, { isEmpty: true, width: 1500, height: 900 }, run);
 
 test("a node is added by double-click, Space, Shift+A, Tab over the canvas, and a button; the field has the focus", () =>
   empty(async (page) => {
@@ -233,7 +224,7 @@ test("Delete removes a node, Ctrl+Delete joins what it stood between", () =>
   }));
 
 test("a wire says what it carries under the pointer: type, axes and count", () =>
-  withEditor(browser, server.url, { hash: "#example=fig04_boosted_ring", width: 1500, height: 900 }, async (page) => {
+  withEditor(used, { hash: "#example=fig04_boosted_ring", width: 1500, height: 900 }, async (page) => {
     const { nodes } = page.graph();
     const report = await (
       await fetch(`${server.url}/v1/validate`, {
@@ -260,7 +251,7 @@ test("a wire says what it carries under the pointer: type, axes and count", () =
   }));
 
 test("a socket under the pointer says its type, its value and how far it reaches", () =>
-  withEditor(browser, server.url, { hash: "#example=fig04_boosted_ring", width: 1500, height: 900 }, async (page) => {
+  withEditor(used, { hash: "#example=fig04_boosted_ring", width: 1500, height: 900 }, async (page) => {
     const socket = pane(page).getByRole("button", { name: /^Output mesh of / });
     const place = await middle(socket.first());
     await page.mouse.move(place.x, place.y);

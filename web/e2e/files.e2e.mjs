@@ -2,35 +2,21 @@
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { deflateRawSync } from "node:zlib";
-import { launchBrowser, openPage, saved, Server, settled } from "./harness.mjs";
+import { useServer, withCleanPage } from "./fixture.mjs";
+import { saved, settled } from "./harness.mjs";
 
 const RING = "#example=fig04_boosted_ring";
 const OBJ = "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
-const server = new Server();
-let browser;
+const used = useServer();
+const { server } = used;
 
-before(async () => {
-  await server.start();
-  browser = await launchBrowser();
-});
-
-after(async () => {
-  await browser?.close();
-  await server.stop();
-});
-
-async function withPage(options, run) {
-  const page = await openPage(browser, server.url, { hash: RING, ...options });
-  try {
+const withPage = (options, run) =>
+  withCleanPage(used, { hash: RING, ...options }, async (page) => {
     await settled(page);
     await run(page);
-    assert.deepEqual(await page.offences(), []);
-  } finally {
-    await page.context().close();
-  }
-}
+  });
 
 const titleOf = (page) => page.getByRole("textbox", { name: "Title of the graph" });
 

@@ -48,9 +48,10 @@ export class Server {
     const portFile = path.join(folder, "port");
     const port = this.url ? new URL(this.url).port : "0";
     const common = ["--port", port, "--port-file", portFile];
+    const folders = ["--web", path.join(root, "web/dist"), "--examples", this.#examples];
     const [command, parts] = this.isStandIn
       ? [process.execPath, [path.join(here, "stand_in/main.mjs"), ...common]]
-      : [program, ["serve", ...common, "--web", path.join(root, "web/dist"), "--examples", this.#examples]];
+      : [program, ["serve", ...common, "--log-level", "warning", ...folders]];
     this.#child = spawn(command, parts, { stdio: ["ignore", "ignore", "inherit"] });
     const limit = Date.now() + 15_000;
     const written = () => existsSync(portFile) && readFileSync(portFile, "utf8").trim() !== "";

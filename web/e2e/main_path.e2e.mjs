@@ -2,26 +2,17 @@
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { after, before, test } from "node:test";
-import { coverage, launchBrowser, openPage, Server, settled } from "./harness.mjs";
+import { test } from "node:test";
+import { useServer, withCleanPage } from "./fixture.mjs";
+import { coverage, settled } from "./harness.mjs";
 
 const RING = "fig04_boosted_ring";
-const server = new Server();
-let browser;
 let ring;
 let count;
-
-before(async () => {
-  await server.start();
-  browser = await launchBrowser();
-  const { examples } = await (await fetch(`${server.url}/v1/examples`)).json();
+const used = useServer(async ({ url }) => {
+  const { examples } = await (await fetch(`${url}/v1/examples`)).json();
   count = examples.length;
   ring = examples.find((item) => item.id === RING);
-});
-
-after(async () => {
-  await browser?.close();
-  await server.stop();
 });
 
 /** The first number parameter with a range: the one the tests drag and mistype. */
@@ -32,15 +23,7 @@ function rangedParameter() {
   return { name, label: item.label ?? name, ...item };
 }
 
-async function withPage(options, run) {
-  const page = await openPage(browser, server.url, options);
-  try {
-    await run(page);
-    assert.deepEqual(await page.offences(), []);
-  } finally {
-    await page.context().close();
-  }
-}
+const withPage = (options, run) => withCleanPage(used, options, run);
 
 test("the page opens with a finished example, and the gallery opens another", () =>
   withPage({}, async (page) => {
@@ -65,10 +48,9 @@ test("the gallery shows a picture of every example", () =>
     await page.waitForFunction((all) => document.querySelectorAll(".card-picture img").length === all, count, {
       timeout: 60_000,
     });
-    const wide = await page.evaluate(() =>
+    await page.waitForFunction(() =>
       [...document.querySelectorAll(".card-picture img")].every((image) => image.complete && image.naturalWidth > 0),
     );
-    assert.ok(wide);
   }));
 
 test("an address opens its example, drawn as a graph of named nodes and sockets", () =>

@@ -1,31 +1,14 @@
 // The page itself: themes, narrow windows, the 3D view's settings, the keyboard, a server that goes away.
 
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { coverage, launchBrowser, openPage, Server, settled } from "./harness.mjs";
+import { test } from "node:test";
+import { useServer, withCleanPage } from "./fixture.mjs";
+import { coverage, settled } from "./harness.mjs";
 
-const server = new Server();
-let browser;
+const used = useServer();
+const { server } = used;
 
-before(async () => {
-  await server.start();
-  browser = await launchBrowser();
-});
-
-after(async () => {
-  await browser?.close();
-  await server.stop();
-});
-
-async function withPage(options, run) {
-  const page = await openPage(browser, server.url, options);
-  try {
-    await run(page);
-    assert.deepEqual(await page.offences(), []);
-  } finally {
-    await page.context().close();
-  }
-}
+const withPage = (options, run) => withCleanPage(used, options, run);
 
 const themeOf = (page) => page.evaluate(() => document.documentElement.dataset.theme);
 

@@ -2,9 +2,10 @@
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { deflateRawSync } from "node:zlib";
-import { coverage, launchBrowser, openPage, saved, selectNode, Server, settled } from "./harness.mjs";
+import { useServer, withCleanPage } from "./fixture.mjs";
+import { coverage, saved, selectNode, settled } from "./harness.mjs";
 
 const RING = "#example=fig04_boosted_ring";
 /** A graph that takes the server a moment only, with a slider. */
@@ -25,29 +26,14 @@ const SMALL = {
   },
 };
 
-const server = new Server();
-let browser;
+const used = useServer();
+const { server } = used;
 
-before(async () => {
-  await server.start();
-  browser = await launchBrowser();
-});
-
-after(async () => {
-  await browser?.close();
-  await server.stop();
-});
-
-async function withPage(options, run) {
-  const page = await openPage(browser, server.url, { hash: RING, ...options });
-  try {
+const withPage = (options, run) =>
+  withCleanPage(used, { hash: RING, ...options }, async (page) => {
     await settled(page);
     await run(page);
-    assert.deepEqual(await page.offences(), []);
-  } finally {
-    await page.context().close();
-  }
-}
+  });
 
 const canvasOf = (page) => page.getByRole("img", { name: /^The model/ });
 const twoFrames = (page) =>
@@ -104,7 +90,7 @@ test("curvature has a legend, and every way to look draws something else", () =>
   }));
 
 test("the page is there before the 3D view has arrived", async () => {
-  const context = await browser.newContext();
+  const context = await used.browser.newContext();
   const page = await context.newPage();
   let give;
   const held = new Promise((resolve) => (give = resolve));

@@ -13,7 +13,7 @@ import { shrink } from "./png.mjs";
 const PAGE_NAME = "page";
 const EDITOR_NAME = "editor";
 /** What the picture of the whole page shows. */
-const PAGE = { example: "fig05_twisted_ring", width: 1440, height: 860, most: 600_000 };
+const PAGE = { example: "fig04_boosted_ring", width: 1440, height: 860, most: 600_000 };
 /** The browser draws on the processor, which may have other work. */
 const PATIENCE_MILLISECONDS = 120_000;
 const MOST_ATTEMPTS = 10;

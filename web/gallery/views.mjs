@@ -47,10 +47,6 @@ const PICTURES = {
       await click(page, "button", "Frame");
     },
   ],
-  gizmos: [
-    { hash: "#example=fig04_boosted_ring", theme: "light", ...WIDE },
-    (page) => selectNode(page, "ring"),
-  ],
   section: [
     { hash: "#example=fig04_boosted_ring", ...WIDE },
     async (page) => {
@@ -76,10 +72,6 @@ const PICTURES = {
       await click(page, "button", "Export");
       await page.getByText("no point off by more than").waitFor();
     },
-  ],
-  narrow: [
-    { hash: "#example=fig04_boosted_ring", width: 420, height: 800 },
-    (page) => click(page, "radio", "Curvature"),
   ],
 };
 

@@ -39,7 +39,7 @@ function Open(): ReactElement {
   return (
     <dialog
       ref={element}
-      className="help"
+      className="dialog help"
       aria-labelledby="help-title"
       onClose={close}
       onClick={(event) => {
