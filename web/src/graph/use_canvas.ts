@@ -7,7 +7,9 @@ import { nodeElement } from "../app/focus";
 import type { Box, Position } from "../model/ui";
 import { FIT, type Flow } from "./GraphPane";
 
-const FOCUS_MILLISECONDS = 1500;
+const FOCUS_MILLISECONDS = 20_000;
+/** Where hands are busy typing, the focus is not taken away. */
+const FIELDS = "input, select, textarea";
 
 interface CanvasUse {
   /** The person has moved the canvas: it is left where it is. */
@@ -19,6 +21,20 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
   const editor = useEditor();
   const wasMoved = useRef(false);
   const pointer = useRef<(Position & { isOver: boolean }) | null>(null);
+
+  // Heard all the time, also while one graph's canvas takes the place of another's.
+  useEffect(() => {
+    const onMove = (event: PointerEvent): void => {
+      const isOver = event.target instanceof Node && (element.current?.contains(event.target) ?? false);
+      pointer.current = { x: event.clientX, y: event.clientY, isOver };
+    };
+    document.addEventListener("pointermove", onMove, { passive: true });
+    document.addEventListener("pointerdown", onMove, { passive: true, capture: true });
+    return () => {
+      document.removeEventListener("pointermove", onMove);
+      document.removeEventListener("pointerdown", onMove, { capture: true });
+    };
+  }, [element]);
 
   useEffect(() => {
     const pane = element.current;
@@ -37,17 +53,24 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
       }
       return found;
     };
+    let attempts = 0;
     const focusSoon = (find: () => HTMLElement | null | undefined): void => {
-      // A node that has just been added is not drawn at once, and hidden until it is measured.
+      // A node that has just been added is not drawn at once, and hidden until it is measured; on a slow machine that
+      // takes a while. A press of the pointer, a newer wish or another field that is typed in ends the attempts.
+      const mine = ++attempts;
       const until = performance.now() + FOCUS_MILLISECONDS;
+      const before = document.activeElement;
       const attempt = (): void => {
+        const active = document.activeElement;
+        if (mine !== attempts || performance.now() > until) return;
+        if (active !== before && active?.matches(FIELDS)) return;
         const found = find();
         found?.focus({ preventScroll: true });
-        const isDone = found && document.activeElement === found;
-        if (!isDone && performance.now() < until) requestAnimationFrame(attempt);
+        if (!found || document.activeElement !== found) requestAnimationFrame(attempt);
       };
       attempt();
     };
+    const endAttempts = (): void => void attempts++;
     editor.canvas = {
       placeAt: (screen) => flow.screenToFlowPosition(screen),
       screenAt: (place) => flow.flowToScreenPosition(place),
@@ -68,20 +91,15 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
       },
       focusSocket: (socket) => focusSoon(() => socketElement(socket)),
     };
-    const onMove = (event: PointerEvent): void => {
-      const isOver = event.target instanceof Node && pane.contains(event.target);
-      pointer.current = { x: event.clientX, y: event.clientY, isOver };
-    };
-    document.addEventListener("pointermove", onMove, { passive: true });
-    document.addEventListener("pointerdown", onMove, { passive: true, capture: true });
+    document.addEventListener("pointerdown", endAttempts, { passive: true, capture: true });
     const observer = new ResizeObserver(() => {
       if (!wasMoved.current) void flow.fitView(FIT);
     });
     observer.observe(pane);
     return () => {
-      document.removeEventListener("pointermove", onMove);
-      document.removeEventListener("pointerdown", onMove, { capture: true });
+      document.removeEventListener("pointerdown", endAttempts, { capture: true });
       observer.disconnect();
+      endAttempts();
       editor.canvas = undefined;
     };
   }, [editor, flow, element]);
