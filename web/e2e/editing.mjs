@@ -1,7 +1,7 @@
 // Hands for the editor's tests: they add, connect and read graphs as a person does, by role and label.
 
 import { withCleanPage } from "./fixture.mjs";
-import { eventually, openPage, settled, still } from "./harness.mjs";
+import { eventually, openPage, settled, still, wholeGraph } from "./harness.mjs";
 
 /** A page whose clipboard may be used, and that keeps the graph it sent last: `page.graph()`. */
 export async function openEditor(browser, url, options = {}) {
@@ -16,11 +16,14 @@ export async function openEditor(browser, url, options = {}) {
   return page;
 }
 
-/** Runs a test in the editor of a clean page. */
+/** Runs a test in the editor of a clean page: in an empty graph, with the whole graph in sight, or `asOpened`. */
 export function withEditor(used, options, run) {
   const start = async (page) => {
     if (options.isEmpty) await emptyGraph(page);
-    else await settled(page);
+    else {
+      await settled(page);
+      if (!options.asOpened) await wholeGraph(page);
+    }
     // In a narrow window the canvas is behind a tab.
     if (await pane(page).isVisible()) await canvasReady(page);
     await run(page);

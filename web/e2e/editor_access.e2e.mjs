@@ -173,7 +173,7 @@ test("in a narrow window graph and panel are tabs, and a node can be added and c
     await page.keyboard.press("Enter");
     await untilGraph(page, ({ nodes }) => nodes.sphere_mesh);
     await eventually(() => page.evaluate(() => document.documentElement.scrollWidth), 620);
-    const place = await at(page, 300, 640);
+    const place = await at(page, 100, 600);
     await page.mouse.dblclick(place.x, place.y);
     await search.getByRole("combobox").fill("torus mesh");
     await page.keyboard.press("Enter");

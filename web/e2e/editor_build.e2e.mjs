@@ -88,7 +88,7 @@ test(
   "a tube around a boosted circle is built, changed and taken apart with the keyboard alone",
   { timeout: 400_000 },
   () =>
-    withEditor(used, { width: 1500, height: 900 }, async (page) => {
+    withEditor(used, { asOpened: true, width: 1500, height: 900 }, async (page) => {
       const press = async (...keys) => {
         for (const key of keys) await page.keyboard.press(key);
       };

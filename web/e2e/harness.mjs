@@ -230,8 +230,15 @@ export async function saved(page) {
   return JSON.parse(readFileSync(await download.path(), "utf8"));
 }
 
+/** Shows the whole graph: a wide one opens at its end, where it can be read. */
+export async function wholeGraph(page) {
+  const graph = page.getByRole("region", { name: "Graph" });
+  if (await graph.isVisible()) await graph.getByRole("button", { name: "Fit graph" }).click();
+}
+
 /** Selects a node by a click on its title. */
 export async function selectNode(page, id) {
+  await wholeGraph(page);
   const graph = page.getByRole("region", { name: "Graph" });
   const node = graph.getByRole("group", { name: new RegExp(`, ${id}$`) });
   await node.click({ position: { x: 24, y: 6 } });
@@ -267,15 +274,16 @@ export async function picture(page) {
   return canvasOf(page).screenshot();
 }
 
-/** Waits until nothing is drawn in the model's view for some frames. */
+/** Waits until the view has drawn what is there, drawn it finely, and draws no more. */
 export function quiet(page) {
   return canvasOf(page).evaluate(
     (canvas) =>
       new Promise((done) => {
         let [last, frames] = ["", 0];
         const look = () => {
-          frames = canvas.dataset.frames === last ? frames + 1 : 0;
-          last = canvas.dataset.frames;
+          const { frames: drawn, still } = canvas.dataset;
+          frames = still === "true" && drawn === last ? frames + 1 : 0;
+          last = drawn;
           if (frames < 3) requestAnimationFrame(look);
           else done();
         };

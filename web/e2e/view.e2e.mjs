@@ -28,12 +28,12 @@ const SMALL = {
   nodes: {
     ring: { type: "circle", inputs: { radius: 1 } },
     pair: { type: "point_pair", inputs: { position: [0, 0, 2], direction: [0, 0, 1] } },
-    k: { type: "range", inputs: { from: 0, to: { parameter: "reach" }, count: 24 } },
+    k: { type: "range", inputs: { from: 0, to: { parameter: "reach" }, count: 8 } },
     boosted: {
       type: "boost",
       inputs: { shape: { from: "ring" }, generator: { from: "pair" }, amount: { from: "k" } },
     },
-    skin: { type: "surface", inputs: { shape: { from: "boosted" }, segments: 24 } },
+    skin: { type: "surface", inputs: { shape: { from: "boosted" }, segments: 12 } },
     out: { type: "export", inputs: { model: { from: "skin" } } },
   },
 };
@@ -271,6 +271,29 @@ test("the show has the model and its controls only, and Escape ends it", () =>
     await page.getByRole("region", { name: "Graph" }).waitFor();
   }));
 
+test("the picture is drawn finely once it rests, and quickly while it moves", () =>
+  withPage({}, async (page) => {
+    await quiet(page);
+    const pixels = () => canvasOf(page).evaluate((canvas) => canvas.width / canvas.clientWidth);
+    assert.ok((await pixels()) > 1.5);
+    const box = await still(canvasOf(page));
+    await canvasOf(page).evaluate((canvas) => {
+      window.seen = [];
+      const look = () => window.seen.push(canvas.width / canvas.clientWidth);
+      new MutationObserver(look).observe(canvas, { attributeFilter: ["data-frames"] });
+    });
+    await page.mouse.move(box.x + 200, box.y + 200);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 260, box.y + 200, { steps: 12 });
+    await page.mouse.up();
+    await page.waitForFunction(() => window.seen.includes(1));
+    await quiet(page);
+    assert.ok((await pixels()) > 1.5, "fine again");
+    const frames = await canvasOf(page).getAttribute("data-frames");
+    await new Promise((done) => setTimeout(done, 1000));
+    assert.equal(await canvasOf(page).getAttribute("data-frames"), frames, "and then nothing is drawn");
+  }));
+
 test("a long evaluation says so and can be stopped", () =>
   withPage({}, async (page) => {
     let release;
@@ -293,8 +316,11 @@ test("a long evaluation says so and can be stopped", () =>
     await settled(page);
   }));
 
-test("nothing is drawn while nothing changes, and 500 updates leave nothing behind", { timeout: 400_000 }, () =>
-  withPage({ count: true, hash: `#g=${deflateRawSync(JSON.stringify(SMALL)).toString("base64url")}` }, async (page) => {
+/** What is counted does not depend on how many pixels are drawn. */
+const SMALL_WINDOW = { width: 960, height: 540 };
+
+test("nothing is drawn while nothing changes, and 500 updates leave nothing behind", { timeout: 600_000 }, () =>
+  withPage({ ...SMALL_WINDOW, count: true, hash: `#g=${deflateRawSync(JSON.stringify(SMALL)).toString("base64url")}` }, async (page) => {
     await selectNode(page, "boosted");
     await page.getByRole("radio", { name: "Lines" }).click();
     await page.getByRole("tab", { name: "Controls" }).click();
