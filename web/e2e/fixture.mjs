@@ -4,8 +4,8 @@ import assert from "node:assert/strict";
 import { after, before } from "node:test";
 import { launchBrowser, openPage, Server } from "./harness.mjs";
 
-// WebGL is drawn by the software renderer all the same; the page around it takes a third of the time when it does not go
-// through that too.
+// WebGL is drawn in software all the same; the page around it takes a third of the time when it does not go through
+// that too.
 const BROWSER_ARGUMENTS = ["--disable-gpu-compositing"];
 
 /** Starts a server and a browser before the tests of the file that calls it, then `prepare`s, and ends them after. */

@@ -167,8 +167,8 @@ function countThings() {
 }
 
 /**
- * Reads until what is read equals `expected`, or fulfils it if that is a function, and answers it. What is not there yet
- * is read again too. Fails with what was read last.
+ * Reads until what is read equals `expected`, or fulfils it if that is a function, and answers it. What is not there
+ * yet is read again too. Fails with what was read last.
  */
 export async function eventually(read, expected, what = "") {
   const limit = Date.now() + LONGEST_WAIT;
@@ -215,7 +215,8 @@ export function still(locator) {
 /** Turns the wheel where the pointer is, and waits until the page has heard it. */
 export async function turnWheel(page, by) {
   await page.evaluate(() => {
-    window.turned = new Promise((done) => window.addEventListener("wheel", () => done(), { once: true, capture: true }));
+    const once = { once: true, capture: true, passive: true };
+    window.turned = new Promise((done) => window.addEventListener("wheel", () => done(), once));
   });
   await page.mouse.wheel(0, by);
   await page.evaluate(() => window.turned);

@@ -82,7 +82,11 @@ test("dragging a slider ends at its final value in full quality", () =>
       const now = await slider.getAttribute("aria-valuenow");
       await page.mouse.move(box.x + box.width * (0.3 + 0.015 * step), middle);
       // A browser that is behind makes one move out of several.
-      await eventually(() => slider.getAttribute("aria-valuenow"), (value) => value !== now, "a slider that moves");
+      await eventually(
+        () => slider.getAttribute("aria-valuenow"),
+        (value) => value !== now,
+        "a slider that moves",
+      );
     }
     await page.mouse.up();
     await settled(page);
