@@ -3,7 +3,7 @@
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
-import { addNode, at, choose, drag, emptyGraph, input, middle, openEditor, output, wire } from "../e2e/editing.mjs";
+import { addNode, at, drag, emptyGraph, input, middle, openEditor, output, untilSelected, wire } from "../e2e/editing.mjs";
 import { settled } from "../e2e/harness.mjs";
 import { shrink } from "./png.mjs";
 
@@ -28,12 +28,12 @@ export async function renderEditor(browser, url) {
     await picture(browser, url, `family-${name}`, { hash: `#example=${example}` });
   }
   await picture(browser, url, "light", { hash: "#example=fig05_twisted_ring", theme: "light" }, (page) =>
-    choose(page, "tangent"),
+    find(page, "tangent"),
   );
   await picture(browser, url, "first-run", { firstRun: true });
-  await picture(browser, url, "gizmo", { hash: "#example=fig04_boosted_ring" }, (page) => choose(page, "ring"));
+  await picture(browser, url, "gizmo", { hash: "#example=fig04_boosted_ring" }, (page) => find(page, "ring"));
   await picture(browser, url, "problem", { hash: "#example=fig04_boosted_ring" }, async (page) => {
-    await choose(page, "boosted");
+    await find(page, "boosted");
     await page.keyboard.press("Delete");
     await page.locator('[data-id="skin"] .node-message').waitFor(PATIENCE);
     await page.getByRole("tab", { name: /^Problems/ }).click();
@@ -59,6 +59,14 @@ export async function renderEditor(browser, url) {
   await picture(browser, url, "narrow", { hash: "#example=fig04_boosted_ring", width: 480, height: 860 }, (page) =>
     page.getByRole("tablist", { name: "Panes" }).getByRole("tab", { name: "Graph" }).click(),
   );
+}
+
+/** Brings a node into sight and selects it, as a person does in a graph that is wider than its pane. */
+async function find(page, id) {
+  await page.keyboard.press("Control+f");
+  await page.getByRole("combobox", { name: "Find a node" }).fill(id);
+  await page.keyboard.press("Enter");
+  await untilSelected(page, [id]);
 }
 
 async function picture(browser, url, name, options, prepare) {
