@@ -63,7 +63,7 @@ export async function renderEditor(browser, url) {
 
 /** Brings a node into sight and selects it, as a person does in a graph that is wider than its pane. */
 async function find(page, id) {
-  await page.keyboard.press("Control+f");
+  await page.getByRole("button", { name: "Find a node" }).click();
   await page.getByRole("combobox", { name: "Find a node" }).fill(id);
   await page.keyboard.press("Enter");
   await untilSelected(page, [id]);
@@ -76,6 +76,7 @@ async function picture(browser, url, name, options, prepare) {
   await prepare?.(page);
   // Control geometry and notices come and go a moment after what they belong to.
   await page.waitForTimeout(1500);
+  await page.waitForFunction(() => document.querySelector("canvas[role=img]").dataset.still === "true", undefined, PATIENCE);
   const bytes = shrink(await page.screenshot(PATIENCE), MOST_BYTES);
   writeFileSync(path.join(editorFolder, `${name}.png`), bytes);
   console.log(`${String(bytes.length).padStart(8)}  editor/${name}`);
