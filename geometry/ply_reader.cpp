@@ -94,8 +94,8 @@ double full_scale(PlyType type) {
 
 class PlyReader {
  public:
-  PlyReader(const PlyHeader& header, std::string_view data, const ImportLimits& limits)
-      : header_(header), values_(data, header.encoding), limits_(limits) {}
+  PlyReader(const PlyHeader& header, std::string_view data, const ImportLimits& limits, const Cancel& cancel)
+      : header_(header), values_(data, header.encoding), limits_(limits), cancel_(cancel), steps_(cancel) {}
 
   ImportResult read() {
     for (const PlyElement& element : header_.elements) {
@@ -110,7 +110,7 @@ class PlyReader {
       }
       if (error_) return *std::move(error_);
     }
-    return finish_import(std::move(raw_), MeshFormat::ply, limits_);
+    return finish_import(std::move(raw_), MeshFormat::ply, limits_, cancel_);
   }
 
  private:
@@ -119,6 +119,7 @@ class PlyReader {
   }
 
   double value(PlyType type) {
+    if (!error_ && steps_.stopped()) error_ = stopped_reading();
     if (error_) return 0;
     const auto number = values_.next(type);
     if (!number) fail("the data ends too early, or a number is none");
@@ -226,6 +227,8 @@ class PlyReader {
   const PlyHeader& header_;
   ValueReader values_;
   const ImportLimits& limits_;
+  const Cancel& cancel_;
+  CancelEvery steps_;
   RawMesh raw_;
   PolygonCutter cutter_;
   std::vector<std::uint32_t> polygon_;
@@ -236,11 +239,11 @@ class PlyReader {
 
 }  // namespace
 
-ImportResult read_ply(std::string_view bytes, const ImportLimits& limits) {
+ImportResult read_ply(std::string_view bytes, const ImportLimits& limits, const Cancel& cancel) {
   const auto header = read_ply_header(bytes);
   if (const auto* error = std::get_if<ImportError>(&header)) return *error;
   const PlyHeader& known = std::get<PlyHeader>(header);
-  return PlyReader(known, bytes.substr(known.size), limits).read();
+  return PlyReader(known, bytes.substr(known.size), limits, cancel).read();
 }
 
 }  // namespace dini
