@@ -4,12 +4,28 @@
 // of shape.
 
 #include <optional>
+#include <type_traits>
 #include <variant>
 
+#include "algebra/extract.h"
 #include "graph/node_builder.h"
 #include "nodes/shapes.h"
 
 namespace dini {
+
+inline bool is_straight(const CircleCoordinates& circle) { return circle.line; }
+inline bool is_straight(const SphereCoordinates& sphere) { return sphere.plane; }
+
+/// Warns when a circle or sphere with a radius has come out without: either everything there falls into one point, or
+/// the radius is lost in the round-off of the distance from the origin.
+template <class Element>
+void warn_of_lost_radius(const Context& context, const Element& before, const Element& after) {
+  const auto found = coordinates(after);
+  if (!found || found->radius > 0 || is_straight(*found)) return;
+  const auto given = coordinates(before);
+  if (!given || (given->radius == 0 && !is_straight(*given))) return;
+  context.warn({"degenerate", "a radius is smaller than the round-off at its place, and counts as zero", "shape"});
+}
 
 /// The functions of a transform whose versor `make(parameters...)` gives, as a value or as a failure.
 template <auto make, class... Parameters>
@@ -21,10 +37,12 @@ struct VersorNode {
   }
 
   template <class Element>
-  static Attempt<Element> element(const Element& shape, const Parameters&... parameters) {
+  static Attempt<Element> element(const Context& context, const Element& shape, const Parameters&... parameters) {
     const Attempt<Versor> versor = make(parameters...);
     if (const auto* failure = std::get_if<Failure>(&versor)) return *failure;
-    return apply(std::get<Versor>(versor), shape);
+    const Element moved = apply(std::get<Versor>(versor), shape);
+    if constexpr (!std::is_same_v<Element, Generator>) warn_of_lost_radius(context, shape, moved);
+    return moved;
   }
 
   static Attempt<SharedMesh> mesh(const Context& context, const SharedMesh& shape, const Parameters&... parameters) {
