@@ -1,7 +1,7 @@
 // Hands for the editor's tests: they add, connect and read graphs as a person does, by role and label.
 
 import { withCleanPage } from "./fixture.mjs";
-import { openPage, settled } from "./harness.mjs";
+import { openPage, settled, wholeGraph } from "./harness.mjs";
 
 /** A page whose clipboard may be used, and that keeps the graph it sent last: `page.graph()`. */
 export async function openEditor(browser, url, options = {}) {
@@ -20,7 +20,10 @@ export async function openEditor(browser, url, options = {}) {
 export function withEditor(used, options, run) {
   const start = async (page) => {
     if (options.isEmpty) await emptyGraph(page);
-    else await settled(page);
+    else {
+      await settled(page);
+      await wholeGraph(page);
+    }
     await run(page);
   };
   return withCleanPage(used, options, start, openEditor);

@@ -71,6 +71,24 @@ async function draftTitled(page, title) {
   throw new Error(`no draft ${title}`);
 }
 
+/** Waits until there is no draft. */
+async function noDrafts(page) {
+  for (let round = 0; (await draftsOf(page)).length > 0; round++) {
+    assert.ok(round < 100, JSON.stringify((await draftsOf(page)).map((one) => one.title)));
+    await new Promise((done) => setTimeout(done, 50));
+  }
+}
+
+/** Deletes a draft from the list of them. */
+async function forget(page, title) {
+  await page.getByRole("button", { name: "File", exact: true }).click();
+  await page.getByRole("menuitem", { name: "Recover…" }).click();
+  const dialog = page.getByRole("dialog", { name: "Recover" });
+  await dialog.getByRole("button", { name: `Delete the draft ${title}` }).first().click();
+  await dialog.getByRole("button", { name: "Close" }).first().click();
+  await dialog.waitFor({ state: "detached" });
+}
+
 test("what is saved, opened and saved again is the same, and keeps its file's name", () =>
   withPage({}, async (page) => {
     await page.getByRole("slider", { name: "Reach", exact: true }).press("PageUp");
@@ -120,10 +138,32 @@ test("what was not saved is open again after a reload, is listed, and goes when 
     await rename(page, "Saved work");
     await draftTitled(page, "Saved work");
     await saved(page);
-    for (let round = 0; (await draftsOf(page)).length > 0; round++) {
-      assert.ok(round < 60, JSON.stringify((await draftsOf(page)).map((one) => one.title)));
-      await new Promise((done) => setTimeout(done, 50));
-    }
+    await noDrafts(page);
+  }));
+
+test("a slider's value is kept over a reload, and its draft goes when the slider is back", () =>
+  withPage({}, async (page) => {
+    const slider = page.getByRole("slider", { name: "Reach", exact: true });
+    const value = () => page.getByRole("textbox", { name: "Reach value", exact: true }).inputValue();
+    const before = await value();
+    await slider.press("PageUp");
+    await page.getByText("edited", { exact: true }).waitFor();
+    await draftTitled(page, "Boosted ring");
+    const changed = await value();
+    assert.notEqual(changed, before);
+    await page.reload();
+    await note(page, "“Boosted ring” is open again");
+    await settled(page);
+    assert.equal(await value(), changed);
+    await page.goto(`${server.url}/?again${RING}`);
+    await settled(page);
+    assert.equal(await value(), before, "the example itself is as it was");
+    for (const draft of await draftsOf(page)) await forget(page, draft.title);
+    await slider.press("PageUp");
+    await draftTitled(page, "Boosted ring");
+    await slider.press("PageDown");
+    await page.getByText("example", { exact: true }).waitFor();
+    await noDrafts(page);
   }));
 
 test("a draft never takes the place of an example that is asked for", () =>
@@ -180,7 +220,7 @@ test("a model of ours opens its graph, or says that it holds only a hash", () =>
   }));
 
 test("a dropped mesh is sent to the server and becomes a node that is seen", () =>
-  withPage({}, async (page) => {
+  withPage({ clipboard: true }, async (page) => {
     const before = await saved(page);
     await drop(page, "tetrahedron.obj", OBJ);
     await note(page, "Imported tetrahedron.obj");
@@ -189,6 +229,11 @@ test("a dropped mesh is sent to the server and becomes a node that is seen", () 
     const [id] = Object.keys(after.nodes).filter((name) => !(name in before.nodes));
     assert.ok(Object.values(after.nodes[id].inputs).some((value) => /^[0-9a-f]{64}$/.test(value)), JSON.stringify(after.nodes[id]));
     assert.equal(after.ui.nodes[id].preview, true);
+    await page.getByRole("button", { name: "Share", exact: true }).click();
+    await page.getByRole("menuitem", { name: "Copy as dini eval" }).click();
+    await note(page, "Copied");
+    const command = await page.evaluate(() => navigator.clipboard.readText());
+    assert.match(command, /^dini eval \S+ --asset tetrahedron=tetrahedron\.obj -o boosted-ring\.glb/);
     await drop(page, "broken.obj", "v 1 2\nf 1 2 3\n");
     await note(page, "broken.obj was not imported");
   }));

@@ -164,8 +164,15 @@ export async function saved(page) {
   return JSON.parse(readFileSync(await download.path(), "utf8"));
 }
 
+/** Shows the whole graph: a wide one opens at its end, where it can be read. */
+export async function wholeGraph(page) {
+  const graph = page.getByRole("region", { name: "Graph" });
+  if (await graph.isVisible()) await graph.getByRole("button", { name: "Fit graph" }).click();
+}
+
 /** Selects a node by a click on its title. */
 export async function selectNode(page, id) {
+  await wholeGraph(page);
   const graph = page.getByRole("region", { name: "Graph" });
   const node = graph.getByRole("group", { name: new RegExp(`, ${id}$`) });
   await node.click({ position: { x: 24, y: 6 } });

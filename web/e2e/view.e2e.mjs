@@ -39,8 +39,14 @@ const canvasOf = (page) => page.getByRole("img", { name: /^The model/ });
 const twoFrames = (page) =>
   page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
-async function picture(page) {
+/** Waits until the view has drawn what is there, and drawn it finely. */
+async function rested(page) {
   await twoFrames(page);
+  await page.waitForFunction(() => document.querySelector("canvas[role=img]").dataset.still === "true");
+}
+
+async function picture(page) {
+  await rested(page);
   return canvasOf(page).screenshot();
 }
 
@@ -258,6 +264,34 @@ test("the show has the model and its controls only, and Escape ends it", () =>
     await page.getByRole("region", { name: "Graph" }).waitFor();
   }));
 
+test("the picture is drawn finely once it rests, and quickly while it moves", () =>
+  withPage({}, async (page) => {
+    await rested(page);
+    const pixels = () => canvasOf(page).evaluate((canvas) => canvas.width / canvas.clientWidth);
+    assert.ok((await pixels()) > 1.5);
+    const box = await canvasOf(page).boundingBox();
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await page.mouse.down();
+    const seen = await canvasOf(page).evaluate(async (canvas) => {
+      const found = new Set();
+      const { left, top } = canvas.getBoundingClientRect();
+      for (let step = 1; step <= 12; step++) {
+        const place = { clientX: left + 200 + 4 * step, clientY: top + 200, pointerId: 1, buttons: 1, bubbles: true };
+        canvas.dispatchEvent(new PointerEvent("pointermove", place));
+        await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+        found.add(canvas.width / canvas.clientWidth);
+      }
+      return [...found];
+    });
+    await page.mouse.up();
+    assert.ok(seen.includes(1), `${seen} pixels while it is turned`);
+    await rested(page);
+    assert.ok((await pixels()) > 1.5, "fine again");
+    const frames = await canvasOf(page).getAttribute("data-frames");
+    await new Promise((done) => setTimeout(done, 1000));
+    assert.equal(await canvasOf(page).getAttribute("data-frames"), frames, "and then nothing is drawn");
+  }));
+
 test("a long evaluation says so and can be stopped", () =>
   withPage({}, async (page) => {
     let hold = true;
@@ -296,7 +330,7 @@ test("nothing is drawn while nothing changes, and 500 updates leave nothing behi
         }
       }, times);
       await settled(page);
-      await twoFrames(page);
+      await rested(page);
     };
     const facts = () =>
       page.evaluate(() => ({

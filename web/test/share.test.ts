@@ -2,6 +2,8 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
 import { deflateRawSync } from "node:zlib";
+import type { Origin } from "../src/app/state";
+import { draftNeed } from "../src/files/autosave";
 import { documentText, documentWithValues } from "../src/files/document_file";
 import { surplus, type Draft } from "../src/files/drafts";
 import { graphInGlb, withGraph } from "../src/files/glb_graph";
@@ -109,6 +111,28 @@ test("only the ten newest drafts are kept", () => {
     surplus(drafts).map((draft) => draft.time),
     [2, 1, 0],
   );
+});
+
+test("drafts of sliders do not push out drafts of graphs", () => {
+  const draft = (time: number, isAdjustment: boolean): Draft => {
+    return { id: String(time), tab: "", title: "", name: "", address: "", time, isAdjustment, json: {} };
+  };
+  const graphs = Array.from({ length: 7 }, (_, at) => draft(at, false));
+  const sliders = Array.from({ length: 12 }, (_, at) => draft(100 + at, true));
+  const gone = surplus([...graphs, ...sliders]);
+  assert.equal(gone.length, 9);
+  assert.ok(gone.every((one) => one.isAdjustment && one.time < 109));
+});
+
+test("a draft is written for every difference, and goes with the last one", () => {
+  const example: Origin = { kind: "example", id: "a" };
+  const same = { isChanged: false, isAdjusted: false, origin: example };
+  assert.equal(draftNeed(same, false), "nothing");
+  assert.equal(draftNeed({ ...same, isAdjusted: true }, false), "write", "a slider is enough");
+  assert.equal(draftNeed({ ...same, isChanged: true }, true), "write");
+  assert.equal(draftNeed(same, true), "remove", "undone");
+  assert.equal(draftNeed({ ...same, origin: { kind: "file", name: "a.json" } }, true), "remove");
+  assert.equal(draftNeed({ ...same, origin: { kind: "draft", id: "d" } }, true), "write", "kept nowhere else");
 });
 
 test("documents of every old version still open", () => {

@@ -90,9 +90,9 @@ export function App({ editor }: { editor: Editor }): ReactElement {
             </>
           )}
         </main>
+        <Hint />
         <StatusBar />
         <FilesLayer />
-        <Hint />
         <HelpDialog />
       </EditorContext>
     </SessionContext>

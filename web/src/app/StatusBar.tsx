@@ -40,7 +40,7 @@ export function StatusBar(): ReactElement {
       {total !== null && total !== undefined && <span>Server {millisecondText(total)}</span>}
       {nodes.length > 0 && (
         <span title="Nodes whose value was already there">
-          cache {cached}/{nodes.length}
+          {cached} of {nodes.length} from the cache
         </span>
       )}
       {engine && <span className="status-engine">Dini {engine}</span>}

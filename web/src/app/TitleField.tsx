@@ -9,7 +9,7 @@ export function TitleField(): ReactElement | null {
   const session = useCurrentSession();
   const title = useCurrent((state) => state.document?.title);
   const kind = useCurrent((state) => state.origin.kind);
-  const isChanged = useCurrent((state) => state.isChanged);
+  const isChanged = useCurrent((state) => state.isChanged || state.isAdjusted);
   const [typed, setTyped] = useState<string | null>(null);
   if (title === undefined) return null;
   const commit = (): void => {

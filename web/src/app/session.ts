@@ -8,7 +8,7 @@ import { fileOutput, viewGraph } from "../model/graph";
 import { History } from "../model/history";
 import { asArray, asObject, asString, type Json } from "../model/json";
 import { layeredLayout } from "../model/layout";
-import { sameValue, withValue, type Parameter, type ParameterValue, type ParameterValues } from "../model/parameters";
+import { sameValue, sameValues, withValue, type Parameter, type ParameterValue, type ParameterValues } from "../model/parameters";
 import { createStore, type Store } from "../model/store";
 import { getJson, type EvaluateBody } from "../net/api";
 import { localProblem } from "../net/problem";
@@ -39,6 +39,7 @@ export class Session {
   private readonly renderer = new Renderer(this.store);
   private readonly history = new History<Snapshot>();
   private saved: Json;
+  private savedValues: ParameterValues = {};
   private validateTimer = 0;
   private validation: AbortController | undefined;
 
@@ -84,8 +85,10 @@ export class Session {
 
   /** The present document is what is kept under `origin`. */
   markSaved(origin: Origin): void {
-    this.saved = this.store.get().document?.json;
-    this.store.set({ origin, exampleId: exampleOf(origin), isChanged: false });
+    const { document, values } = this.store.get();
+    this.saved = document?.json;
+    this.savedValues = values;
+    this.store.set({ origin, exampleId: exampleOf(origin), isChanged: false, isAdjusted: false });
   }
 
   /** Changes the document. An edit that answers the document it was given changes nothing. */
@@ -180,11 +183,12 @@ export class Session {
     const isPlaced = read.positions.size === read.nodes.size;
     const document = isPlaced ? read : moveNodes(layeredLayout(viewGraph(read, catalogue)))(read);
     this.saved = document.json;
+    this.savedValues = {};
     this.history.clear();
     this.renderer.reset();
     this.store.set({
       ...{ document, origin, opened: opened + 1, exampleId: exampleOf(origin), view: viewGraph(document, catalogue) },
-      ...{ values: {}, isChanged: false, shown: null, problem: null, checked: null },
+      ...{ values: {}, isChanged: false, isAdjusted: false, shown: null, problem: null, checked: null },
       ...{ selection: new Set<string>(), areas: new Set<string>(), selected: null, ...this.steps() },
     });
     this.evaluate(false);
@@ -203,7 +207,8 @@ export class Session {
     const selection = new Set([...before.selection].filter((id) => document.nodes.has(id)));
     this.store.set({
       ...{ document, values, view: viewGraph(document, before.catalogue, before.view ?? undefined) },
-      ...{ isChanged: document.json !== this.saved, ...this.steps() },
+      ...{ isChanged: document.json !== this.saved, isAdjusted: !sameValues(values, this.savedValues) },
+      ...this.steps(),
       selection: selection.size === before.selection.size ? before.selection : selection,
       selected: before.selected !== null && document.nodes.has(before.selected) ? before.selected : null,
     });

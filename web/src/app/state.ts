@@ -76,6 +76,8 @@ export interface SessionState {
   values: ParameterValues;
   /** The document differs from what was opened or saved. */
   isChanged: boolean;
+  /** The form's values differ from those at the time it was opened or saved. */
+  isAdjusted: boolean;
   canUndo: boolean;
   canRedo: boolean;
   /** What undo and redo would do, as a menu says it. */
@@ -106,6 +108,7 @@ export const EMPTY: SessionState = {
   view: null,
   values: {},
   isChanged: false,
+  isAdjusted: false,
   canUndo: false,
   canRedo: false,
   undoLabel: undefined,

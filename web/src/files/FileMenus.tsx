@@ -1,5 +1,4 @@
 import type { ReactElement } from "react";
-import { commandLineText } from "../app/commands";
 import { useCurrent, useCurrentSession } from "../app/context";
 import { Icon } from "../app/icons";
 import { keyText } from "../app/shortcuts";
@@ -49,7 +48,7 @@ export function ShareMenus(): ReactElement {
           {
             title: "Copy as dini eval",
             disabled: !isOpen,
-            run: () => void files.copy(commandLineText(session), "a command"),
+            run: () => void files.copy(files.commandLine(), "a command"),
           },
         ]}
       >

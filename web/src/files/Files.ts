@@ -1,6 +1,6 @@
 // Opening, saving, sharing and recovering the open document. Plain TypeScript; the components read its store.
 
-import { curlText } from "../app/commands";
+import { commandLineText, curlText } from "../app/commands";
 import type { Session } from "../app/session";
 import { fileName } from "../model/format";
 import type { Json } from "../model/json";
@@ -11,6 +11,7 @@ import { documentText, documentWithValues } from "./document_file";
 import { openDraftStore, type Draft } from "./drafts";
 import { graphInGlb } from "./glb_graph";
 import { addImport, MESH_FILE, uploadMesh } from "./import_mesh";
+import { meshName, rememberMesh } from "./mesh_names";
 import { LONGEST_LINK, packGraph, unpackGraph } from "./share";
 
 export interface FilesState {
@@ -150,6 +151,10 @@ export class Files {
     return curlText(this.session);
   }
 
+  commandLine(): string | undefined {
+    return commandLineText(this.session, meshName);
+  }
+
   show(dialog: FilesState["dialog"]): void {
     this.store.set({ dialog });
   }
@@ -188,6 +193,7 @@ export class Files {
     const { document, catalogue } = this.session.store.get();
     if ("error" in result) this.say(`${file.name} was not imported. ${result.error}`, "bad");
     if ("error" in result || !document || !catalogue) return;
+    rememberMesh(result.sha256, file.name);
     const added = addImport(document, catalogue, result.sha256);
     if (!added) {
       this.say("This server has no node for meshes.", "bad");

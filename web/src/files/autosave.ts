@@ -1,6 +1,7 @@
-// Writes the draft of the open document a moment after every edit, and at once when the page is left.
+// Writes the draft of the open document a moment after every change of its graph or its form, and at once when the page
+// is left.
 
-import type { Session } from "../app/session";
+import type { Session, SessionState } from "../app/session";
 import { documentWithValues } from "./document_file";
 import type { Draft, DraftStore } from "./drafts";
 
@@ -29,6 +30,8 @@ export class Autosave {
   private written: { json?: unknown; values?: unknown } = {};
   private pending: Draft | undefined;
   private timer = 0;
+  /** A draft of this document was written, or will be. */
+  private isKept = false;
 
   constructor(
     private readonly session: Session,
@@ -46,22 +49,33 @@ export class Autosave {
     this.pending = undefined;
     for (const id of [this.id, this.ancestor]) if (id) await this.store.remove(id).catch(() => undefined);
     this.ancestor = undefined;
+    this.isKept = false;
   }
 
   private look(): void {
-    const { opened, origin, document, values, isChanged } = this.session.store.get();
+    const state = this.session.store.get();
+    const { opened, origin, document, values } = state;
     if (opened !== this.opened) {
       // The last document's draft is written before another one takes its place.
       this.flush();
       this.opened = opened;
       this.id = newId();
+      this.isKept = false;
       this.ancestor = origin.kind === "draft" ? origin.id : undefined;
       this.written = { json: document?.json, values };
     }
-    if (!document || !isChanged) return;
-    if (document.json === this.written.json && values === this.written.values) return;
+    if (!document || (document.json === this.written.json && values === this.written.values)) return;
+    const need = draftNeed(state, this.isKept);
+    if (need === "nothing") return;
     this.written = { json: document.json, values };
     window.clearTimeout(this.timer);
+    if (need === "remove") {
+      this.pending = undefined;
+      this.isKept = false;
+      void this.store.remove(this.id).catch(() => undefined);
+      return;
+    }
+    this.isKept = true;
     this.pending = this.draft();
     this.timer = window.setTimeout(() => this.flush(), PAUSE_MILLISECONDS);
   }
@@ -80,7 +94,7 @@ export class Autosave {
   }
 
   private draft(): Draft | undefined {
-    const { document, values, origin } = this.session.store.get();
+    const { document, values, origin, isChanged } = this.session.store.get();
     if (!document) return undefined;
     return {
       id: this.id,
@@ -89,9 +103,23 @@ export class Autosave {
       name: origin.kind === "file" ? origin.name : "",
       address: location.hash,
       time: Date.now(),
+      isAdjustment: !isChanged && origin.kind === "example",
       json: documentWithValues(document, values),
     };
   }
+}
+
+/**
+ * What is to be done for a document that changed, with or without a draft of it so far. What is again as it was opened or
+ * saved needs no draft; taken up from a draft, it is still saved nowhere else.
+ */
+export function draftNeed(
+  { isChanged, isAdjusted, origin }: Pick<SessionState, "isChanged" | "isAdjusted" | "origin">,
+  isKept: boolean,
+): "write" | "remove" | "nothing" {
+  if (isChanged || isAdjusted) return "write";
+  if (!isKept) return "nothing";
+  return origin.kind === "draft" ? "write" : "remove";
 }
 
 function newId(): string {

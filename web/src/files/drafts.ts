@@ -13,10 +13,14 @@ export interface Draft {
   address: string;
   /** Milliseconds since 1970. */
   time: number;
+  /** Only values of an example's form were changed. */
+  isAdjustment?: boolean;
   json: JsonObject;
 }
 
 export const MOST_DRAFTS = 10;
+/** Going through the examples with a hand on their sliders must not push out work. */
+export const MOST_ADJUSTMENTS = 3;
 
 /** Keeps drafts; in the browser's database, or in memory where there is none. */
 export interface DraftStore {
@@ -26,9 +30,11 @@ export interface DraftStore {
   list(): Promise<Draft[]>;
 }
 
-/** Those beyond the newest ten. */
+/** Those beyond the newest ten, and beyond the newest three of which only an example's form was changed. */
 export function surplus(drafts: readonly Draft[]): Draft[] {
-  return [...drafts].sort((a, b) => b.time - a.time).slice(MOST_DRAFTS);
+  const sorted = [...drafts].sort((a, b) => b.time - a.time);
+  const light = sorted.filter((draft) => draft.isAdjustment).slice(MOST_ADJUSTMENTS);
+  return [...light, ...sorted.filter((draft) => !light.includes(draft)).slice(MOST_DRAFTS)];
 }
 
 const STORE = "drafts";

@@ -4,29 +4,25 @@ import {
   SelectionMode,
   Background,
   BackgroundVariant,
-  MiniMap,
   type ReactFlowInstance,
 } from "@xyflow/react";
 import { useCurrent, useEditing, useEditor } from "../app/context";
 import { wireType } from "../model/catalogue";
 import { FrameView, NoteView } from "./areas";
 import { CanvasTools } from "./CanvasTools";
+import { CanvasMap, MAP_TO } from "./CanvasMap";
 import { EmptyCanvas } from "./EmptyCanvas";
 import { useFlowNodes, type FlowNode } from "./flow_nodes";
 import { useHandlers } from "./handlers";
 import { NodeView } from "./NodeView";
 import { Overlays } from "./Overlays";
-import { useCanvas } from "./use_canvas";
+import { openingFit, useCanvas } from "./use_canvas";
 import { WireView, type WireEdge } from "./WireView";
 
 const NODE_TYPES = { graph: NodeView, frame: FrameView, note: NoteView };
 const EDGE_TYPES = { wire: WireView };
-const MINIMAP_FROM = 30;
-const MINIMAP_TO = 300;
 /** Nodes outside the pane are left out from this number on; below it, bringing them back costs more than it saves. */
 const ONLY_VISIBLE_FROM = 150;
-/** In a narrow window a wide graph runs out of the pane rather than becoming too small to read. */
-export const FIT = { padding: 0.09, maxZoom: 1.15, minZoom: window.innerWidth < 700 ? 0.5 : 0.2 };
 /** The middle and the right button move the canvas while the left one draws boxes. */
 const OTHER_BUTTONS = [1, 2];
 
@@ -40,13 +36,14 @@ export function GraphPane(): ReactElement {
   const count = useCurrent((state) => state.view?.nodes.length ?? 0);
   const leftPans = useEditing((state) => state.leftPans);
   const isWiring = useEditing((state) => state.wiring !== null);
+  const element = useRef<HTMLElement>(null);
   // A graph that is opened is fitted into the pane; one that is begun stays where its first node was put.
   const isFull = useRef({ opened: -1, value: false });
   if (isFull.current.opened !== opened) isFull.current = { opened, value: count > 0 };
+  const opening = useMemo(() => openingFit(editor.session.store.get(), element.current), [editor, opened, isReady]);
   const [nodes, onNodesChange] = useFlowNodes();
   const edges = useWires();
   const [flow, setFlow] = useState<Flow | null>(null);
-  const element = useRef<HTMLElement>(null);
   const { noteMove, fitAll } = useCanvas(flow, element);
   const handlers = useHandlers(flow);
   return (
@@ -63,7 +60,7 @@ export function GraphPane(): ReactElement {
           {...handlers.flow}
           onMoveStart={noteMove}
           fitView={isFull.current.value}
-          fitViewOptions={FIT}
+          fitViewOptions={opening}
           minZoom={0.1}
           maxZoom={2.5}
           selectionOnDrag={!leftPans}
@@ -80,9 +77,10 @@ export function GraphPane(): ReactElement {
           edgesFocusable={false}
           disableKeyboardA11y
           onlyRenderVisibleElements={count > ONLY_VISIBLE_FROM}
+          attributionPosition="bottom-left"
         >
           <Background variant={BackgroundVariant.Dots} gap={24} size={1.4} />
-          {count > MINIMAP_FROM && count <= MINIMAP_TO && <Map />}
+          {count <= MAP_TO && <CanvasMap count={count} />}
         </ReactFlow>
       ) : (
         <p className="pane-wait">Loading the graph…</p>
@@ -137,14 +135,4 @@ function useWires(): WireEdge[] {
 /** Names of the bypassed nodes as one text, which is the same as long as they are. */
 function bypassedIn(nodes: readonly { id: string; bypass: boolean }[]): string {
   return nodes.flatMap((node) => (node.bypass ? [node.id] : [])).join(" ");
-}
-
-function Map(): ReactElement {
-  const wrong = useCurrent((state) => (state.problem?.errors ?? []).map((entry) => entry.node).join(" "));
-  const colorOf = (node: FlowNode): string => {
-    if (node.type !== "graph") return "transparent";
-    if (wrong.split(" ").includes(node.id)) return "var(--error)";
-    return node.selected ? "var(--accent)" : "var(--line2)";
-  };
-  return <MiniMap<FlowNode> pannable zoomable ariaLabel="Map of the graph" nodeColor={colorOf} nodeStrokeWidth={0} />;
 }

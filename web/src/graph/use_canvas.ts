@@ -1,13 +1,32 @@
 // The canvas as the editor's actions use it, and the rule that a graph nobody moved stays in view.
 
+import type { FitViewOptions } from "@xyflow/react";
 import { useCallback, useEffect, useRef, type RefObject } from "react";
 import { useEditor } from "../app/context";
 import type { SocketPlace } from "../app/editor";
 import { nodeElement } from "../app/focus";
+import type { SessionState } from "../app/session";
+import { fileOutput } from "../model/graph";
+import { NODE_WIDTH, nodeHeight } from "../model/layout";
 import type { Box, Position } from "../model/ui";
-import { FIT, type Flow } from "./GraphPane";
+import type { Flow } from "./GraphPane";
+import { OPENING_PADDING, openingNodes, READABLE_ZOOM } from "./opening";
 
 const FOCUS_MILLISECONDS = 1500;
+const FIT = { padding: 0.09, maxZoom: 1.15, minZoom: 0.2 };
+
+/** What React Flow is to fit into the pane when a graph opens. */
+export function openingFit({ view, document, catalogue }: SessionState, pane: HTMLElement | null): FitViewOptions {
+  const boxes = new Map<string, Box>();
+  for (const node of view?.nodes ?? []) {
+    const place = document?.positions.get(node.id);
+    if (place) boxes.set(node.id, { ...place, width: NODE_WIDTH, height: nodeHeight(node) });
+  }
+  const end = document && catalogue ? fileOutput(document, catalogue) : undefined;
+  const { clientWidth: width, clientHeight: height } = pane ?? window.document.documentElement;
+  const nodes = openingNodes(boxes, end, { width, height })?.map((id) => ({ id }));
+  return nodes ? { nodes, padding: OPENING_PADDING, maxZoom: FIT.maxZoom, minZoom: READABLE_ZOOM } : FIT;
+}
 
 interface CanvasUse {
   /** The person has moved the canvas: it is left where it is. */
@@ -17,13 +36,14 @@ interface CanvasUse {
 
 export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | null>): CanvasUse {
   const editor = useEditor();
-  const wasMoved = useRef(false);
+  /** What is kept in sight while the pane changes its size. */
+  const sight = useRef<"opening" | "all" | "moved">("opening");
   const pointer = useRef<(Position & { isOver: boolean }) | null>(null);
 
   useEffect(() => {
     const pane = element.current;
     if (!flow || !pane) return undefined;
-    wasMoved.current = flow.getNodes().length === 0;
+    sight.current = flow.getNodes().length === 0 ? "moved" : "opening";
     const middle = (): Position => {
       const box = pane.getBoundingClientRect();
       return { x: box.left + box.width / 2, y: box.top + box.height / 2 };
@@ -56,7 +76,7 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
       boxes,
       fit: (ids) => {
         const nodes = [...(ids ?? [])].map((id) => ({ id }));
-        wasMoved.current = nodes.length > 0;
+        sight.current = nodes.length > 0 ? "moved" : "all";
         void flow.fitView(nodes.length > 0 ? { ...FIT, padding: 0.25, nodes } : FIT);
       },
       focusNode: (id) => {
@@ -75,7 +95,8 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
     document.addEventListener("pointermove", onMove, { passive: true });
     document.addEventListener("pointerdown", onMove, { passive: true, capture: true });
     const observer = new ResizeObserver(() => {
-      if (!wasMoved.current) void flow.fitView(FIT);
+      if (sight.current === "opening") void flow.fitView(openingFit(editor.session.store.get(), pane));
+      if (sight.current === "all") void flow.fitView(FIT);
     });
     observer.observe(pane);
     return () => {
@@ -87,7 +108,7 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
   }, [editor, flow, element]);
 
   const noteMove = useCallback((event: unknown) => {
-    if (event) wasMoved.current = true;
+    if (event) sight.current = "moved";
   }, []);
   const fitAll = useCallback(() => editor.canvas?.fit(), [editor]);
   return { noteMove, fitAll };

@@ -61,6 +61,17 @@ export function sameValue(a: ParameterValue, b: ParameterValue): boolean {
   return a === b;
 }
 
+/** The same parameters with the same values. */
+export function sameValues(a: ParameterValues, b: ParameterValues): boolean {
+  const names = Object.keys(a);
+  return names.length === Object.keys(b).length && names.every((name) => isSameAt(name, a, b));
+}
+
+function isSameAt(name: string, a: ParameterValues, b: ParameterValues): boolean {
+  const [one, other] = [a[name], b[name]];
+  return one !== undefined && other !== undefined && sameValue(one, other);
+}
+
 /** The step of arrows and drags: the declared one, else a hundredth of the range, else one or a hundredth. */
 export function stepOf(parameter: Parameter): number {
   if (parameter.type === "integer") return Math.max(1, Math.round(parameter.step ?? 1));

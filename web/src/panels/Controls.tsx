@@ -18,8 +18,8 @@ export function Controls(): ReactElement {
           <ParameterRow key={parameter.name} parameter={parameter} />
         ))}
       </div>
-      {open.parameters.length > 0 && (
-        <button type="button" className="button quiet" disabled={!isChanged} onClick={() => session.resetParameters()}>
+      {isChanged && (
+        <button type="button" className="button quiet" onClick={() => session.resetParameters()}>
           <Icon name="reset" />
           <span>Reset all</span>
         </button>

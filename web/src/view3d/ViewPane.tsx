@@ -13,7 +13,7 @@ import { useViewKeys } from "./view_keys";
 import { useViewSettings } from "./view_settings";
 import type { Viewer } from "./Viewer";
 import { Progress, Statistics } from "./ViewStatus";
-import { ViewTools, type ViewActions } from "./ViewTools";
+import { StandardViews, ViewTools, type ViewActions } from "./ViewTools";
 
 const LABEL = "The model. Drag to turn, Shift and drag to move, wheel to zoom; arrow keys turn.";
 
@@ -31,6 +31,7 @@ export function ViewPane({ light, picture }: { light: boolean; picture: boolean 
   const choice = useViewSettings(light, picture);
   const [showing, setShowing] = useShowMode();
   const stale = useCurrent((state) => state.problem !== null && state.shown !== null);
+  const busy = useCurrent((state) => state.busy);
   const { settings } = choice;
   // The view calls back long after it was made; what it calls is always the newest.
   const newest = useRef(choice);
@@ -67,6 +68,7 @@ export function ViewPane({ light, picture }: { light: boolean; picture: boolean 
     };
   }, [session, picture]);
 
+  useEffect(() => viewer?.setBusy(busy), [viewer, busy]);
   const wanted = JSON.stringify(settings);
   useEffect(() => viewer?.setSettings(newest.current.settings), [viewer, wanted]);
 
@@ -91,7 +93,12 @@ export function ViewPane({ light, picture }: { light: boolean; picture: boolean 
       <div className="canvas-place" ref={place} />
       {!picture && <ViewTools choice={choice} actions={actions} showing={showing} onSection={startSection} />}
       <Progress failure={failure} />
-      {!picture && <Statistics />}
+      {!picture && (
+        <div className="view-foot" data-showing={showing}>
+          <Statistics />
+          <StandardViews choice={choice} actions={actions} />
+        </div>
+      )}
       {settings.section && viewer && (
         <SectionPanel
           section={settings.section}

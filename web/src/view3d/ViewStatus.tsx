@@ -64,7 +64,9 @@ export function Statistics(): ReactElement | null {
   return (
     <div className="statistics" aria-label="Statistics">
       {parts.map((part) => (
-        <span key={part.replace(/^[\d\s.]+/, "")}>{part}</span>
+        <span key={part.replace(/^[\d\s.]+/, "")} data-minor={part.endsWith("vertices")}>
+          {part}
+        </span>
       ))}
       {shown.quality === "draft" && <span className="statistics-draft">draft</span>}
     </div>

@@ -45,53 +45,57 @@ export function ViewTools({ choice, actions, showing, onSection }: ViewToolsProp
           </button>
         ))}
       </div>
-      <div className="view-tool-rows">
-        <div className="segments">
-          <Toggle title="Grid" on={settings.grid} onChange={(grid) => set({ grid })}>
-            <Icon name="grid" />
-          </Toggle>
-          <Toggle title="Axes" on={settings.axes} onChange={(axes) => set({ axes })}>
-            <Icon name="axes" />
-          </Toggle>
-          <Toggle title="Control geometry" on={settings.control} onChange={(control) => set({ control })}>
-            <ToolIcon name="control" />
-          </Toggle>
-          <Toggle title="Section" on={settings.section !== null} onChange={onSection}>
-            <ToolIcon name="section" />
-          </Toggle>
-          <Action title="Frame" hint="Fill the view with the selection, or the model (F)" onClick={actions.frame}>
-            <Icon name="frame" />
-          </Action>
-          <Action title="Home view" hint="Opening view (Home)" onClick={actions.home}>
-            <Icon name="home" />
-          </Action>
-          <Action title="Save a picture" hint="Save a picture (PNG)" onClick={actions.screenshot}>
-            <ToolIcon name="camera" />
-          </Action>
-          <Action
-            title={showing ? "Leave the show" : "Show"}
-            hint={showing ? "Back to the editor (Esc)" : "The model and its controls, nothing else"}
-            onClick={actions.show}
-          >
-            <ToolIcon name={showing ? "leave" : "show"} />
-          </Action>
-        </div>
-        <div className="segments" role="group" aria-label="Standard views">
-          {STANDARD.map(({ id, title, hint }) => (
-            <button key={id} type="button" title={hint} onClick={() => actions.view(id)}>
-              {title}
-            </button>
-          ))}
-          <Toggle
-            title="Orthographic"
-            hint="Without perspective (5)"
-            on={settings.orthographic}
-            onChange={(orthographic) => set({ orthographic })}
-          >
-            <ToolIcon name="perspective" />
-          </Toggle>
-        </div>
+      <div className="segments" role="group" aria-label="View">
+        <Toggle title="Grid" on={settings.grid} onChange={(grid) => set({ grid })}>
+          <Icon name="grid" />
+        </Toggle>
+        <Toggle title="Axes" on={settings.axes} onChange={(axes) => set({ axes })}>
+          <Icon name="axes" />
+        </Toggle>
+        <Toggle title="Control geometry" on={settings.control} onChange={(control) => set({ control })}>
+          <ToolIcon name="control" />
+        </Toggle>
+        <Toggle title="Section" on={settings.section !== null} onChange={onSection}>
+          <ToolIcon name="section" />
+        </Toggle>
+        <Action title="Frame" hint="Fill the view with the selection, or the model (F)" onClick={actions.frame}>
+          <Icon name="frame" />
+        </Action>
+        <Action title="Home view" hint="Opening view (Home)" onClick={actions.home}>
+          <Icon name="home" />
+        </Action>
+        <Action title="Save a picture" hint="Save a picture (PNG)" onClick={actions.screenshot}>
+          <ToolIcon name="camera" />
+        </Action>
+        <Action
+          title={showing ? "Leave the show" : "Show"}
+          hint={showing ? "Back to the editor (Esc)" : "The model and its controls, nothing else"}
+          onClick={actions.show}
+        >
+          <ToolIcon name={showing ? "leave" : "show"} />
+        </Action>
       </div>
+    </div>
+  );
+}
+
+/** The standard views, and perspective. */
+export function StandardViews({ choice: { settings, set }, actions }: Omit<ViewToolsProps, "showing" | "onSection">): ReactElement {
+  return (
+    <div className="segments" role="group" aria-label="Standard views">
+      {STANDARD.map(({ id, title, hint }) => (
+        <button key={id} type="button" title={hint} onClick={() => actions.view(id)}>
+          {title}
+        </button>
+      ))}
+      <Toggle
+        title="Orthographic"
+        hint="Without perspective (5)"
+        on={settings.orthographic}
+        onChange={(orthographic) => set({ orthographic })}
+      >
+        <ToolIcon name="perspective" />
+      </Toggle>
     </div>
   );
 }

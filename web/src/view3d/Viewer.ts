@@ -18,6 +18,7 @@ import { ModelLook } from "./model_look";
 import { cellSize } from "./overlays";
 import { pointsInward } from "./orientation";
 import { pngOf, pictureOf } from "./pictures";
+import { fineRatio, Rest, setRatio } from "./rest";
 import { CameraRig, directionOf, type StandardView } from "./rig";
 import { SectionPlane, type Section } from "./section";
 import { isSoftwareRendering } from "./software";
@@ -40,6 +41,9 @@ export class Viewer {
   private readonly section: SectionPlane;
   private readonly ground = new Ground();
   private readonly observer: ResizeObserver;
+  private readonly rest: Rest;
+  /** Pixels of a drawing to one of the page while things move. */
+  private readonly ratio: number;
   private model: DecodedModel | undefined;
   private control: ControlGeometry | undefined;
   private opening: CameraPlace | null = null;
@@ -62,6 +66,13 @@ export class Viewer {
     this.isSoftware = isSoftwareRendering();
     this.renderer = makeRenderer(container, label, smooth ? "smooth" : this.isSoftware ? "plain" : "usual");
     const canvas = this.renderer.domElement;
+    this.ratio = this.renderer.getPixelRatio();
+    this.rest = new Rest(this.isSoftware && !smooth, {
+      setTimeout: (run, milliseconds) => window.setTimeout(run, milliseconds),
+      clearTimeout: (timer) => window.clearTimeout(timer),
+      drawFine: () => this.render(true),
+      mark: (isStill) => (canvas.dataset["still"] = String(isStill)),
+    });
     const isDamped = !this.isSoftware && !matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.rig = new CameraRig(canvas, isDamped, () => this.draw());
     canvas.addEventListener("keydown", (event) => this.rig.onKey(event));
@@ -116,6 +127,11 @@ export class Viewer {
     this.gizmos.set(this.settings.control ? gizmos : []);
     this.setHandles();
     this.draw();
+  }
+
+  /** An evaluation is under way: the next picture is near. */
+  setBusy(busy: boolean): void {
+    this.rest.setBusy(busy);
   }
 
   clear(): void {
@@ -189,12 +205,13 @@ export class Viewer {
   /** The picture as it is now, as a PNG. */
   screenshot(background: readonly [string, string]): Promise<Blob | null> {
     // Drawn and read in the same task: the drawing is gone with the next frame.
-    this.render();
+    this.render(true);
     return pngOf(this.renderer.domElement, background);
   }
 
   dispose(): void {
     cancelAnimationFrame(this.requested);
+    this.rest.stop();
     this.observer.disconnect();
     this.clear();
     this.ground.clear();
@@ -242,6 +259,7 @@ export class Viewer {
   }
 
   private draw(): void {
+    this.rest.changed();
     if (this.requested) return;
     this.requested = requestAnimationFrame(() => {
       this.requested = 0;
@@ -249,14 +267,17 @@ export class Viewer {
     });
   }
 
-  private render(): void {
+  private render(fine = false): void {
     this.rig.update();
     this.gizmos.update();
+    const { clientWidth, clientHeight } = this.container;
+    setRatio(this.renderer, fine ? Math.max(this.ratio, fineRatio(clientWidth, clientHeight)) : this.ratio);
     this.renderer.render(this.scene, this.rig.camera);
     this.handles.update();
     // What tests watch: that nothing is drawn for nothing, and that nothing is kept for nothing.
     const { geometries, textures } = this.renderer.info.memory;
     Object.assign(this.renderer.domElement.dataset, { frames: ++this.frames, geometries, textures });
+    this.rest.drawn(fine);
   }
 
   private resize(): void {

@@ -1,0 +1,68 @@
+// What is seen first: a graph at a size at which it can be read, and what is said to someone new.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { useServer, withCleanPage } from "./fixture.mjs";
+import { settled } from "./harness.mjs";
+
+const used = useServer();
+
+const withPage = (options, run) =>
+  withCleanPage(used, options, async (page) => {
+    await settled(page);
+    await run(page);
+  });
+
+const graph = (page) => page.getByRole("region", { name: "Graph" });
+const map = (page) => page.getByRole("img", { name: "Map of the graph" });
+
+/** Waits until what is measured in the page fulfils the test. */
+const until = (page, measure, argument) => page.waitForFunction(measure, argument, { timeout: 15_000 });
+
+/** In the page: how many nodes are wholly in the pane, of how many, and how high their letters are. */
+const inSight = () => {
+  const pane = document.querySelector(".graph-pane").getBoundingClientRect();
+  const boxes = [...document.querySelectorAll(".react-flow__node")].map((node) => node.getBoundingClientRect());
+  return boxes.filter(
+    ({ left, top, right, bottom }) =>
+      left >= pane.left && top >= pane.top && right <= pane.right && bottom <= pane.bottom,
+  ).length;
+};
+
+test("a wide graph opens where it ends, large enough to be read, with a map of the rest", () =>
+  withPage({ hash: "#example=fig05_twisted_ring" }, async (page) => {
+    await map(page).waitFor();
+    await until(page, () => document.querySelector(".react-flow__node[data-id=out]").getBoundingClientRect().width > 140);
+    const count = await page.locator(".react-flow__node").count();
+    const seen = await page.evaluate(inSight);
+    assert.ok(seen >= 3 && seen < count, `${seen} of ${count} nodes are in sight`);
+    const [output, pane] = [await page.locator(".react-flow__node[data-id=out]").boundingBox(), await graph(page).boundingBox()];
+    assert.ok(output.x > pane.x && output.x + output.width < pane.x + pane.width, "the output is in sight");
+    await graph(page).getByRole("button", { name: "Fit graph" }).click();
+    await map(page).waitFor({ state: "detached" });
+    assert.equal(await page.evaluate(inSight), count, "everything is in sight");
+  }));
+
+test("a graph that is readable as a whole needs no map", () =>
+  withPage({ hash: "#example=fig02_boosted_circle", width: 2600, height: 1000 }, async (page) => {
+    await page.locator(".react-flow__node").first().waitFor();
+    await map(page).waitFor({ state: "detached" });
+    assert.equal(await page.evaluate(inSight), await page.locator(".react-flow__node").count());
+  }));
+
+test("what is said to someone new covers neither graph nor model nor form", async () => {
+  for (const size of [
+    { width: 1280, height: 720 },
+    { width: 800, height: 900 },
+  ]) {
+    await withPage({ firstRun: true, ...size }, async (page) => {
+      const hint = page.getByRole("complementary", { name: "How to begin" });
+      await hint.waitFor();
+      const [box, work] = [await hint.boundingBox(), await page.getByRole("main").boundingBox()];
+      assert.ok(box.y >= work.y + work.height - 1, `the panes end at ${work.y + work.height}, the hint begins at ${box.y}`);
+      assert.ok(box.x >= 0 && box.x + box.width <= size.width);
+      await hint.getByRole("button", { name: "Begin an empty graph" }).click();
+      await hint.waitFor({ state: "detached" });
+    });
+  }
+});
