@@ -130,7 +130,8 @@ class PlyReader {
   std::size_t length_of(const PlyProperty& property) {
     const double length = value(*property.length);
     const std::size_t each = header_.encoding == PlyEncoding::ascii ? 1 : size_of(property.type);
-    if (error_ || (length >= 0 && length <= static_cast<double>(values_.rest() / each))) {
+    const std::size_t most = values_.rest() / each;
+    if (error_ || (length >= 0 && length <= static_cast<double>(most))) {
       return error_ ? 0 : static_cast<std::size_t>(length);
     }
     fail("a list is longer than the rest of the file, or has a negative length");

@@ -62,7 +62,7 @@ class Middles {
   std::vector<std::array<Number, N>> extended(std::vector<std::array<Number, N>> items) const {
     if (items.empty()) return {};
     for (const auto& [a, b] : edges_) {
-      std::array<Number, N> middle;
+      std::array<Number, N> middle{};
       for (std::size_t k = 0; k < N; ++k) middle[k] = (items[a][k] + items[b][k]) / 2;
       items.push_back(middle);
     }

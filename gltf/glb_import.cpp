@@ -97,7 +97,7 @@ class GlbImporter {
     std::vector<bool> seen(document_.count("nodes"));
     std::vector<std::pair<std::size_t, Affine>> waiting;
     const auto push = [&](const std::vector<std::size_t>& nodes, const Affine& outer) {
-      for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) waiting.emplace_back(*node, outer);
+      for (std::size_t k = nodes.size(); k-- > 0;) waiting.emplace_back(nodes[k], outer);
     };
     push(roots(), {});
     while (!waiting.empty()) {
