@@ -92,31 +92,32 @@ test("text and marks keep their contrast in both themes, as drawn", async () => 
     await ring(
       async (page) => {
         await choose(page, "skin");
-        const low = () => page.evaluate(() => {
-          const channel = (value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4);
-          const parse = (text) => (/rgba?\(([^)]+)\)/.exec(text)?.[1] ?? "0,0,0,0").split(/[\s,/]+/).map(Number);
-          const luminance = ([r, g, b]) =>
-            0.2126 * channel(r / 255) + 0.7152 * channel(g / 255) + 0.0722 * channel(b / 255);
-          const groundOf = (element) => {
-            for (let item = element; item; item = item.parentElement) {
-              const color = parse(getComputedStyle(item).backgroundColor);
-              if ((color[3] ?? 1) > 0.95) return color;
-            }
-            return parse(getComputedStyle(document.body).backgroundColor);
-          };
-          const names =
-            ".node-title, .node-name, .row-name, .node-time, .tab, .parameter-label, .status-bar span, .button, .document-state, " +
-            ".inspector-name, .chip, .node-fold, .number-input input, .row-parameter, .unit, .expose";
-          return [...document.querySelectorAll(names)]
-            .filter((item) => item.offsetParent && !item.disabled && !item.closest("[disabled]"))
-            .map((item) => {
-              const [a, b] = [luminance(parse(getComputedStyle(item).color)), luminance(groundOf(item))].sort(
-                (x, y) => y - x,
-              );
-              return { name: item.className, text: item.textContent.slice(0, 20), ratio: (a + 0.05) / (b + 0.05) };
-            })
-            .filter(({ ratio }) => ratio < 4.5);
-        });
+        const low = () =>
+          page.evaluate(() => {
+            const channel = (value) => (value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4);
+            const parse = (text) => (/rgba?\(([^)]+)\)/.exec(text)?.[1] ?? "0,0,0,0").split(/[\s,/]+/).map(Number);
+            const luminance = ([r, g, b]) =>
+              0.2126 * channel(r / 255) + 0.7152 * channel(g / 255) + 0.0722 * channel(b / 255);
+            const groundOf = (element) => {
+              for (let item = element; item; item = item.parentElement) {
+                const color = parse(getComputedStyle(item).backgroundColor);
+                if ((color[3] ?? 1) > 0.95) return color;
+              }
+              return parse(getComputedStyle(document.body).backgroundColor);
+            };
+            const names =
+              ".node-title, .node-name, .row-name, .node-time, .tab, .parameter-label, .status-bar span, .button, .document-state, " +
+              ".inspector-name, .chip, .node-fold, .number-input input, .row-parameter, .unit, .expose";
+            return [...document.querySelectorAll(names)]
+              .filter((item) => item.offsetParent && !item.disabled && !item.closest("[disabled]"))
+              .map((item) => {
+                const [a, b] = [luminance(parse(getComputedStyle(item).color)), luminance(groundOf(item))].sort(
+                  (x, y) => y - x,
+                );
+                return { name: item.className, text: item.textContent.slice(0, 20), ratio: (a + 0.05) / (b + 0.05) };
+              })
+              .filter(({ ratio }) => ratio < 4.5);
+          });
         await eventually(low, [], `contrast in the ${theme} theme`);
       },
       { theme },

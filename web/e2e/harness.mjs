@@ -194,11 +194,13 @@ export function still(locator) {
   const read = async () => {
     await locator.waitFor();
     return locator.evaluate(
-      (element) =>
+      (element, limit) =>
         new Promise((done, fail) => {
+          const end = performance.now() + limit;
           let [last, frames] = ["", 0];
           const look = () => {
             if (!element.isConnected) return fail(new Error("It was taken away."));
+            if (performance.now() > end) return fail(new Error(`It never stood still: ${last}`));
             const { x, y, width, height } = element.getBoundingClientRect();
             const place = { x, y, width, height, transform: element.style.transform };
             frames = JSON.stringify(place) === last ? frames + 1 : 0;
@@ -207,6 +209,7 @@ export function still(locator) {
           };
           look();
         }),
+      LONGEST_WAIT,
     );
   };
   return eventually(read, (place) => place.width > 0, `a place of ${locator}`);
@@ -278,18 +281,21 @@ export async function picture(page) {
 /** Waits until the view has drawn what is there, drawn it finely, and draws no more. */
 export function quiet(page) {
   return canvasOf(page).evaluate(
-    (canvas) =>
-      new Promise((done) => {
+    (canvas, limit) =>
+      new Promise((done, fail) => {
+        const end = performance.now() + limit;
         let [last, frames] = ["", 0];
         const look = () => {
           const { frames: drawn, still } = canvas.dataset;
           frames = still === "true" && drawn === last ? frames + 1 : 0;
           last = drawn;
-          if (frames < 3) requestAnimationFrame(look);
-          else done();
+          if (frames >= 3) done();
+          else if (performance.now() < end) requestAnimationFrame(look);
+          else fail(new Error(`The view never rested: ${JSON.stringify(canvas.dataset)}`));
         };
         look();
       }),
+    LONGEST_WAIT,
   );
 }
 

@@ -33,31 +33,32 @@ test("text is readable in both themes", async () => {
   for (const theme of ["dark", "light"]) {
     await withPage({ theme }, async (page) => {
       await settled(page);
-      const low = () => page.evaluate(() => {
-        const style = getComputedStyle(document.documentElement);
-        const luminance = (name) => {
-          const hex = style.getPropertyValue(name).trim();
-          const [r, g, b] = [1, 3, 5]
-            .map((at) => parseInt(hex.slice(at, at + 2), 16) / 255)
-            .map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));
-          return 0.2126 * r + 0.7152 * g + 0.0722 * b;
-        };
-        const pairs = ["--text", "--text2", "--text3", "--error", "--accent-text"].flatMap((text) =>
-          ["--bg0", "--bg1", "--bg2"].map((ground) => [text, ground]),
-        );
-        pairs.push(
-          ["--error", "--error-soft"],
-          ["--accent-text", "--accent-soft"],
-          ["--text", "--warning-soft"],
-          ["--text", "--bg3"],
-        );
-        return pairs
-          .map(([text, ground]) => {
-            const [a, b] = [luminance(text), luminance(ground)].sort((x, y) => y - x);
-            return { text, ground, ratio: (a + 0.05) / (b + 0.05) };
-          })
-          .filter(({ ratio }) => ratio < 4.5);
-      });
+      const low = () =>
+        page.evaluate(() => {
+          const style = getComputedStyle(document.documentElement);
+          const luminance = (name) => {
+            const hex = style.getPropertyValue(name).trim();
+            const [r, g, b] = [1, 3, 5]
+              .map((at) => parseInt(hex.slice(at, at + 2), 16) / 255)
+              .map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));
+            return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+          };
+          const pairs = ["--text", "--text2", "--text3", "--error", "--accent-text"].flatMap((text) =>
+            ["--bg0", "--bg1", "--bg2"].map((ground) => [text, ground]),
+          );
+          pairs.push(
+            ["--error", "--error-soft"],
+            ["--accent-text", "--accent-soft"],
+            ["--text", "--warning-soft"],
+            ["--text", "--bg3"],
+          );
+          return pairs
+            .map(([text, ground]) => {
+              const [a, b] = [luminance(text), luminance(ground)].sort((x, y) => y - x);
+              return { text, ground, ratio: (a + 0.05) / (b + 0.05) };
+            })
+            .filter(({ ratio }) => ratio < 4.5);
+        });
       await eventually(low, [], `contrast in the ${theme} theme`);
     });
   }
@@ -66,13 +67,14 @@ test("text is readable in both themes", async () => {
 test("every button and field has a name", () =>
   withPage({}, async (page) => {
     await settled(page);
-    const nameless = () => page.evaluate(() =>
-      [...document.querySelectorAll("button, input, select, [role=slider], [role=separator], [role=tab]")]
-        .filter(
-          (item) => !(item.getAttribute("aria-label") || item.textContent.trim() || item.labels?.[0]?.textContent),
-        )
-        .map((item) => item.outerHTML.slice(0, 120)),
-    );
+    const nameless = () =>
+      page.evaluate(() =>
+        [...document.querySelectorAll("button, input, select, [role=slider], [role=separator], [role=tab]")]
+          .filter(
+            (item) => !(item.getAttribute("aria-label") || item.textContent.trim() || item.labels?.[0]?.textContent),
+          )
+          .map((item) => item.outerHTML.slice(0, 120)),
+      );
     await eventually(nameless, []);
   }));
 
