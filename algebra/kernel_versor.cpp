@@ -36,9 +36,14 @@ void versor_lanes(const Versor& versor, const Point& infinity_image, kernels::Co
     const PointLanes p = load(in, range);
     const Triple<Lanes> shift = zero - p.position;
     const Quaternion<Lanes> weight = a + times_vector(b, shift);
-    const Quaternion<Lanes> rest = (c + times_vector(e, shift)) + vector_times(p.position, weight);
+    const Quaternion<Lanes> rest = c + times_vector(e, shift);
+    const Quaternion<Lanes> moved = rest + vector_times(p.position, weight);
     const Lanes scale = hn::Set(d, 1.0) / squared_size(weight);
-    const Triple<Lanes> image = p.position + scale * vector_of_ratio(weight, rest);
+    Triple<Lanes> image = p.position + scale * vector_of_ratio(weight, moved);
+    const LaneMask nearer = is_much_nearer(image, p.position);
+    if (HWY_UNLIKELY(!hn::AllFalse(d, nearer))) {
+      image = select(nearer, scale * vector_of_ratio(weight, rest), image);
+    }
     store(select(p.infinite, far, image), out, range);
   });
 }

@@ -106,6 +106,11 @@ HWY_INLINE void store(const Triple<Lanes>& p, kernels::Points points, Range rang
   store(stored.z, points.z, range);
 }
 
+/// Where an image has to be computed without the point that it comes from.
+HWY_INLINE LaneMask is_much_nearer(const Triple<Lanes>& image, const Triple<Lanes>& p) {
+  return hn::Lt(dot(image, image), hn::Set(Tag(), tolerance::much_nearer) * dot(p, p));
+}
+
 /// Where exp(B) sends points: p + displacement. `local` is B seen from the points, `squares` those of B.
 template <bool exact>
 HWY_INLINE Triple<Lanes> displaced(const Triple<Lanes>& p, const Bivector<Lanes>& local,

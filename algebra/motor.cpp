@@ -54,8 +54,12 @@ Versor screw_motor(const Circle& axis, double angle, double slide) {
 Versor translation_versor(const Vector& by) { return {1, direction_generator(-0.5 * by), {}}; }
 
 Versor scaling_versor(const Point& center, double factor) {
-  // (1 + f) + (f - 1) p^ni, the exponential of log(f)/2 p^ni up to scale; it also exists for f <= 0
-  return {0.5 * (1 + factor), (0.5 * (factor - 1)) * flat_point(center), {}};
+  // s + e p^ni with (s + e) / (s - e) = f: the exponential of log(f)/2 p^ni up to scale; it also exists for f <= 0.
+  // Only this ratio counts, so the smaller of the two is made exactly 1: of a large f as a difference of halves of
+  // sums, digits would be lost with its size.
+  const bool shrinks = std::abs(factor) < 1 && std::abs(factor) > tolerance::vanishing_argument;
+  const double s = 0.5 * (1 + (shrinks ? 1 / factor : factor));
+  return {s, (shrinks ? 1 - s : s - 1) * flat_point(center), {}};
 }
 
 std::optional<Generator> motor_logarithm(const Versor& motor) {

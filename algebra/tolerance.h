@@ -52,6 +52,14 @@ inline constexpr double saturated_generator = 1e60;
 inline constexpr double vanishing_argument = 1e-100;
 inline constexpr double vanishing_square = 1e-200;
 
+/// An image this much nearer to the origin than its point (squared) is computed by itself: as a sum of the point and a
+/// displacement it would have only the digits that the point leaves over.
+inline constexpr double much_nearer = 1.0 / 64;
+
+/// A generator is taken to a far point, to be exponentiated there, when that makes the terms of its square no larger
+/// than this times what they are; beyond, more digits are lost on the way than by looking at the point from afar.
+inline constexpr double seen_from_afar = 16;
+
 /// Points farther out than this, in meters, count as the point at infinity: cubes of coordinates must stay finite.
 inline constexpr double infinite_distance = 1e100;
 

@@ -81,11 +81,20 @@ std::optional<Point> apply(const Versor& versor, const Point& point) {
   const bool far =
       !(std::abs(point.x) <= tolerance::infinite_distance && std::abs(point.y) <= tolerance::infinite_distance &&
         std::abs(point.z) <= tolerance::infinite_distance);
-  const Matrix local = far ? m : seen_from(m, point);
   bool infinite = false;
-  const auto moved = far ? image(local.b, local.d, infinite) : image(local.a, local.c, infinite);
+  if (far) {
+    const auto moved = image(m.b, m.d, infinite);
+    if (!moved) return std::nullopt;
+    return infinite || !is_finite(*moved) ? Point::at_infinity() : to_point(*moved);
+  }
+  const Quaternion shift{0, {-point.x, -point.y, -point.z}}, back{0, lanes::triple(point)};
+  const Quaternion weight = m.a + m.b * shift, rest = m.c + m.d * shift;
+  const auto moved = image(weight, rest + back * weight, infinite);
   if (!moved) return std::nullopt;
-  const Vector result = far ? *moved : to_vector(point) + *moved;
+  Vector result = to_vector(point) + *moved;
+  if (!infinite && squared_length(result) < tolerance::much_nearer * squared_length(to_vector(point))) {
+    result = *image(weight, rest, infinite);
+  }
   return infinite || !is_finite(result) ? Point::at_infinity() : to_point(result);
 }
 

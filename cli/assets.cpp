@@ -31,7 +31,7 @@ void Assets::add_option(CLI::App& command) {
       ->allow_extra_args(false);
 }
 
-Problems Assets::give_to(const Engine& engine) const {
+Problems Assets::give_to(const Engine& engine, const Cancel& cancel) const {
   const std::filesystem::path examples = find_examples("");
   if (!examples.empty()) {
     if (Problems problems = server::load_assets(examples / "assets", engine); !problems.empty()) return problems;
@@ -48,7 +48,7 @@ Problems Assets::give_to(const Engine& engine) const {
     }
     const auto bytes = read_bounded(path, engine.limits().asset_bytes);
     if (!bytes) return bytes.problems();
-    if (const auto added = engine.add_asset(*bytes, name); !added) {
+    if (const auto added = engine.add_asset(*bytes, name, cancel); !added) {
       Problems problems = added.problems();
       problems.front().detail = path + ": " + problems.front().detail;
       return problems;

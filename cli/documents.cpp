@@ -2,28 +2,59 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <system_error>
 #include <unistd.h>
-
-#include "server/files.h"
 
 namespace dini::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
+/// Far more than any graph within the limits has; devices have no end.
+constexpr std::size_t most_bytes = std::size_t{64} << 20;
+
+std::string shown(const std::string& path) { return path == "-" ? "standard stream" : path; }
+
 Problem io_problem(const std::string& path, int error) {
-  return {.code = "io",
-          .detail = (path == "-" ? "standard stream" : path) + ": " + std::generic_category().message(error)};
+  return {.code = "io", .detail = shown(path) + ": " + std::generic_category().message(error)};
+}
+
+/// What stands in the way of a file, as far as a look at the path tells.
+int error_of(const std::string& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return EISDIR;
+  const fs::path folder = fs::path(path).parent_path();
+  if (folder.empty() || fs::is_directory(folder, ignored)) return 0;
+  return fs::exists(folder, ignored) ? ENOTDIR : ENOENT;
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  if (fs::equivalent(a, b, error) && !error) return fs::is_regular_file(a, error);
+  return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error) && !fs::exists(a, error);
 }
 
 }  // namespace
 
 Result<std::string> read_input(const std::string& path) {
-  if (path != "-") return server::read_file(path);
-  std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
-  if (std::cin.bad()) return io_problem(path, EIO);
+  std::error_code ignored;
+  if (path != "-" && fs::is_directory(path, ignored)) return io_problem(path, EISDIR);
+  errno = 0;
+  std::ifstream file;
+  if (path != "-") file.open(path, std::ios::binary);
+  std::istream& stream = path == "-" ? std::cin : file;
+  if (!stream) return io_problem(path, errno != 0 ? errno : EIO);
+  std::string text, piece(std::size_t{1} << 16, '\0');
+  while (stream.read(piece.data(), static_cast<std::streamsize>(piece.size())), stream.gcount() > 0) {
+    text.append(piece, 0, static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > most_bytes) {
+      return Problem{.code = "limit-exceeded", .detail = shown(path) + ": there are more than 64 MiB"};
+    }
+  }
+  if (stream.bad()) return io_problem(path, EIO);
   return text;
 }
 
@@ -32,15 +63,38 @@ Problems write_output(const std::string& path, std::string_view bytes) {
     std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();
     return std::cout ? Problems{} : Problems{io_problem(path, EIO)};
   }
-  const std::string unfinished = path + "." + std::to_string(::getpid()) + ".part";
+  if (const int error = error_of(path); error != 0) return {io_problem(path, error)};
+  std::error_code ignored;
+  const bool exists = fs::exists(path, ignored);
+  const bool is_file = !exists || fs::is_regular_file(path, ignored);
+  // Through links: the file that they mean is replaced, not the link.
+  const std::string target = exists && is_file ? fs::canonical(path, ignored).string() : path;
+  const std::string unfinished = is_file ? target + "." + std::to_string(::getpid()) + ".part" : target;
   errno = 0;
   std::ofstream file(unfinished, std::ios::binary);
   file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   file.close();
-  if (!file || std::rename(unfinished.c_str(), path.c_str()) != 0) {
+  if (!file || (is_file && std::rename(unfinished.c_str(), target.c_str()) != 0)) {
     const int error = errno != 0 ? errno : EIO;
-    std::remove(unfinished.c_str());
+    if (is_file) std::remove(unfinished.c_str());
     return {io_problem(path, error)};
+  }
+  return {};
+}
+
+Problems unwritable(const std::vector<std::string>& outputs, const std::string& input) {
+  const auto is_path = [](const std::string& path) { return !path.empty() && path != "-"; };
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (!is_path(outputs[i])) continue;
+    if (const int error = error_of(outputs[i]); error != 0) return {io_problem(outputs[i], error)};
+    if (is_path(input) && same_file(outputs[i], input)) {
+      return {{.code = "usage", .detail = outputs[i] + " is the graph, it would be written over"}};
+    }
+    for (std::size_t k = 0; k < i; ++k) {
+      if (is_path(outputs[k]) && same_file(outputs[i], outputs[k])) {
+        return {{.code = "usage", .detail = outputs[i] + " would be written twice"}};
+      }
+    }
   }
   return {};
 }
@@ -48,7 +102,11 @@ Problems write_output(const std::string& path, std::string_view bytes) {
 Result<Json> read_graph(const std::string& path, const Limits& limits) {
   const auto text = read_input(path);
   if (!text) return text.problems();
-  return parse_json(*text, limits);
+  Result<Json> graph = parse_json(*text, limits);
+  if (graph) return graph;
+  Problems problems = graph.problems();
+  for (Problem& problem : problems) problem.detail = shown(path) + ": " + problem.detail;
+  return problems;
 }
 
 Result<Json> read_settings(const std::vector<std::string>& words, const Limits& limits) {
@@ -57,6 +115,9 @@ Result<Json> read_settings(const std::vector<std::string>& words, const Limits& 
     const auto equals = word.find('=');
     if (equals == std::string::npos || equals == 0) {
       return Problem{.code = "usage", .detail = "--set takes name=value, not '" + word + "'"};
+    }
+    if (parameters.contains(word.substr(0, equals))) {
+      return Problem{.code = "usage", .detail = "--set gives '" + word.substr(0, equals) + "' twice"};
     }
     const std::string text = word.substr(equals + 1);
     const auto value = parse_json(text, limits);

@@ -9,17 +9,22 @@
 
 namespace dini::cli {
 
-/// Everything from a file, or from standard input for `-`. The problem has code `io`.
+/// Everything from a file, or from standard input for `-`. Problems: `io`, and `limit-exceeded` beyond 64 MiB.
 Result<std::string> read_input(const std::string& path);
 
-/// Writes a whole file, or to standard output for `-`. A file appears complete or not at all.
+/// Writes a whole file, or to standard output for `-`. A file appears complete or not at all, also behind a symbolic
+/// link; what is no file (a device, a pipe) is written to.
 Problems write_output(const std::string& path, std::string_view bytes);
+
+/// What can be told about the paths of a command before its work is done: folders that are not there (`io`), and one
+/// path written twice, or read and written (`usage`). Empty paths and `-` are passed over.
+Problems unwritable(const std::vector<std::string>& outputs, const std::string& input);
 
 /// A graph document from a file or `-`.
 Result<Json> read_graph(const std::string& path, const Limits& limits);
 
 /// Values for parameters from `name=value` words: JSON if the value parses as such, else text. The problem has code
-/// `usage`.
+/// `usage`, also for a name given twice.
 Result<Json> read_settings(const std::vector<std::string>& words, const Limits& limits);
 
 }  // namespace dini::cli

@@ -60,6 +60,9 @@ int run(Options& options) {
   if (options.model == "-" && options.report == "-") {
     return fail({{.code = "usage", .detail = "-o and --report cannot both be standard output"}}, exit_usage);
   }
+  if (const Problems wrong = unwritable({options.model, options.report}, options.graph); !wrong.empty()) {
+    return fail(wrong, exit_code_for(wrong, Stage::checking));
+  }
   Limits limits;
   // Nobody waits at the other end of a script, so a deadline is kept only when one is asked for.
   const Cancel cancel(options.deadline_ms == 0 ? Cancel::Clock::time_point::max()
@@ -70,7 +73,7 @@ int run(Options& options) {
   if (!graph) return fail(graph.problems(), exit_code_for(graph.problems(), Stage::checking));
 
   const Engine engine(limits);
-  if (const Problems wrong = options.assets.give_to(engine); !wrong.empty()) {
+  if (const Problems wrong = options.assets.give_to(engine, cancel); !wrong.empty()) {
     return fail(wrong, exit_code_for(wrong, Stage::checking));
   }
   const auto prepared = engine.prepare({.graph = *graph,

@@ -9,6 +9,8 @@ int exit_code_for(const Problems& problems, Stage stage) {
   if (code == "internal") return exit_our_bug;
   if (code == "check-failed") return exit_check_failed;
   if (code == "limit-exceeded" || code == "deadline" || code == "out-of-memory") return exit_limit;
+  // What was asked for is not in the graph, whenever that was noticed.
+  if (code == "unknown-node" || code == "unknown-output" || code == "unknown-port") return exit_invalid_graph;
   return stage == Stage::checking ? exit_invalid_graph : exit_evaluation_failed;
 }
 

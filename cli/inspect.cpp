@@ -34,13 +34,18 @@ int run(Options& options) {
   if (!graph) return fail(graph.problems(), exit_code_for(graph.problems(), Stage::checking));
 
   const auto dot = options.place.find('.');
+  if (dot == 0 || options.place.empty() || dot + 1 == options.place.size()) {
+    return fail(
+        {{.code = "usage", .detail = "the place to inspect is NODE or NODE.OUTPUT, not '" + options.place + "'"}},
+        exit_usage);
+  }
   const InspectRequest request{.graph = *graph,
                                .parameters = *parameters,
                                .node = options.place.substr(0, dot),
                                .output = dot == std::string::npos ? "" : options.place.substr(dot + 1),
                                .full = options.full};
   const Engine engine(limits);
-  if (const Problems wrong = options.assets.give_to(engine); !wrong.empty()) {
+  if (const Problems wrong = options.assets.give_to(engine, Cancel()); !wrong.empty()) {
     return fail(wrong, exit_code_for(wrong, Stage::checking));
   }
   // `inspect` checks and evaluates in one call; a graph that checks out can only have failed while being evaluated.

@@ -60,6 +60,11 @@ Problems announce(const Options& options, int port) {
 }
 
 int run(Options& options) {
+  if (options.settings.host.empty()) return fail({{.code = "usage", .detail = "--host needs an address"}}, exit_usage);
+  std::error_code ignored;
+  if (!options.examples.empty() && !std::filesystem::is_directory(options.examples, ignored)) {
+    return fail({{.code = "io", .detail = options.examples + ": there is no such folder"}}, exit_io);
+  }
   if (!is_loopback(options.settings.host) && options.settings.token.empty()) {
     return fail({{.code = "usage",
                   .detail = "--host " + options.settings.host + " can be reached from elsewhere: give a --token"}},

@@ -41,7 +41,7 @@ int run(const Options& options) {
     return exit_code_for(graph.problems(), Stage::checking);
   }
   const Engine engine(limits);
-  if (const Problems wrong = options.assets.give_to(engine); !wrong.empty()) {
+  if (const Problems wrong = options.assets.give_to(engine, Cancel()); !wrong.empty()) {
     print_problems(wrong);
     return exit_code_for(wrong, Stage::checking);
   }

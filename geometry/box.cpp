@@ -45,7 +45,7 @@ Mesh box_mesh(const Point& center, const Vector& size, std::size_t segments, con
     const std::size_t first = vertex;
     for (std::size_t i = 0; i < points; ++i) {
       for (std::size_t j = 0; j < points; ++j, ++vertex) {
-        std::array<double, 3> place;
+        std::array<double, 3> place{};
         place[face.along] = coordinate(face.along, face.positive ? steps : 0);
         place[u_axis] = coordinate(u_axis, i);
         place[v_axis] = coordinate(v_axis, j);

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 
 namespace dini {
 
@@ -39,6 +40,23 @@ class Cancel {
  private:
   Clock::time_point deadline_ = Clock::time_point::max();
   mutable std::atomic<StopReason> reason_ = StopReason::none;
+};
+
+/// Looks at a flag once in some thousand steps, for loops whose steps take nanoseconds.
+class CancelEvery {
+ public:
+  explicit CancelEvery(const Cancel& cancel) : cancel_(cancel) {}
+
+  /// One step more; true once the flag was seen to be set, at the first step for one that is set already.
+  bool stopped() {
+    if (steps_++ % 4096 == 0) stopped_ = cancel_.stopped();
+    return stopped_;
+  }
+
+ private:
+  const Cancel& cancel_;
+  std::uint32_t steps_ = 0;
+  bool stopped_ = false;
 };
 
 }  // namespace dini

@@ -2,7 +2,8 @@
 
 // What reading a mesh file gives: a mesh or the reason why there is none. The readers (obj_reader.h, ply_reader.h, and
 // gltf/glb_import.h) take bytes from anyone: they never throw, never allocate by a number that the bytes claim before
-// the bytes themselves are there, and take time proportional to the bytes and to the limits.
+// the bytes themselves are there, take time proportional to the bytes and to the limits, and look at the cancel flag
+// every some thousand elements.
 
 #include <cstddef>
 #include <string>
@@ -10,6 +11,7 @@
 #include <utility>
 #include <variant>
 
+#include "geometry/cancel.h"
 #include "geometry/mesh.h"
 
 namespace dini {
@@ -37,6 +39,7 @@ struct ImportError {
   enum class Code {
     invalid,    ///< not a file of its format, or with a part that is not supported
     too_large,  ///< well so far, but beyond the limits
+    stopped,    ///< not read to its end, because the cancel flag was set
   };
 
   Code code = Code::invalid;
@@ -46,6 +49,8 @@ struct ImportError {
 using ImportResult = std::variant<ImportedMesh, ImportError>;
 
 inline ImportError invalid_file(std::string detail) { return {ImportError::Code::invalid, std::move(detail)}; }
+
+inline ImportError stopped_reading() { return {ImportError::Code::stopped, "the file was not read to its end"}; }
 
 /// "the file has more than 5 vertices".
 inline ImportError too_many(std::size_t limit, std::string_view what) {

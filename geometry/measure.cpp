@@ -117,7 +117,7 @@ void measure_edges(const std::vector<Triangle>& triangles, std::size_t vertices,
 
 Measures measure(const Mesh& mesh, const Cancel& cancel) {
   Measures measures;
-  const std::vector<Triangle> triangles = welded_triangles(mesh, position_labels(mesh.positions));
+  const std::vector<Triangle> triangles = welded_triangles(mesh, position_labels(mesh.positions, cancel));
   if (triangles.empty()) return measures;
   measures.triangles = triangles.size();
   measure_bounds(mesh, triangles, measures);

@@ -42,7 +42,7 @@ void append_attributes(const Mesh& mesh, const Outline& outline, Mesh& merged, s
     merged.uvs.resize(base + count);
   }
   if (outline.colors) {
-    std::array<float, 4> fill;
+    std::array<float, 4> fill{};
     std::transform(mesh.color.begin(), mesh.color.end(), fill.begin(), [](double c) { return static_cast<float>(c); });
     merged.colors.insert(merged.colors.end(), mesh.colors.begin(), mesh.colors.end());
     merged.colors.resize(base + count, fill);

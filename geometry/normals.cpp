@@ -7,7 +7,7 @@ namespace dini {
 
 Column<Vector> smooth_normals(const Mesh& mesh, const Cancel& cancel) {
   constexpr std::size_t check_interval = 4096;
-  const std::vector<std::uint32_t> labels = position_labels(mesh.positions);
+  const std::vector<std::uint32_t> labels = position_labels(mesh.positions, cancel);
   std::vector<Vector> sums(mesh.positions.size());
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     if (i % check_interval == 0 && cancel.stopped()) {

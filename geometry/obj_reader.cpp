@@ -1,8 +1,8 @@
 #include "geometry/obj_reader.h"
 
-#include <random>
 #include <unordered_map>
 
+#include "geometry/hash_seed.h"
 #include "geometry/polygon.h"
 #include "geometry/raw_mesh.h"
 #include "geometry/text_reader.h"
@@ -18,12 +18,10 @@ struct Corner {
   friend bool operator==(const Corner&, const Corner&) = default;
 };
 
-/// Seeded anew by every process: a file that is made to put all corners into one bucket would take minutes. The order
-/// of the table never shows.
+/// Seeded; the order of the table never shows.
 struct CornerHash {
   std::size_t operator()(const Corner& corner) const {
-    static const std::uint64_t seed = std::uint64_t{std::random_device()()} << 32 | std::random_device()();
-    std::uint64_t bits = seed;
+    std::uint64_t bits = hash_seed();
     for (const std::int64_t index : {corner.position, corner.uv, corner.normal}) {
       bits = (bits ^ static_cast<std::uint64_t>(index)) * 0x9E3779B97F4A7C15u;
       bits ^= bits >> 29;
@@ -34,17 +32,18 @@ struct CornerHash {
 
 class ObjReader {
  public:
-  ObjReader(std::string_view text, const ImportLimits& limits) : lines_(text), limits_(limits) {}
+  ObjReader(std::string_view text, const ImportLimits& limits, const Cancel& cancel)
+      : lines_(text), limits_(limits), cancel_(cancel), steps_(cancel) {}
 
   ImportResult read() {
     while (const auto line = next_line()) {
-      read_line(*line);
+      if (!stopped()) read_line(*line);
       if (error_) return *std::move(error_);
     }
     if (uvs_.empty()) raw_.uvs.clear();
     if (normals_.empty()) raw_.normals.clear();
     if (!any_color_) raw_.colors.clear();
-    return finish_import(std::move(raw_), MeshFormat::obj, limits_);
+    return finish_import(std::move(raw_), MeshFormat::obj, limits_, cancel_);
   }
 
  private:
@@ -53,12 +52,17 @@ class ObjReader {
     auto line = lines_.next();
     if (!line || !line->ends_with('\\')) return line;
     joined_.clear();
-    while (line && line->ends_with('\\')) {
+    while (line && line->ends_with('\\') && !stopped()) {
       joined_.append(line->substr(0, line->size() - 1)) += ' ';
       line = lines_.next();
     }
     if (line) joined_ += *line;
     return joined_;
+  }
+
+  bool stopped() {
+    if (!error_ && steps_.stopped()) error_ = stopped_reading();
+    return error_.has_value();
   }
 
   void fail(const std::string& what) {
@@ -139,7 +143,7 @@ class ObjReader {
   void read_face(std::string_view line) {
     polygon_.clear();
     corners_.clear();
-    for (std::string_view word = take_word(line); !word.empty() && !error_; word = take_word(line)) {
+    for (std::string_view word = take_word(line); !word.empty() && !stopped(); word = take_word(line)) {
       const Corner corner = corner_from(word);
       if (error_) return;
       polygon_.push_back(vertex_of(corner));
@@ -151,7 +155,7 @@ class ObjReader {
         error_ = too_many(limits_.triangles, "triangles");
       }
     }
-    if (polygon_.size() < 3) fail("a face has fewer than three corners");
+    if (!error_ && polygon_.size() < 3) fail("a face has fewer than three corners");
     if (error_) return;
     pieces_.clear();
     cutter_.cut(corners_, pieces_);
@@ -172,6 +176,8 @@ class ObjReader {
 
   LineReader lines_;
   const ImportLimits& limits_;
+  const Cancel& cancel_;
+  CancelEvery steps_;
   std::string joined_;
   std::vector<Vector> positions_, normals_;
   std::vector<std::array<double, 2>> uvs_;
@@ -189,6 +195,8 @@ class ObjReader {
 
 }  // namespace
 
-ImportResult read_obj(std::string_view text, const ImportLimits& limits) { return ObjReader(text, limits).read(); }
+ImportResult read_obj(std::string_view text, const ImportLimits& limits, const Cancel& cancel) {
+  return ObjReader(text, limits, cancel).read();
+}
 
 }  // namespace dini

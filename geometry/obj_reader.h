@@ -9,6 +9,6 @@ namespace dini {
 /// Polygons are cut into triangles (geometry/polygon.h). Everything else, materials and other files among it, is passed
 /// over. Refused with the line number: numbers that are none or not finite, faces of fewer than three corners, indices
 /// that lead nowhere. v of the texture is turned over, since OBJ counts from the lower left.
-ImportResult read_obj(std::string_view text, const ImportLimits& limits);
+ImportResult read_obj(std::string_view text, const ImportLimits& limits, const Cancel& cancel = {});
 
 }  // namespace dini

@@ -43,6 +43,7 @@ std::array<float, 4> between(std::span<const Linear> stops, double share) {
 }  // namespace
 
 std::array<float, 4> palette_color(Palette palette, double share) {
+  if (!std::isfinite(share)) share = share > 0 ? 1 : 0;
   if (palette == Palette::cyclic) return between(cyclic, share - std::floor(share));
   return between(
       palette == Palette::diverging ? std::span<const Linear>(diverging) : std::span<const Linear>(sequential),

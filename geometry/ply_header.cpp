@@ -59,7 +59,8 @@ class HeaderReader {
         header_.size = std::min(bytes_.size(), most_header_bytes) - lines_.rest().size();
         if (!has_format) return fail("there is no format");
         return check_counts();
-      } else if (keyword == "format") {
+      }
+      if (keyword == "format") {
         has_format = good = read_format(*line);
       } else if (keyword == "element") {
         good = read_element(*line);

@@ -94,8 +94,8 @@ double full_scale(PlyType type) {
 
 class PlyReader {
  public:
-  PlyReader(const PlyHeader& header, std::string_view data, const ImportLimits& limits)
-      : header_(header), values_(data, header.encoding), limits_(limits) {}
+  PlyReader(const PlyHeader& header, std::string_view data, const ImportLimits& limits, const Cancel& cancel)
+      : header_(header), values_(data, header.encoding), limits_(limits), cancel_(cancel), steps_(cancel) {}
 
   ImportResult read() {
     for (const PlyElement& element : header_.elements) {
@@ -110,7 +110,7 @@ class PlyReader {
       }
       if (error_) return *std::move(error_);
     }
-    return finish_import(std::move(raw_), MeshFormat::ply, limits_);
+    return finish_import(std::move(raw_), MeshFormat::ply, limits_, cancel_);
   }
 
  private:
@@ -119,6 +119,7 @@ class PlyReader {
   }
 
   double value(PlyType type) {
+    if (!error_ && steps_.stopped()) error_ = stopped_reading();
     if (error_) return 0;
     const auto number = values_.next(type);
     if (!number) fail("the data ends too early, or a number is none");
@@ -129,7 +130,8 @@ class PlyReader {
   std::size_t length_of(const PlyProperty& property) {
     const double length = value(*property.length);
     const std::size_t each = header_.encoding == PlyEncoding::ascii ? 1 : size_of(property.type);
-    if (error_ || (length >= 0 && length <= static_cast<double>(values_.rest() / each))) {
+    const std::size_t most = values_.rest() / each;
+    if (error_ || (length >= 0 && length <= static_cast<double>(most))) {
       return error_ ? 0 : static_cast<std::size_t>(length);
     }
     fail("a list is longer than the rest of the file, or has a negative length");
@@ -226,6 +228,8 @@ class PlyReader {
   const PlyHeader& header_;
   ValueReader values_;
   const ImportLimits& limits_;
+  const Cancel& cancel_;
+  CancelEvery steps_;
   RawMesh raw_;
   PolygonCutter cutter_;
   std::vector<std::uint32_t> polygon_;
@@ -236,11 +240,11 @@ class PlyReader {
 
 }  // namespace
 
-ImportResult read_ply(std::string_view bytes, const ImportLimits& limits) {
+ImportResult read_ply(std::string_view bytes, const ImportLimits& limits, const Cancel& cancel) {
   const auto header = read_ply_header(bytes);
   if (const auto* error = std::get_if<ImportError>(&header)) return *error;
   const PlyHeader& known = std::get<PlyHeader>(header);
-  return PlyReader(known, bytes.substr(known.size), limits).read();
+  return PlyReader(known, bytes.substr(known.size), limits, cancel).read();
 }
 
 }  // namespace dini

@@ -9,6 +9,6 @@ namespace dini {
 /// 0 to 1); of `face` the list vertex_indices or vertex_index, cut into triangles (geometry/polygon.h). Everything else
 /// is passed over. Refused: numbers that are none or not finite, indices of no vertex, faces of fewer than three
 /// corners, and files that are cut short. v of the texture is turned over, since PLY counts from the lower left.
-ImportResult read_ply(std::string_view bytes, const ImportLimits& limits);
+ImportResult read_ply(std::string_view bytes, const ImportLimits& limits, const Cancel& cancel = {});
 
 }  // namespace dini

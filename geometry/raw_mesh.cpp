@@ -59,7 +59,7 @@ std::vector<std::uint32_t> used_vertices(RawMesh& raw) {
   return used;
 }
 
-void set_normals(const RawMesh& raw, const std::vector<std::uint32_t>& used, Mesh& mesh) {
+void set_normals(const RawMesh& raw, const std::vector<std::uint32_t>& used, const Cancel& cancel, Mesh& mesh) {
   Column<Vector> normals(used.size());
   bool complete = !raw.normals.empty();
   for (std::size_t i = 0; i < used.size() && !raw.normals.empty(); ++i) {
@@ -68,7 +68,7 @@ void set_normals(const RawMesh& raw, const std::vector<std::uint32_t>& used, Mes
     normals.set(i, normal);
   }
   if (!complete) {
-    const Column<Vector> computed = smooth_normals(mesh, Cancel());
+    const Column<Vector> computed = smooth_normals(mesh, cancel);
     for (std::size_t i = 0; i < used.size(); ++i) {
       if (normals[i] == Vector{}) normals.set(i, computed[i]);
     }
@@ -78,13 +78,16 @@ void set_normals(const RawMesh& raw, const std::vector<std::uint32_t>& used, Mes
 
 }  // namespace
 
-ImportResult finish_import(RawMesh raw, MeshFormat format, const ImportLimits& limits) {
+ImportResult finish_import(RawMesh raw, MeshFormat format, const ImportLimits& limits, const Cancel& cancel) {
+  if (cancel.stopped()) return stopped_reading();
   if (auto error = bad_number(raw)) return *std::move(error);
   drop_degenerate(raw);
   if (raw.triangles.empty()) return invalid_file("the file has no triangles");
   if (raw.triangles.size() > limits.triangles) return too_many(limits.triangles, "triangles");
   const std::vector<std::uint32_t> used = used_vertices(raw);
   if (used.size() > limits.vertices) return too_many(limits.vertices, "vertices");
+  // Each pass over a file within the limits takes milliseconds, apart from the normals, which look for themselves.
+  if (cancel.stopped()) return stopped_reading();
   ImportedMesh result{{}, format};
   Mesh& mesh = result.mesh;
   mesh.triangles = std::move(raw.triangles);
@@ -96,7 +99,8 @@ ImportResult finish_import(RawMesh raw, MeshFormat format, const ImportLimits& l
     mesh.colors.push_back(raw.colors[vertex]);
     for (float& channel : mesh.colors.back()) channel = std::clamp(channel, 0.0f, 1.0f);
   }
-  set_normals(raw, used, mesh);
+  set_normals(raw, used, cancel, mesh);
+  if (cancel.stopped()) return stopped_reading();
   if (auto defect = mesh_defect(mesh)) return invalid_file(*defect);
   return result;
 }

@@ -21,7 +21,7 @@ struct RawMesh {
 /// The mesh of a file: triangles that use a vertex twice and vertices of no triangle are left out, normals get unit
 /// length, missing ones are computed, colors are cut to [0, 1]. Refuses numbers that are not finite or too large, files
 /// without a triangle, and what is over a limit.
-ImportResult finish_import(RawMesh raw, MeshFormat format, const ImportLimits& limits);
+ImportResult finish_import(RawMesh raw, MeshFormat format, const ImportLimits& limits, const Cancel& cancel);
 
 /// A component of a color as pictures store it (sRGB, in [0, 1]) in linear light; IEC 61966-2-1.
 float linear_color(double stored);

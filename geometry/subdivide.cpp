@@ -3,9 +3,19 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "geometry/hash_seed.h"
+
 namespace dini {
 
 namespace {
+
+/// Of an edge; seeded, since the triangles may come from a file.
+struct EdgeHash {
+  std::size_t operator()(std::uint64_t edge) const {
+    const std::uint64_t bits = (edge ^ hash_seed()) * 0x9E3779B97F4A7C15u;
+    return static_cast<std::size_t>(bits ^ bits >> 29);
+  }
+};
 
 /// The vertices of a mesh while middles of edges are added to them.
 class Middles {
@@ -52,7 +62,7 @@ class Middles {
   std::vector<std::array<Number, N>> extended(std::vector<std::array<Number, N>> items) const {
     if (items.empty()) return {};
     for (const auto& [a, b] : edges_) {
-      std::array<Number, N> middle;
+      std::array<Number, N> middle{};
       for (std::size_t k = 0; k < N; ++k) middle[k] = (items[a][k] + items[b][k]) / 2;
       items.push_back(middle);
     }
@@ -62,15 +72,17 @@ class Middles {
   const Mesh& mesh_;
   std::uint32_t next_;
   std::vector<std::array<std::uint32_t, 2>> edges_;
-  std::unordered_map<std::uint64_t, std::uint32_t> vertex_of_;  ///< by edge; only looked up
+  std::unordered_map<std::uint64_t, std::uint32_t, EdgeHash> vertex_of_;  ///< by edge; only looked up
 };
 
-Mesh finer_by_one(const Mesh& mesh) {
+Mesh finer_by_one(const Mesh& mesh, const Cancel& cancel) {
   Middles middles(mesh);
   Mesh finer;
   finer.color = mesh.color;
   finer.triangles.reserve(4 * mesh.triangles.size());
+  CancelEvery steps(cancel);
   for (const auto& [a, b, c] : mesh.triangles) {
+    if (steps.stopped()) return {};
     const std::uint32_t ab = middles.between(a, b), bc = middles.between(b, c), ca = middles.between(c, a);
     finer.triangles.push_back({a, ab, ca});
     finer.triangles.push_back({ab, b, bc});
@@ -86,7 +98,7 @@ Mesh finer_by_one(const Mesh& mesh) {
 
 Mesh subdivide(const Mesh& mesh, std::size_t levels, const Cancel& cancel) {
   Mesh result = mesh;
-  for (std::size_t level = 0; level < levels && !cancel.stopped(); ++level) result = finer_by_one(result);
+  for (std::size_t level = 0; level < levels && !cancel.stopped(); ++level) result = finer_by_one(result, cancel);
   return result;
 }
 

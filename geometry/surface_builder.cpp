@@ -111,7 +111,7 @@ std::uint32_t SurfaceBuilder::cut_vertex(std::size_t inside, std::size_t outside
   const double way = std::min(1.0, cut / length(edge));
   // Across a seam the smaller coordinate continues one lap further, so that it does not run backwards.
   const std::array<double, 2> uv_from = coordinates(inside), uv_to = coordinates(outside);
-  std::array<double, 2> uv;
+  std::array<double, 2> uv{};
   for (std::size_t k = 0; k < 2; ++k) {
     const GridAxis& axis = k == 0 ? samples_.rows() : samples_.columns();
     const double last = axis.coordinate(axis.size() - 1);

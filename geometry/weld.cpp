@@ -3,6 +3,8 @@
 #include <bit>
 #include <limits>
 
+#include "geometry/hash_seed.h"
+
 namespace dini {
 
 namespace {
@@ -15,22 +17,24 @@ std::uint64_t mixed(std::uint64_t bits) {
   return bits ^ (bits >> 32);
 }
 
-std::uint64_t hash_of(const Point& p) {
+std::uint64_t hash_of(const Point& p, std::uint64_t seed) {
   // Adding zero turns -0 into 0, which must have the same hash.
   return mixed(std::bit_cast<std::uint64_t>(p.x + 0.0) +
-               mixed(std::bit_cast<std::uint64_t>(p.y + 0.0) + mixed(std::bit_cast<std::uint64_t>(p.z + 0.0))));
+               mixed(std::bit_cast<std::uint64_t>(p.y + 0.0) + mixed(std::bit_cast<std::uint64_t>(p.z + 0.0) + seed)));
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> position_labels(const Column<Point>& positions) {
+std::vector<std::uint32_t> position_labels(const Column<Point>& positions, const Cancel& cancel) {
   constexpr std::uint32_t empty = std::numeric_limits<std::uint32_t>::max();
   const std::size_t mask = std::bit_ceil(2 * positions.size() + 1) - 1;
   std::vector<std::uint32_t> table(mask + 1, empty);
   std::vector<std::uint32_t> labels(positions.size());
-  for (std::size_t i = 0; i < positions.size(); ++i) {
+  const std::uint64_t seed = hash_seed();
+  CancelEvery steps(cancel);
+  for (std::size_t i = 0; i < positions.size() && !steps.stopped(); ++i) {
     const Point point = positions[i];
-    std::size_t slot = hash_of(point) & mask;
+    std::size_t slot = hash_of(point, seed) & mask;
     while (table[slot] != empty && positions[table[slot]] != point) slot = (slot + 1) & mask;
     if (table[slot] == empty) table[slot] = static_cast<std::uint32_t>(i);
     labels[i] = table[slot];

@@ -26,7 +26,8 @@ int add_attribute(draco::Mesh& mesh, draco::GeometryAttribute::Type type, draco:
   const int id = mesh.AddAttribute(description, true, static_cast<std::uint32_t>(values.size() + unused_values.size()));
   draco::DataBuffer* buffer = mesh.attribute(id)->buffer();
   buffer->Write(0, values.data(), values.size() * row);
-  if (!unused_values.empty()) buffer->Write(values.size() * row, unused_values.data(), unused_values.size() * row);
+  const auto end = static_cast<std::int64_t>(values.size() * row);
+  if (!unused_values.empty()) buffer->Write(end, unused_values.data(), unused_values.size() * row);
   return id;
 }
 

@@ -41,7 +41,8 @@ Affine transform_of(const GltfJson& node) {
 
 class GlbImporter {
  public:
-  GlbImporter(std::string_view glb, const ImportLimits& limits) : document_(glb), limits_(limits) {}
+  GlbImporter(std::string_view glb, const ImportLimits& limits, const Cancel& cancel)
+      : document_(glb, cancel), limits_(limits), cancel_(cancel) {}
 
   ImportResult read() {
     refuse_extensions();
@@ -53,7 +54,7 @@ class GlbImporter {
     walk();
     if (!any_uv_) raw_.uvs.clear();
     if (!any_color_) raw_.colors.clear();
-    return finish_import(std::move(raw_), MeshFormat::glb, limits_);
+    return finish_import(std::move(raw_), MeshFormat::glb, limits_, cancel_);
   }
 
  private:
@@ -96,7 +97,7 @@ class GlbImporter {
     std::vector<bool> seen(document_.count("nodes"));
     std::vector<std::pair<std::size_t, Affine>> waiting;
     const auto push = [&](const std::vector<std::size_t>& nodes, const Affine& outer) {
-      for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) waiting.emplace_back(*node, outer);
+      for (std::size_t k = nodes.size(); k-- > 0;) waiting.emplace_back(nodes[k], outer);
     };
     push(roots(), {});
     while (!waiting.empty()) {
@@ -225,6 +226,7 @@ class GlbImporter {
 
   GltfDocument document_;
   const ImportLimits& limits_;
+  const Cancel& cancel_;
   RawMesh raw_;
   std::size_t primitives_ = 0;
   bool any_uv_ = false, any_color_ = false;
@@ -232,9 +234,9 @@ class GlbImporter {
 
 }  // namespace
 
-ImportResult read_glb_mesh(std::string_view glb, const ImportLimits& limits) {
+ImportResult read_glb_mesh(std::string_view glb, const ImportLimits& limits, const Cancel& cancel) {
   try {
-    return GlbImporter(glb, limits).read();
+    return GlbImporter(glb, limits, cancel).read();
   } catch (const GltfRefused& refused) {
     return refused.error;
   } catch (const GltfJson::exception&) {

@@ -9,6 +9,6 @@ namespace dini {
 /// are kept; materials otherwise, skins, morph targets and animations are not. Nothing but the file's own binary chunk
 /// is ever read: buffers with a URI are refused, data URIs among them. So are Draco and meshopt compression, sparse
 /// accessors, and every required extension that is not known here.
-ImportResult read_glb_mesh(std::string_view glb, const ImportLimits& limits);
+ImportResult read_glb_mesh(std::string_view glb, const ImportLimits& limits, const Cancel& cancel = {});
 
 }  // namespace dini

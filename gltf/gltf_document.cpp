@@ -124,7 +124,7 @@ std::vector<std::size_t> index_list(const GltfJson& object, const char* name) {
   return indices;
 }
 
-GltfDocument::GltfDocument(std::string_view glb) {
+GltfDocument::GltfDocument(std::string_view glb, const Cancel& cancel) : cancel_(cancel) {
   const auto chunks = split_glb(glb);
   if (!chunks) refuse_gltf("it is no complete GLB of version 2");
   check_size(chunks->json);
@@ -189,7 +189,9 @@ GltfDocument::Layout GltfDocument::layout(std::size_t accessor) const {
 std::vector<double> GltfDocument::read(const Layout& layout) const {
   std::vector<double> numbers;
   numbers.reserve(layout.count * layout.width);
+  CancelEvery steps(cancel_);
   for (std::size_t i = 0; i < layout.count; ++i) {
+    if (steps.stopped()) throw GltfRefused{stopped_reading()};
     for (std::size_t k = 0; k < layout.width; ++k) {
       const char* bytes = layout.bytes.data() + i * layout.stride + k * layout.component;
       numbers.push_back(component_at(bytes, layout.type, layout.normalized));

@@ -18,7 +18,7 @@ namespace dini {
 using GltfJson = nlohmann::json;
 
 /// Thrown inside the reader of GLB files only, which turns it into its result: a file is refused from deep inside of
-/// it.
+/// it, and left when the cancel flag is set.
 struct GltfRefused {
   ImportError error;
 };
@@ -27,7 +27,7 @@ struct GltfRefused {
 class GltfDocument {
  public:
   /// At most 4 MiB of JSON, 64 levels deep, with 500,000 values.
-  explicit GltfDocument(std::string_view glb);
+  GltfDocument(std::string_view glb, const Cancel& cancel);
 
   const GltfJson& root() const { return root_; }
 
@@ -57,6 +57,7 @@ class GltfDocument {
 
   GltfJson root_;
   std::string_view binary_;
+  const Cancel& cancel_;
 };
 
 [[noreturn]] void refuse_gltf(std::string detail);

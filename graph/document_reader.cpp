@@ -110,8 +110,12 @@ class DocumentReader {
   NodeEntry read_node(const std::string& id, const Json& json, const std::string& pointer) {
     NodeEntry node;
     if (!object(json, pointer, {"type", "inputs", "bypass"}, id)) return node;
-    if (!json.contains("type") || !json["type"].is_string()) {
+    if (!json.contains("type")) {
       add("required-member-missing", pointer, "the node has no \"type\"", id);
+      return node;
+    }
+    if (!json["type"].is_string()) {
+      add("type-mismatch", pointer + "/type", "got " + excerpt(json["type"]) + ", expected the id of a node type", id);
       return node;
     }
     node.type = json["type"].get<std::string>();

@@ -207,6 +207,18 @@ class Inference {
     return total;
   }
 
+  /// The last port that gives an axis this name.
+  std::string naming_port(const std::string& axis) const {
+    std::string found;
+    for (const InputPort& port : node_.type->inputs) {
+      const auto& over = node_.type->over;
+      if (!port.spec.is_axis_name || std::find(over.begin(), over.end(), port.name) != over.end()) continue;
+      const std::string text = text_literal(port.name);
+      if (text == axis || (text.empty() && axis == node_.id)) found = port.name;
+    }
+    return found;
+  }
+
   std::optional<Problem> make_outputs() {
     const Overload& overload = *node_.overload;
     node_.made.assign(overload.outputs.size(), {});
@@ -220,10 +232,14 @@ class Inference {
     for (std::size_t output = 0; output < overload.outputs.size(); ++output) {
       WireShape shape{overload.outputs[output], node_.lifted, 0};
       for (const Axis& axis : node_.made[output]) {
-        if (find_axis(shape.axes, axis.name) != nullptr) {
+        if (find_axis(node_.lifted, axis.name) != nullptr) {
           return problem(
-              "axis-mismatch", "",
+              "axis-mismatch", naming_port(axis.name),
               "this node makes the axis " + axis.name + ", which its inputs have already; give it another name");
+        }
+        if (find_axis(shape.axes, axis.name) != nullptr) {
+          return problem("axis-mismatch", naming_port(axis.name),
+                         "this node makes two axes called " + axis.name + "; give one of them another name");
         }
         shape.axes.push_back(axis);
       }

@@ -18,7 +18,10 @@ class StrictReader : public nlohmann::json_sax<Json> {
   bool number_integer(number_integer_t value) override { return add(value); }
   bool number_unsigned(number_unsigned_t value) override { return add(value); }
   bool number_float(number_float_t value, const string_t&) override { return add(value); }
-  bool string(string_t& value) override { return short_enough(value) && add(std::move(value)); }
+  bool string(string_t& value) override {
+    if (value.find('\0') != string_t::npos) return refuse("not-json", "a text holds the character NUL");
+    return short_enough(value) && add(std::move(value));
+  }
   bool binary(binary_t&) override { return refuse("not-json", "binary values are not JSON"); }
 
   bool start_object(std::size_t) override { return open(Json::object()); }

@@ -79,9 +79,9 @@ struct BatchOutputs<BatchOut<T>, Rest...> {
 };
 
 template <class T>
-constexpr bool is_attempt = false;
+inline constexpr bool is_attempt = false;
 template <class T>
-constexpr bool is_attempt<Attempt<T>> = true;
+inline constexpr bool is_attempt<Attempt<T>> = true;
 
 template <class A>
 constexpr bool takes_port =

@@ -77,6 +77,22 @@ LiteralOutcome read_choice(const Json& json, const InputPort& port) {
   return Argument(Literal(word));
 }
 
+LiteralOutcome read_text(const Json& json, const InputPort& port) {
+  constexpr std::size_t longest_axis_name = 64;
+  if (!json.is_string()) return mismatch(json, "a text");
+  const auto& text = json.get_ref<const std::string&>();
+  const bool control =
+      std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
+  if (port.spec.is_axis_name && (text.size() > longest_axis_name || control)) {
+    return LiteralProblem{"out-of-range", "got " + excerpt(json) + ", accepted are names of up to " +
+                                              std::to_string(longest_axis_name) + " bytes without control characters"};
+  }
+  if (port.spec.is_axis_name && text.empty() && port.spec.default_value != Json("")) {
+    return LiteralProblem{"out-of-range", "this axis needs a name"};
+  }
+  return Argument(Literal(text));
+}
+
 }  // namespace
 
 LiteralOutcome read_literal(const Json& json, WireType type, const InputPort& port) {
@@ -94,8 +110,7 @@ LiteralOutcome read_literal(const Json& json, WireType type, const InputPort& po
     case WireType::choice:
       return read_choice(json, port);
     case WireType::text:
-      if (!json.is_string()) return mismatch(json, "a text");
-      return Argument(Literal(json.get<std::string>()));
+      return read_text(json, port);
     case WireType::boolean:
       if (!json.is_boolean()) return mismatch(json, "true or false");
       return Argument(Literal(json.get<bool>()));

@@ -46,6 +46,7 @@ class ParameterReader {
     parameter_.minimum = number("min");
     parameter_.maximum = number("max");
     parameter_.step = number("step");
+    read_limits();
     parameter_.unit = text("unit");
     parameter_.label = text("label");
     parameter_.description = text("description");
@@ -79,6 +80,20 @@ class ParameterReader {
     return json_[member].get<double>();
   }
 
+  bool no_value_fits() const {
+    return parameter_.minimum && parameter_.maximum && *parameter_.minimum > *parameter_.maximum;
+  }
+
+  void read_limits() {
+    if (no_value_fits()) {
+      add("min", "min is " + to_text(*parameter_.minimum) + ", above max, which is " + to_text(*parameter_.maximum),
+          "out-of-range");
+    }
+    if (parameter_.step && !(*parameter_.step > 0)) {
+      add("step", "got " + to_text(*parameter_.step) + ", a step is above 0", "out-of-range");
+    }
+  }
+
   std::optional<std::string> text(const char* member) {
     if (!json_.contains(member)) return std::nullopt;
     if (!json_[member].is_string()) {
@@ -105,6 +120,7 @@ class ParameterReader {
       return;
     }
     parameter_.default_value = json_["default"];
+    if (no_value_fits()) return;  // what is said of the limits is enough
     const InputPort port = parameter_port(parameter_);
     const LiteralOutcome outcome = read_literal(parameter_.default_value, parameter_.type, port);
     if (const auto* problem = std::get_if<LiteralProblem>(&outcome)) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/extract.h"
 #include "graph/json_reader.h"
 #include "graph/literal.h"
 
@@ -29,6 +30,20 @@ bool may_stand(const Column<T>& column, std::size_t index) {
   if (finite) return true;
   if constexpr (std::is_same_v<T, Point>) return column[index] == Point::at_infinity();
   return false;
+}
+
+/// The first circle or sphere that is none: smaller than the round-off where it lies, or imaginary.
+std::optional<std::size_t> first_unreal(const AnyColumn& any) {
+  return std::visit(
+      []<class T>(const std::shared_ptr<const Column<T>>& column) -> std::optional<std::size_t> {
+        if constexpr (std::is_same_v<T, Circle> || std::is_same_v<T, Sphere>) {
+          for (std::size_t i = 0; i < column->size(); ++i) {
+            if (!coordinates((*column)[i])) return i;
+          }
+        }
+        return std::nullopt;
+      },
+      any);
 }
 
 std::optional<std::size_t> first_bad(const AnyColumn& any) {
@@ -67,6 +82,13 @@ class NodeRunner {
                        "output " + node_.type->outputs[output].name + " is not a finite " +
                            std::string(name(node_.outputs[output].type)) +
                            place_text(node_.outputs[output].axes, *bad));
+      }
+      if (const std::optional<std::size_t> unreal = first_unreal(result.columns[output])) {
+        return problem("degenerate", "",
+                       "output " + node_.type->outputs[output].name + " is no " +
+                           std::string(name(node_.outputs[output].type)) +
+                           ": it is imaginary, or smaller than the round-off at its place" +
+                           place_text(node_.outputs[output].axes, *unreal));
       }
     }
     return result;

@@ -2,6 +2,7 @@
 #include "algebra/extract.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
+#include "nodes/held_radius.h"
 
 namespace dini {
 
@@ -11,7 +12,11 @@ Point point_at_position(const Point& position) { return position; }
 
 Attempt<Circle> circle_element(const Point& center, const Vector& normal, double radius) {
   if (normal == Vector{}) return Failure{"degenerate", "the normal of a circle must not be zero", "normal"};
-  return circle_from(center, normal, radius);
+  const Circle circle = circle_from(center, normal, radius);
+  if (const std::optional<CircleCoordinates> found = coordinates(circle); !found || lost(found->radius, radius)) {
+    return too_far_for(radius, center);
+  }
+  return circle;
 }
 
 Attempt<Circle> line_element(const Point& point, const Vector& direction) {
@@ -52,7 +57,8 @@ void add_elements(Registry& registry) {
                    .title("Circle")
                    .family("elements")
                    .doc("An oriented circle; it runs counter-clockwise about its normal.")
-
+                   .details("A radius below a few ten-millionths of the distance from the origin is lost in round-off "
+                            "and an error.")
                    .degenerate("zero radius", "The degenerate circle at the center, which keeps its normal.")
                    .degenerate("zero direction", "A zero normal is an error.")
                    .input("center", "Its center.", defaults({0, 0, 0}).unit("m").position_handle())

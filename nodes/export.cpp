@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
 
 #include "algebra/extract.h"
 #include "geometry/circle_grid.h"
+#include "geometry/validate.h"
 #include "gltf/glb_writer.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
@@ -54,6 +56,51 @@ Scene scene_of(const std::vector<Value>& models) {
   return scene;
 }
 
+/// What of a value no file can hold: points and circles at infinity, or farther than any coordinate may be.
+std::size_t count_out_of_reach(const Value& value) {
+  const auto reachable = [](const Point& p) {
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < largest_coordinate;
+  };
+  std::size_t count = 0;
+  if (value.type() == WireType::point) {
+    const Column<Point>& points = column_of<Point>(value);
+    for (std::size_t i = 0; i < points.size(); ++i) count += reachable(points[i]) ? 0 : 1;
+  } else if (value.type() == WireType::circle) {
+    const Column<Circle>& circles = column_of<Circle>(value);
+    for (std::size_t i = 0; i < circles.size(); ++i) {
+      const std::optional<CircleCoordinates> found = coordinates(circles[i]);
+      count += found && reachable(found->line ? found->point : found->center) ? 0 : 1;
+    }
+  }
+  return count;
+}
+
+void warn_of_what_is_left_out(const Context& context, const std::vector<Value>& models) {
+  for (std::size_t k = 0; k < models.size(); ++k) {
+    const std::size_t count = count_out_of_reach(models[k]);
+    if (count == 0) continue;
+    context.warn({"at-infinity",
+                  std::to_string(count) + " of " + std::to_string(sample_count(models[k].axes)) + " " +
+                      std::string(name(models[k].type())) + "s of model " + std::to_string(k + 1) +
+                      " are at infinity or beyond 1e18 m, and not in the file",
+                  "model"});
+  }
+}
+
+/// Why there is nothing to write, model by model.
+Failure nothing_to_draw(const std::vector<Value>& models) {
+  std::string reasons;
+  for (std::size_t k = 0; k < models.size(); ++k) {
+    const bool mesh = models[k].type() == WireType::mesh;
+    reasons += (k == 0 ? "" : ", ") + std::string("model ") + std::to_string(k + 1) +
+               (mesh ? " has no triangles that are larger than the round-off at their place"
+                     : " has nothing nearer than 1e18 m");
+    if (k == 2 && models.size() > 3)
+      return {"encode-failed", "there is nothing to draw: " + reasons + ", and so on", "model"};
+  }
+  return {"encode-failed", "there is nothing to draw: " + reasons, "model"};
+}
+
 Failure failure_of(const EncodeError& error) {
   const std::string part = error.part.empty() ? "" : error.part + ": ";
   switch (error.code) {
@@ -81,8 +128,11 @@ Attempt<SharedAsset> export_glb(const Context& context,
   if (context.quality() == Quality::draft) options.speed = std::max(options.speed, draft_speed);
   options.normals = normals;
   EncodeResult<EncodedScene> encoded = encode_scene(scene_of(model.values), options, context.cancel());
-  if (const auto* error = std::get_if<EncodeError>(&encoded)) return failure_of(*error);
+  if (const auto* error = std::get_if<EncodeError>(&encoded)) {
+    return error->code == EncodeError::Code::empty ? nothing_to_draw(model.values) : failure_of(*error);
+  }
   EncodedScene& scene = std::get<EncodedScene>(encoded);
+  warn_of_what_is_left_out(context, model.values);
   for (const std::string& part : scene.empty_parts) context.warn({"empty", part + " has nothing to draw", "model"});
   return std::make_shared<const Asset>(Asset{"model/gltf-binary", std::move(scene.glb), scene.vertices, scene.triangles,
                                              root_of_three * scene.position_error});

@@ -32,14 +32,16 @@ Vector middle_of(const Mesh& mesh) {
 
 Vector turned_upright(const Vector& v, bool y_up) { return y_up ? Vector{v.x, -v.z, v.y} : v; }
 
-Attempt<SharedMesh> imported(const SharedAssetFile& asset, UpAxis up, double scale, bool center) {
+Attempt<SharedMesh> imported(const Context& context, const SharedAssetFile& asset, UpAxis up, double scale,
+                             bool center) {
   const Mesh& mesh = asset->content.mesh;
   const bool y_up = up == UpAxis::y || (up == UpAxis::format && asset->content.format == MeshFormat::glb);
   // The same memory: most graphs take the file as it is.
   if (!y_up && scale == 1 && !center) return SharedMesh(asset, &mesh);
   auto copy = std::make_shared<Mesh>(mesh);
   const Vector middle = center ? middle_of(mesh) : Vector{};
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+  CancelEvery steps(context.cancel());
+  for (std::size_t i = 0; i < mesh.positions.size() && !steps.stopped(); ++i) {
     const Vector place = scale * turned_upright(to_vector(mesh.positions[i]) - middle, y_up);
     if (!(std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)}) < largest_coordinate)) {
       return Failure{"out-of-range", "scaled like this, the mesh has coordinates of 1e18 and more", "scale"};

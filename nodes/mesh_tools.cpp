@@ -64,7 +64,9 @@ std::tuple<SharedMesh, double, double> colored_by_curvature(const Context& conte
 }
 
 SharedMesh colored_by_number(const SharedMesh& shape, double value, double minimum, double maximum, Palette palette) {
-  const double place = minimum == maximum ? 0.5 : (value - minimum) / (maximum - minimum);
+  double place = minimum == maximum ? 0.5 : (value - minimum) / (maximum - minimum);
+  // Differences of numbers near the largest overflow; those of their quarters do not.
+  if (!std::isfinite(place)) place = (value / 4 - minimum / 4) / (maximum / 4 - minimum / 4);
   const std::array<float, 4> color = palette_color(palette, place);
   auto copy = std::make_shared<Mesh>(*shape);
   copy->colors.clear();

@@ -9,6 +9,7 @@
 #include "algebra/versor.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
+#include "nodes/held_radius.h"
 
 namespace dini {
 
@@ -21,7 +22,13 @@ Attempt<Circle> circle_of_three(const Point& a, const Point& b, const Point& c) 
   return circle;
 }
 
-Sphere sphere_element(const Point& center, double radius) { return sphere_from(center, radius); }
+Attempt<Sphere> sphere_element(const Point& center, double radius) {
+  const Sphere sphere = sphere_from(center, radius);
+  if (const std::optional<SphereCoordinates> found = coordinates(sphere); !found || lost(found->radius, radius)) {
+    return too_far_for(radius, center);
+  }
+  return sphere;
+}
 
 Attempt<Sphere> sphere_of_curvature(const Point& position, const Vector& normal, double curvature) {
   if (normal == Vector{}) return Failure{"degenerate", "the normal must not be zero", "normal"};
@@ -117,7 +124,9 @@ void add_rounds(Registry& registry) {
           .title("Sphere")
           .family("elements")
           .doc("An oriented sphere as an element; transforms carry it, also into planes.")
-          .details("To draw one, see sphere mesh.")
+          .details(
+              "To draw one, see sphere mesh. A radius below a few ten-millionths of the distance from the origin is "
+              "lost in round-off and an error.")
           .degenerate("zero radius", "The point sphere at the center.")
           .input("center", "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
           .input("radius", "Its radius.", defaults(1).hard(0, 1e9).soft(0, 4).unit("m").radius_handle("center"))

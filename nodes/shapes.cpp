@@ -58,7 +58,10 @@ Mesh without_far_triangles(const Mesh& mesh) {
       kept.triangles.push_back(moved);
     }
     while (tile < mesh.tile_ends.size() && mesh.tile_ends[tile] == t + 1) {
-      kept.tile_ends.push_back(kept.triangles.size());
+      // A tile of which nothing is left is none.
+      if (kept.triangles.size() > (kept.tile_ends.empty() ? 0 : kept.tile_ends.back())) {
+        kept.tile_ends.push_back(kept.triangles.size());
+      }
       ++tile;
     }
   }

@@ -3,13 +3,41 @@
 // Most transforms are one versor made from their inputs. VersorNode turns such a rule into the functions for every kind
 // of shape.
 
+#include <cmath>
 #include <optional>
+#include <type_traits>
 #include <variant>
 
+#include "algebra/extract.h"
+#include "algebra/tolerance.h"
 #include "graph/node_builder.h"
 #include "nodes/shapes.h"
 
 namespace dini {
+
+inline bool is_straight(const CircleCoordinates& circle) { return circle.line; }
+inline bool is_straight(const SphereCoordinates& sphere) { return sphere.plane; }
+
+/// Whether V ~V is more than the round-off of its own terms.
+inline bool has_inverse(const Versor& versor) {
+  const Generator& g = versor.bivector;
+  const double terms = versor.scalar * versor.scalar + squared_length(g.e_e) + g.no_ni * g.no_ni +
+                       2 * std::abs(dot(g.no_e, g.e_ni)) + squared_length(versor.quad.e) +
+                       2 * std::abs(versor.quad.no * versor.quad.ni);
+  return std::abs(compose(versor, reverse(versor)).scalar) > tolerance::versor * terms;
+}
+
+/// Warns when a circle or sphere with a radius has come out without, because its radius is lost in the round-off of its
+/// distance from the origin. Operators without an inverse take everything to one point, which is no reason to warn.
+template <class Element>
+void warn_of_lost_radius(const Context& context, const Versor& versor, const Element& before, const Element& after) {
+  const auto found = coordinates(after);
+  if (!found || found->radius > 0 || is_straight(*found)) return;
+  const auto given = coordinates(before);
+  if (!given || (given->radius == 0 && !is_straight(*given))) return;
+  if (!has_inverse(versor)) return;
+  context.warn({"degenerate", "a radius is smaller than the round-off at its place, and counts as zero", "shape"});
+}
 
 /// The functions of a transform whose versor `make(parameters...)` gives, as a value or as a failure.
 template <auto make, class... Parameters>
@@ -21,10 +49,13 @@ struct VersorNode {
   }
 
   template <class Element>
-  static Attempt<Element> element(const Element& shape, const Parameters&... parameters) {
+  static Attempt<Element> element(const Context& context, const Element& shape, const Parameters&... parameters) {
     const Attempt<Versor> versor = make(parameters...);
     if (const auto* failure = std::get_if<Failure>(&versor)) return *failure;
-    return apply(std::get<Versor>(versor), shape);
+    const Element moved = apply(std::get<Versor>(versor), shape);
+    if constexpr (!std::is_same_v<Element, Generator>)
+      warn_of_lost_radius(context, std::get<Versor>(versor), shape, moved);
+    return moved;
   }
 
   static Attempt<SharedMesh> mesh(const Context& context, const SharedMesh& shape, const Parameters&... parameters) {

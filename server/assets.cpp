@@ -32,7 +32,7 @@ Reply add_asset(Call& call) {
   Computation computation(call, std::nullopt);
   const auto pass = computation.enter();
   if (!pass) return problem_reply(pass.problems(), call.exchange);
-  const auto added = call.engine().add_asset(call.request.body);
+  const auto added = call.engine().add_asset(call.request.body, "", computation.cancel());
   if (!added) return problem_reply(added.problems(), call.exchange);
   Reply reply = json_reply({{"sha256", added->sha256},
                             {"bytes", added->bytes},

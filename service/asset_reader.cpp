@@ -5,6 +5,7 @@
 #include "geometry/obj_reader.h"
 #include "geometry/ply_reader.h"
 #include "gltf/glb_import.h"
+#include "graph/evaluate.h"
 
 namespace dini {
 
@@ -19,9 +20,9 @@ bool is_text(std::string_view bytes) {
   });
 }
 
-ImportResult read_any(std::string_view bytes, const ImportLimits& limits) {
-  if (bytes.starts_with("glTF")) return read_glb_mesh(bytes, limits);
-  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return read_ply(bytes, limits);
+ImportResult read_any(std::string_view bytes, const ImportLimits& limits, const Cancel& cancel) {
+  if (bytes.starts_with("glTF")) return read_glb_mesh(bytes, limits, cancel);
+  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return read_ply(bytes, limits, cancel);
   const std::size_t begin = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
   if (bytes.substr(begin).starts_with('{')) {
     return invalid_file("it looks like JSON; a .gltf with files of its own cannot be read, but " +
@@ -30,7 +31,7 @@ ImportResult read_any(std::string_view bytes, const ImportLimits& limits) {
   if (bytes.empty() || !is_text(bytes)) {
     return invalid_file("its format is not known; " + std::string(what_is_read));
   }
-  return read_obj(bytes, limits);
+  return read_obj(bytes, limits, cancel);
 }
 
 std::string format_of(std::string_view bytes) {
@@ -39,13 +40,14 @@ std::string format_of(std::string_view bytes) {
 
 }  // namespace
 
-Result<SharedAssetFile> read_asset(std::string_view bytes, const Limits& limits) {
+Result<SharedAssetFile> read_asset(std::string_view bytes, const Limits& limits, const Cancel& cancel) {
   if (bytes.size() > limits.asset_bytes) {
     return Problem{"limit-exceeded", "the file has " + std::to_string(bytes.size()) + " bytes, at most " +
                                          std::to_string(limits.asset_bytes) + " are accepted"};
   }
-  ImportResult read = read_any(bytes, {limits.asset_vertices, limits.asset_triangles});
+  ImportResult read = read_any(bytes, {limits.asset_vertices, limits.asset_triangles}, cancel);
   if (const auto* error = std::get_if<ImportError>(&read)) {
+    if (error->code == ImportError::Code::stopped) return stopped_problem(cancel.reason());
     const bool large = error->code == ImportError::Code::too_large;
     return Problem{large ? "limit-exceeded" : "invalid-asset", format_of(bytes) + error->detail};
   }

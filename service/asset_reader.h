@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "geometry/cancel.h"
 #include "graph/asset_file.h"
 #include "graph/limits.h"
 #include "graph/problem.h"
@@ -9,7 +10,7 @@
 namespace dini {
 
 /// Reads a mesh file whose format its first bytes tell: GLB, PLY, else OBJ if it is text. Problems: `invalid-asset`,
-/// and `limit-exceeded` for a file beyond the limits.
-Result<SharedAssetFile> read_asset(std::string_view bytes, const Limits& limits);
+/// `limit-exceeded` for a file beyond the limits, and what `cancel` says when it stops the reading.
+Result<SharedAssetFile> read_asset(std::string_view bytes, const Limits& limits, const Cancel& cancel);
 
 }  // namespace dini

@@ -66,11 +66,11 @@ const Limits& Engine::limits() const { return state_->limits; }
 
 const Json& Engine::catalogue() const { return state_->catalogue; }
 
-Result<AssetSummary> Engine::add_asset(std::string_view bytes, const std::string& name) const {
+Result<AssetSummary> Engine::add_asset(std::string_view bytes, const std::string& name, const Cancel& cancel) const {
   if (!name.empty() && !AssetStore::is_name(name)) {
     return Problem{"usage", "the name of a file has 1 to 64 letters, digits, '_', '-' and '.', and is no hash"};
   }
-  Result<SharedAssetFile> read = read_asset(bytes, state_->limits);
+  Result<SharedAssetFile> read = read_asset(bytes, state_->limits, cancel);
   if (!read) return read.problems();
   const AssetFile& file = **read;
   state_->assets.add(*read, name);

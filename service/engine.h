@@ -76,8 +76,8 @@ class Engine {
   /// Reads a mesh file (OBJ, PLY or GLB, told by its content) and keeps the mesh for graphs that name it by its hash.
   /// With a `name` it is kept for ever and graphs may use the name too (letters, digits, `_`, `-`, `.`); without one it
   /// goes when `asset_store_bytes` are full and others were used later. Problems: `invalid-asset` for what is no such
-  /// file, `limit-exceeded`, `usage` for a name that cannot be one.
-  Result<AssetSummary> add_asset(std::string_view bytes, const std::string& name = "") const;
+  /// file, `limit-exceeded`, `usage` for a name that cannot be one, and those of `evaluate` when `cancel` stops it.
+  Result<AssetSummary> add_asset(std::string_view bytes, const std::string& name = "", const Cancel& cancel = {}) const;
 
   /// Every static problem at once, inferred types and axes per wire, predicted sizes. Never evaluates, never fails.
   /// {"valid": bool, "errors": [...], "wires": {...}, "cost": {...}}

@@ -129,6 +129,15 @@ TEST_CASE("a flat point scales and a direction translates") {
   require_close(*apply(exponential(0.5 * std::log(3.0) * flat_point({1, 0, 0})), Point{2, 1, 0}), {4, 3, 0});
   require_close(*apply(exponential(0.25 * direction_generator({1, 2, 3})), Point{0, 0, 0}), {-0.5, -1, -1.5});
   require_close(*apply(scaling_versor({1, 0, 0}, -2), Point{2, 1, 0}), {-1, -2, 0});
+  for (const double factor : {1e-9, 1.7e-5, 1.0 / 3, 1.0, 2.5, 12345.678, 1e9 / 3, -0.001, -7654.321}) {
+    CAPTURE(factor);
+    const Point scaled = *apply(scaling_versor({0, 0, 0}, factor), Point{1, 0.5, -3});
+    for (const auto& [found, wanted] :
+         {std::pair{scaled.x, factor}, {scaled.y, 0.5 * factor}, {scaled.z, -3 * factor}}) {
+      CHECK(std::abs(found - wanted) <= 4e-16 * std::abs(factor) * 3);
+    }
+  }
+  require_close(*apply(scaling_versor({1, 2, 3}, 0), Point{7, 8, 9}), {1, 2, 3});
 }
 
 }  // namespace

@@ -92,6 +92,40 @@ TEST_CASE("the versor kernel agrees with the scalar action, also for the paper's
   }
 }
 
+TEST_CASE("images of points far from a generator keep their digits") {
+  using Long = dense::Multivector<long double>;
+  RandomElements random(59);
+  for (int i = 0; i < 300; ++i) {
+    const Generator pairs = random.pair() + random.pair(), any = random.generator(),
+                    tangent = null_pair(random.point(0.1), random.vector(30));
+    for (const Generator& g : {random.pair(), pairs, any, tangent}) {
+      const Long rotor = dense::exponential(dense::from<long double>(g));
+      for (const double away : {1.0, 30.0, 1000.0}) {
+        Cloud far, moved(1), by_versor(1);
+        far.add(random.point(away));
+        const Point p = far[0];
+        const auto reference = dense::apply<long double>(rotor, p.x, p.y, p.z);
+        const Point wanted = {static_cast<double>(reference[0]), static_cast<double>(reference[1]),
+                              static_cast<double>(reference[2])};
+        const double size = length(to_vector(wanted));
+        if (!(size < 100 * away)) continue;  // near the pole every digit counts
+        CAPTURE(i, away, p.x, p.y, p.z);
+        const double most = 1e-12 * (size + 0.1);
+        const std::array<double, 10> values = {g.no_e.x, g.no_e.y, g.no_e.z, g.e_e.x,  g.e_e.y,
+                                               g.e_e.z,  g.no_ni,  g.e_ni.x, g.e_ni.y, g.e_ni.z};
+        ConstGenerators one{{}, true};
+        for (std::size_t k = 0; k < 10; ++k) one.components[k] = &values[k];
+        const double amount = 1;
+        transform_points(one, {&amount, true}, Rule::exact, far.in(), moved.out(), 1);
+        transform_points(exponential(g), far.in(), by_versor.out(), 1);
+        CHECK(distance(moved[0], wanted) <= most);
+        CHECK(distance(by_versor[0], wanted) <= most);
+        CHECK(distance(*apply(exponential(g), p), wanted) <= most);
+      }
+    }
+  }
+}
+
 TEST_CASE("the generator and bilinear kernels agree with the scalar exponential") {
   RandomElements random(55);
   const Cloud cloud = random_cloud(45);

@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "cli/exit_codes.h"
@@ -47,6 +50,76 @@ TEST_CASE("Wrong use is exit 2 and says how") {
   CHECK(run_dini({"eval", "-", "--instruction-set", "ABACUS"}, graph({})).err.find("WIDE NARROW") != std::string::npos);
   CHECK(run_dini({"--help"}).code == 0);
   CHECK(run_dini({"--version"}).code == 0);
+}
+
+TEST_CASE("Wrong use is said in one line that names what is wrong") {
+  const auto said = [](const std::vector<std::string>& words) { return run_dini(words, graph({})).err; };
+  CHECK(said({}) == "error[usage]: a command is needed; see dini --help\n");
+  CHECK(said({"evl", "x.json"}) ==
+        "error[usage]: there is no command 'evl'; did you mean \"eval\"?; see dini --help\n");
+  CHECK(said({"eval", "-", "--sett", "a=1"}).find("--sett") != std::string::npos);
+  CHECK(said({"inspect", "-", "out."}).find("NODE.OUTPUT") != std::string::npos);
+  CHECK(said({"eval", "-", "--set", "reach=1", "--set", "reach=2"}) == "error[usage]: --set gives 'reach' twice\n");
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{"--bogus"},
+                                                                                     {"eval"},
+                                                                                     {"eval", "-", "--bogus"},
+                                                                                     {"eval", "-", "more"},
+                                                                                     {"eval", "-", "--quality", "best"},
+                                                                                     {"inspect", "-"},
+                                                                                     {"inspect", "-", ""},
+                                                                                     {"nodes", "more"},
+                                                                                     {"serve", "--port", "x"},
+                                                                                     {"serve", "--host", ""}}) {
+    const std::string line = said(words);
+    CAPTURE(line);
+    CHECK(run_dini(words, graph({})).code == 2);
+    CHECK(line.starts_with("error[usage]: "));
+    CHECK(std::count(line.begin(), line.end(), '\n') == 1);
+  }
+}
+
+TEST_CASE("A document that cannot be read is named") {
+  CHECK(run_dini({"eval", "-"}, "{").err.starts_with("error[not-json]: standard stream: "));
+  CHECK(run_dini({"validate", "/nowhere/graph.json"}).err ==
+        "error[io]: /nowhere/graph.json: No such file or directory\n");
+  const auto endless = run_dini({"eval", "/dev/zero"});
+  CHECK(endless.code == 5);
+  CHECK(endless.err == "error[limit-exceeded]: /dev/zero: there are more than 64 MiB\n");
+  CHECK(run_dini({"serve", "--port", "0", "--examples", "/nowhere"}).code == 6);
+}
+
+TEST_CASE("Outputs replace files whole, go through links and into pipes, and never over the graph") {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / ("dini-outputs-" + std::to_string(::getpid()));
+  fs::create_directories(folder);
+  const auto path = [&](const char* name) { return (folder / name).string(); };
+  std::ofstream(path("graph.json")) << graph({{"bytes", 5}});
+
+  std::ofstream(path("old.glb")) << "something older and longer";
+  fs::create_symlink(path("old.glb"), path("link.glb"));
+  CHECK(run_dini({"eval", path("graph.json"), "-o", path("link.glb")}).code == 0);
+  CHECK(fs::is_symlink(path("link.glb")));
+  CHECK(fs::file_size(path("old.glb")) == 5);
+
+  REQUIRE(::mkfifo(path("pipe").c_str(), 0600) == 0);
+  const int reader = ::open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK);
+  CHECK(run_dini({"eval", path("graph.json"), "-o", path("pipe")}).code == 0);
+  char bytes[8];
+  CHECK(::read(reader, bytes, sizeof bytes) == 5);
+  ::close(reader);
+  CHECK(fs::is_fifo(path("pipe")));
+
+  const auto over = run_dini({"eval", path("graph.json"), "-o", path("graph.json")});
+  CHECK(over.code == 2);
+  CHECK(over.err.find("written over") != std::string::npos);
+  CHECK(run_dini({"eval", path("graph.json"), "-o", path("a"), "--report", path("a")}).code == 2);
+  CHECK(run_dini({"eval", path("graph.json"), "-o", folder.string()}).err ==
+        "error[io]: " + folder.string() + ": Is a directory\n");
+  CHECK(run_dini({"eval", path("graph.json"), "--report", path("none/r.json")}).code == 6);
+  CHECK(run_dini({"eval", path("graph.json"), "-o", path("graph.json/x.glb")}).code == 6);
+  CHECK(Json::parse(std::ifstream(path("graph.json")))["format"] == 1);
+  CHECK(std::distance(fs::directory_iterator(folder), fs::directory_iterator()) == 4);
+  fs::remove_all(folder);
 }
 
 TEST_CASE("A model goes to standard output or to a file, the report beside it") {
@@ -102,7 +175,7 @@ TEST_CASE("Inspection prints the value on a wire") {
   const auto outcome = run_dini({"inspect", "-", "out.asset", "--full"}, graph({}));
   CHECK(outcome.code == 0);
   CHECK(Json::parse(outcome.out)["type"] == "number");
-  CHECK(run_dini({"inspect", "-", "nobody"}, graph({})).code != 0);
+  CHECK(run_dini({"inspect", "-", "nobody"}, graph({})).code == 3);
   CHECK(run_dini({"inspect", "-", "nobody"}, graph({{"invalid", "out-of-range"}})).code == 3);
 }
 

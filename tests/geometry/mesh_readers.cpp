@@ -212,3 +212,37 @@ TEST_CASE("What is over a limit is refused as too large") {
   CHECK(refusal(read_ply, quad_ply, {3, 2}).starts_with("too large: "));
   CHECK(refusal(read_ply, quad_ply, {4, 1}).starts_with("too large: "));
 }
+
+TEST_CASE("A reader stops within the file when it is told to") {
+  // All of them are broken at their end, which nobody who stops gets to see.
+  std::string lines, face = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf", joined = "f", ply(quad_ply);
+  for (int i = 0; i < 500'000; ++i) {
+    lines += "v 0 0 0\n";
+    face += " 1 2 3";
+    joined += " \\\n";
+  }
+  lines += "v x\n";
+  face += " 9\n";
+  joined += "x\n";
+  ply.replace(ply.find("element face 1"), 14, "element face 200002");
+  for (int i = 0; i < 200'000; ++i) ply += "3 0 1 2\n";
+  ply += "2 0 1\n";
+  for (const auto& [read, text] :
+       std::vector<std::pair<ImportResult (*)(std::string_view, const ImportLimits&, const Cancel&), std::string>>{
+           {read_obj, lines}, {read_obj, face}, {read_obj, joined}, {read_ply, ply}}) {
+    CAPTURE(text.substr(0, 40));
+    Cancel told;
+    told.stop(StopReason::superseded);
+    CHECK(refusal(read, text, {}, told) == "stopped");
+    // Soon after it began: each takes many times as long.
+    CHECK(refusal(read, text, {}, Cancel(Cancel::Clock::now() + std::chrono::milliseconds(2))) == "stopped");
+    CHECK(refusal(read, text).starts_with("invalid: "));
+  }
+}
+
+TEST_CASE("What is gathered from a file is not finished once the work is to stop") {
+  Cancel told;
+  told.stop(StopReason::deadline);
+  CHECK(refusal(read_obj, quad_obj, {}, told) == "stopped");
+  CHECK(refusal(read_ply, quad_ply, {}, told) == "stopped");
+}

@@ -1,3 +1,5 @@
+#include <bit>
+
 #include "geometry/angle.h"
 #include "geometry/merge.h"
 #include "geometry/normals.h"
@@ -85,8 +87,27 @@ TEST_CASE("spaced samples hit both ends exactly and leave the end of closed rang
 
 TEST_CASE("positions get the label of the first equal one") {
   const Mesh mesh = mesh_of({{0, 0, 1}, {1, 0, 0}, {-0.0, 0, 1}, {1, 0, 0}, {1, 0, 1e-300}}, {});
-  CHECK(position_labels(mesh.positions) == std::vector<std::uint32_t>{0, 1, 0, 1, 4});
-  CHECK(position_labels({}).empty());
+  CHECK(position_labels(mesh.positions, Cancel()) == std::vector<std::uint32_t>{0, 1, 0, 1, 4});
+  CHECK(position_labels({}, Cancel()).empty());
+}
+
+TEST_CASE("Positions that were made to fall into one place of a plain table are welded as quickly as others") {
+  // Undoes the mixing of the table, for a table without a seed: x for which the hash is `target` where y = z = 0.
+  const auto x_with_hash = [](std::uint64_t target) {
+    std::uint64_t inverse = 1;
+    for (int i = 0; i < 6; ++i) inverse *= 2 - 0xd6e8feb86659fd93u * inverse;
+    std::uint64_t bits = target;
+    for (int i = 0; i < 2; ++i) bits = (bits ^ bits >> 32) * inverse;
+    return std::bit_cast<double>(bits ^ bits >> 32);
+  };
+  Column<Point> positions(200'000);
+  std::uint64_t wanted = 0;
+  for (std::size_t i = 0; i < positions.size(); ++wanted) {
+    const double x = x_with_hash(wanted << 32);
+    if (std::abs(x) < 1e18 && std::abs(x) > 1e-300) positions.set(i++, {x, 0, 0});
+  }
+  const std::vector<std::uint32_t> labels = position_labels(positions, Cancel());
+  for (std::uint32_t i = 0; i < labels.size(); ++i) REQUIRE(labels[i] == i);
 }
 
 TEST_CASE("a tetrahedron measures right, whole or torn apart") {

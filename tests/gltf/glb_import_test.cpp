@@ -186,6 +186,12 @@ TEST_CASE("a small file cannot ask for endless work") {
   CHECK(refusal(read_glb_mesh, glb, {4000, 1999}).starts_with("too large: "));
 }
 
+TEST_CASE("a GLB is left when the work is to stop") {
+  Cancel told;
+  told.stop(StopReason::deadline);
+  CHECK(refusal(read_glb_mesh, quad_glb(), {}, told) == "stopped");
+}
+
 TEST_CASE("indices are counted before they are unpacked") {
   json document = quad_document();
   document["accessors"][3] = {{"bufferView", 3}, {"componentType", 5121}, {"count", 3000}, {"type", "SCALAR"}};

@@ -79,6 +79,12 @@ TEST_CASE("ids, formats and parameter defaults are checked") {
                                                                 "not-in-choices /graph/parameters/b/default",
                                                                 "required-member-missing /graph/parameters/d",
                                                                 "type-mismatch /graph/parameters/c/type"});
+  CHECK(pointers(Json::parse(R"({"format": 1, "nodes": {"n": {"type": 7}}, "parameters": {
+    "a": {"type": "number", "default": 5, "min": 4, "max": 3},
+    "b": {"type": "number", "default": 5, "step": 0},
+    "c": {"type": "number", "default": 5, "step": -1}}})")) ==
+        std::multiset<std::string>{"type-mismatch /graph/nodes/n/type", "out-of-range /graph/parameters/a/min",
+                                   "out-of-range /graph/parameters/b/step", "out-of-range /graph/parameters/c/step"});
   CHECK(pointers(Json(3)) == std::multiset<std::string>{"type-mismatch /graph"});
 }
 
@@ -94,9 +100,9 @@ TEST_CASE("the reader refuses what is not strict JSON") {
     return read ? std::string("read") : read.problems().front().code;
   };
   CHECK(code(R"({"a": [1, -2.5e3, "x", true, null]})") == "read");
-  for (const std::string_view text :
-       {R"({"a": 1, "a": 2})", R"({"a": )", R"([1] [2])", R"([NaN])", R"([Infinity])", R"([1e400])", R"([01])",
-        R"([1.])", R"([1,])", "// x\n1", "\xEF\xBB\xBF[1]", "[\"\xFF\"]", "", "{\"a\\u0001b\": 1}", "['a']"}) {
+  for (const std::string_view text : {R"({"a": 1, "a": 2})", R"({"a": )", R"([1] [2])", R"([NaN])", R"([Infinity])",
+                                      R"([1e400])", R"([01])", R"([1.])", R"([1,])", "// x\n1", "\xEF\xBB\xBF[1]",
+                                      "[\"\xFF\"]", "", "{\"a\\u0001b\": 1}", R"(["a\u0000b"])", "['a']"}) {
     CAPTURE(text);
     CHECK(code(text) == "not-json");
   }

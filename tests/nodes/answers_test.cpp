@@ -106,6 +106,24 @@ TEST_CASE("an exported file holds what was exported, within the announced bound"
   }
 }
 
+TEST_CASE("what an export leaves out is a warning, and nothing at all is an error that says why") {
+  const Json nodes = {{"far", make("list", {{"items", {{0, 0, 0}, {1e300, 0, 0}, {0, 2e18, 0}}}})},
+                      {"spots", make("translate", {{"shape", from("far")}})},
+                      {"lost", make("point", {{"position", {0, 0, 1e19}}})},
+                      {"ball", make("sphere_mesh", {{"center", {0, 1e17, 0}}, {"segments", 6}, {"rings", 4}})},
+                      {"out", make("export", {{"model", from("spots")}})},
+                      {"none", make("export", {{"model", {from("lost"), from("ball")}}})}};
+  CatalogueGraph graph = graph_of(nodes);
+  graph.one<SharedAsset>("out");
+  REQUIRE(graph.warnings().size() == 1);
+  CHECK(graph.warnings()[0].code == "at-infinity");
+  CHECK(graph.warnings()[0].detail.starts_with("2 of 3 points of model 1 "));
+  const Problems problems = graph.problems("none");
+  CHECK(codes(problems) == std::multiset<std::string>{"encode-failed none.model"});
+  CHECK(problems.front().detail.find("model 1 has nothing nearer") != std::string::npos);
+  CHECK(problems.front().detail.find("model 2 has no triangles") != std::string::npos);
+}
+
 TEST_CASE("a draft is coarser and a final answer is not bounded") {
   const Json nodes = {{"k", make("range", {{"to", 6.25}, {"count", 300}})},
                       {"aside", make("vector", {{"z", from("k")}})},

@@ -54,6 +54,51 @@ TEST_CASE("circles without a normal, lines without a direction and turns about a
   require_degenerate({{"c", make("circle")}, {"n", make("rotation", {{"axis", from("c")}})}}, "axis");
 }
 
+TEST_CASE("a radius that its distance from the origin drowns is an error, never another radius") {
+  for (const char* type : {"circle", "sphere"}) {
+    for (const double distance : {1e3, 1e6, 1e9, 1e12, 1e17, 1e200}) {
+      for (const double share : {1e-9, 1e-7, 1e-6, 1e-5, 1e-3}) {
+        const double radius = share * distance;
+        if (radius > 1e9) continue;
+        CatalogueGraph graph = graph_of({{"n", make(type, {{"center", {distance, 0, 0}}, {"radius", radius}})}});
+        CAPTURE(type, distance, radius);
+        if (const Problems problems = graph.problems("n"); !problems.empty()) {
+          CHECK(codes(problems) == std::multiset<std::string>{"out-of-range n.center"});
+          CHECK(share < 1e-6);
+        } else {
+          CHECK(share > 1e-7);
+          CHECK(graph.json("n")["values"][0]["radius"].get<double>() == Approx(radius).epsilon(1e-3));
+        }
+      }
+    }
+    // A point circle is one on purpose.
+    CHECK(only(type, {{"center", {1e9, 0, 0}}, {"radius", 0}})["radius"] == 0.0);
+    CatalogueGraph moved = graph_of({{"n", make(type)},
+                                     {"away", make("translate", {{"shape", from("n")}, {"vector", {1e12, 0, 0}}})},
+                                     {"near", make("translate", {{"shape", from("n")}, {"vector", {1, 0, 0}}})}});
+    moved.json("near");
+    CHECK(moved.warnings().empty());
+    moved.json("away");
+    REQUIRE(moved.warnings().size() == 1);
+    CHECK(moved.warnings()[0].code == "degenerate");
+  }
+}
+
+TEST_CASE("axes have names that can be shown, and no two of a node the same") {
+  const auto problems = [](const Json& inputs) {
+    return codes(graph_of({{"n", make("grid", inputs)}}).static_problems());
+  };
+  CHECK(problems({{"axis_u", "rows and\tcolumns"}}) == std::multiset<std::string>{"out-of-range n.axis_u"});
+  CHECK(problems({{"axis_u", std::string(65, 'k')}}) == std::multiset<std::string>{"out-of-range n.axis_u"});
+  CHECK(problems({{"axis_v", ""}}) == std::multiset<std::string>{"out-of-range n.axis_v"});
+  CHECK(problems({{"axis_v", "u"}}) == std::multiset<std::string>{"axis-mismatch n.axis_v"});
+  CHECK(problems({{"axis_u", "rows of k"}, {"axis_v", "\u00fc"}}).empty());
+  const Json twice = {{"k", make("range", {{"axis", "rows"}})},
+                      {"c", make("circle", {{"radius", from("k")}})},
+                      {"n", make("sample", {{"shape", from("c")}, {"axis", "rows"}})}};
+  CHECK(codes(graph_of(twice).static_problems()) == std::multiset<std::string>{"axis-mismatch n.axis"});
+}
+
 TEST_CASE("a point pair is shown by the coefficients of its formula") {
   // T(c, t) = no^t + (c.t) no^ni + c^t + ((c.t) c - c^2/2 t)^ni, less split t^ni.
   const Vector c = {0.5, -1, 2}, t = {0.25, 3, -0.5};

@@ -53,6 +53,21 @@ TEST_CASE("A file of every format is uploaded, named by its hash, and evaluated"
   }
 }
 
+TEST_CASE("A file that takes too long to read is left at the deadline, and the server goes on") {
+  dini::Limits limits;
+  limits.interactive_milliseconds = 20;
+  auto settings = quick_settings();
+  settings.body_deadline = std::chrono::seconds(5);
+  const Running server(settings, limits);
+  std::string text;
+  while (text.size() < (std::size_t{8} << 20)) text += "v 0.123456789 0.25 1e-7\n";
+  const auto answer = upload(server.port(), text);
+  REQUIRE(answer);
+  CHECK(answer->status == 504);
+  CHECK(answer->code() == "deadline");
+  CHECK(upload(server.port(), quad_obj)->status == 201);
+}
+
 TEST_CASE("A graph that names a file that is not there blames the node") {
   const Running server;
   const auto answer = post(server.port(), "/v1/evaluate", body_with("shell"));

@@ -93,12 +93,13 @@ inline constexpr std::string_view quad_ply =
 
 /// What a reader says to `bytes`: nothing when it takes them, else its code and sentence.
 template <class Read>
-std::string refusal(Read read, std::string_view bytes, const ImportLimits& limits = {}) {
+std::string refusal(Read read, std::string_view bytes, const ImportLimits& limits = {}, const Cancel& cancel = {}) {
   // A copy of its own, so that a read past the end is one for the address sanitizer too.
   const std::vector<char> exact(bytes.begin(), bytes.end());
-  const ImportResult result = read(std::string_view(exact.data(), exact.size()), limits);
+  const ImportResult result = read(std::string_view(exact.data(), exact.size()), limits, cancel);
   const auto* error = std::get_if<ImportError>(&result);
   if (error == nullptr) return "";
+  if (error->code == ImportError::Code::stopped) return "stopped";
   return (error->code == ImportError::Code::invalid ? "invalid: " : "too large: ") + error->detail;
 }
 

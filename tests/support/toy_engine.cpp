@@ -99,7 +99,7 @@ const Limits& Engine::limits() const { return state_->limits; }
 
 const Json& Engine::catalogue() const { return state_->catalogue; }
 
-Result<AssetSummary> Engine::add_asset(std::string_view bytes, const std::string& name) const {
+Result<AssetSummary> Engine::add_asset(std::string_view bytes, const std::string& name, const Cancel&) const {
   if (name == "wrong name") return Problem{.code = "usage", .detail = "The toy does not like this name."};
   if (bytes.starts_with("broken"))
     return Problem{.code = "invalid-asset", .detail = "The toy was given a broken file."};

@@ -1,7 +1,7 @@
 // Hands for the editor's tests: they add, connect and read graphs as a person does, by role and label.
 
 import { withCleanPage } from "./fixture.mjs";
-import { openPage, settled, wholeGraph } from "./harness.mjs";
+import { eventually, openPage, settled, still, wholeGraph } from "./harness.mjs";
 
 /** A page whose clipboard may be used, and that keeps the graph it sent last: `page.graph()`. */
 export async function openEditor(browser, url, options = {}) {
@@ -16,14 +16,16 @@ export async function openEditor(browser, url, options = {}) {
   return page;
 }
 
-/** Runs a test in the editor of a clean page. */
+/** Runs a test in the editor of a clean page: in an empty graph, with the whole graph in sight, or `asOpened`. */
 export function withEditor(used, options, run) {
   const start = async (page) => {
     if (options.isEmpty) await emptyGraph(page);
     else {
       await settled(page);
-      await wholeGraph(page);
+      if (!options.asOpened) await wholeGraph(page);
     }
+    // In a narrow window the canvas is behind a tab.
+    if (await pane(page).isVisible()) await canvasReady(page);
     await run(page);
   };
   return withCleanPage(used, options, start, openEditor);
@@ -35,22 +37,18 @@ export async function emptyGraph(page) {
   await page.getByText("An empty graph").waitFor();
 }
 
+/** Waits until the canvas answers to the hand, and every node of it is drawn and stands still. */
+export async function canvasReady(page) {
+  await page.locator('.graph-pane[data-ready="true"]').waitFor({ state: "attached" });
+  await page.waitForFunction(() =>
+    [...document.querySelectorAll(".react-flow__node")].every((item) => item.style.visibility !== "hidden"),
+  );
+  await still(pane(page).locator(".react-flow__viewport"));
+}
+
 /** Waits until the graph that was sent last fulfils the test. */
-export async function untilGraph(page, test, what = test.toString()) {
-  const limit = Date.now() + 15_000;
-  const holds = () => {
-    try {
-      return test(page.graph());
-    } catch {
-      // What is looked at is not there yet.
-      return false;
-    }
-  };
-  while (!holds()) {
-    if (Date.now() > limit) throw new Error(`The graph never came to be: ${what}\n${JSON.stringify(page.graph())}`);
-    await page.waitForTimeout(25);
-  }
-  return page.graph();
+export function untilGraph(page, test) {
+  return eventually(() => page.graph(), test, "the graph that was sent");
 }
 
 export const pane = (page) => page.getByRole("region", { name: "Graph" });
@@ -61,33 +59,52 @@ export async function at(page, x, y) {
   return { x: box.x + x, y: box.y + y };
 }
 
+/** Waits until no node lies over another. */
+export function untilApart(page) {
+  const overlaps = () =>
+    pane(page)
+      .locator(".node")
+      .evaluateAll((list) => {
+        const boxes = list.map((item) => item.getBoundingClientRect());
+        const isClear = (a, b) => a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
+        return boxes.flatMap((a) => boxes.filter((b) => a !== b && !isClear(a, b)));
+      });
+  return eventually(overlaps, [], "nodes that lie apart");
+}
+
 /** Adds a node by double-click and search. Answers its name. */
 export async function addNode(page, text, x, y) {
   const place = await at(page, x, y);
+  const before = await nodeNames(page);
   await page.mouse.dblclick(place.x, place.y);
   await page.getByRole("combobox", { name: "Add a node" }).fill(text);
   await page.keyboard.press("Enter");
   await page.getByRole("dialog", { name: "Add a node" }).waitFor({ state: "detached" });
-  return selectedNode(page);
+  const names = await eventually(
+    async () => (await nodeNames(page)).filter((name) => !before.includes(name)),
+    (added) => added.length === 1,
+    `a node for ${text}`,
+  );
+  await inPanel(page, names[0]);
+  await still(node(page, names[0]));
+  return names[0];
 }
 
-/** The name of the selected node, as the panel says it. */
-export async function selectedNode(page) {
-  const button = page.getByRole("button", { name: /^Rename / });
-  await button.waitFor();
-  return (await button.getAttribute("aria-label")).slice("Rename ".length);
-}
+const nodeNames = (page) =>
+  page.locator(".react-flow__node-graph").evaluateAll((list) => list.map((item) => item.dataset.id));
+
+/** Waits until the panel shows the inputs of this node. */
+export const inPanel = (page, id) => page.getByRole("button", { name: `Rename ${id}`, exact: true }).waitFor();
 
 export const node = (page, id) => pane(page).getByRole("group", { name: new RegExp(`, ${id}$`) });
 export const input = (page, id, name) => node(page, id).getByRole("button", { name: new RegExp(`^Input ${name} of `) });
 export const output = (page, id, name) =>
   node(page, id).getByRole("button", { name: new RegExp(`^Output ${name} of `) });
 
-/** The middle of what a locator finds. */
+/** The middle of what a locator finds, once that stands still. */
 export async function middle(locator) {
-  await locator.waitFor();
-  const box = await locator.boundingBox();
-  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  const { x, y, width, height } = await still(locator);
+  return { x: x + width / 2, y: y + height / 2 };
 }
 
 /** Presses the left button at one place and lets it go at another. */
@@ -109,13 +126,25 @@ export async function undo(page) {
   await page.getByRole("button", { name: "Undo" }).click();
 }
 
-/** Selects one node by pressing on its title. */
+/** The names of the selected nodes, in order. */
+export const selection = (page) =>
+  pane(page)
+    .locator(".react-flow__node.selected")
+    .evaluateAll((list) => list.map((item) => item.dataset.id).sort());
+
+/** Waits until these nodes are selected, and no others. */
+export const untilSelected = (page, ids) => eventually(() => selection(page), ids, "the selection");
+
+/** Selects a node by pressing on its title: it alone, or one more with Shift. */
 export async function choose(page, id, modifiers = []) {
-  const box = await node(page, id).boundingBox();
+  const box = await still(node(page, id));
+  const others = modifiers.length > 0 ? await selection(page) : [];
   for (const key of modifiers) await page.keyboard.down(key);
   await page.mouse.click(box.x + 40, box.y + 12);
   for (const key of modifiers) await page.keyboard.up(key);
+  await untilSelected(page, [...others, id].sort());
 }
 
+/** Waits until this was said. */
 export const said = (page, text) =>
-  page.getByRole("status", { name: "Last action" }).filter({ hasText: text }).waitFor({ timeout: 5000 });
+  page.getByRole("status", { name: "Last action" }).filter({ hasText: text }).waitFor();

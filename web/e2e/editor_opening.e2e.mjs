@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { useServer, withCleanPage } from "./fixture.mjs";
-import { settled } from "./harness.mjs";
+import { eventually, settled, still } from "./harness.mjs";
 
 const used = useServer();
 
@@ -15,9 +15,6 @@ const withPage = (options, run) =>
 
 const graph = (page) => page.getByRole("region", { name: "Graph" });
 const map = (page) => page.getByRole("img", { name: "Map of the graph" });
-
-/** Waits until what is measured in the page fulfils the test. */
-const until = (page, measure, argument) => page.waitForFunction(measure, argument, { timeout: 15_000 });
 
 /** In the page: how many nodes are wholly in the pane, of how many, and how high their letters are. */
 const inSight = () => {
@@ -32,22 +29,26 @@ const inSight = () => {
 test("a wide graph opens where it ends, large enough to be read, with a map of the rest", () =>
   withPage({ hash: "#example=fig05_twisted_ring" }, async (page) => {
     await map(page).waitFor();
-    await until(page, () => document.querySelector(".react-flow__node[data-id=out]").getBoundingClientRect().width > 140);
+    await page.waitForFunction(() => document.querySelector(".react-flow__node[data-id=out]").getBoundingClientRect().width > 140);
     const count = await page.locator(".react-flow__node").count();
-    const seen = await page.evaluate(inSight);
-    assert.ok(seen >= 3 && seen < count, `${seen} of ${count} nodes are in sight`);
-    const [output, pane] = [await page.locator(".react-flow__node[data-id=out]").boundingBox(), await graph(page).boundingBox()];
+    await eventually(
+      () => page.evaluate(inSight),
+      (seen) => seen >= 3 && seen < count,
+      `some of ${count} nodes in sight`,
+    );
+    const output = await still(page.locator(".react-flow__node[data-id=out]"));
+    const pane = await still(graph(page));
     assert.ok(output.x > pane.x && output.x + output.width < pane.x + pane.width, "the output is in sight");
     await graph(page).getByRole("button", { name: "Fit graph" }).click();
     await map(page).waitFor({ state: "detached" });
-    assert.equal(await page.evaluate(inSight), count, "everything is in sight");
+    await eventually(() => page.evaluate(inSight), count, "everything in sight");
   }));
 
 test("a graph that is readable as a whole needs no map", () =>
   withPage({ hash: "#example=fig02_boosted_circle", width: 2600, height: 1000 }, async (page) => {
     await page.locator(".react-flow__node").first().waitFor();
     await map(page).waitFor({ state: "detached" });
-    assert.equal(await page.evaluate(inSight), await page.locator(".react-flow__node").count());
+    await eventually(() => page.evaluate(inSight), await page.locator(".react-flow__node").count());
   }));
 
 test("what is said to someone new covers neither graph nor model nor form", async () => {
@@ -58,7 +59,7 @@ test("what is said to someone new covers neither graph nor model nor form", asyn
     await withPage({ firstRun: true, ...size }, async (page) => {
       const hint = page.getByRole("complementary", { name: "How to begin" });
       await hint.waitFor();
-      const [box, work] = [await hint.boundingBox(), await page.getByRole("main").boundingBox()];
+      const [box, work] = [await still(hint), await still(page.getByRole("main"))];
       assert.ok(box.y >= work.y + work.height - 1, `the panes end at ${work.y + work.height}, the hint begins at ${box.y}`);
       assert.ok(box.x >= 0 && box.x + box.width <= size.width);
       await hint.getByRole("button", { name: "Begin an empty graph" }).click();

@@ -5,7 +5,7 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { deflateRawSync } from "node:zlib";
 import { useServer, withCleanPage } from "./fixture.mjs";
-import { saved, settled } from "./harness.mjs";
+import { eventually, factsOf, saved, settled } from "./harness.mjs";
 
 const RING = "#example=fig04_boosted_ring";
 const OBJ = "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
@@ -18,6 +18,8 @@ const withPage = (options, run) =>
     await run(page);
   });
 
+/** Waits until the graph has this title. */
+const titled = (page, title) => eventually(() => titleOf(page).inputValue(), title, "the title");
 const titleOf = (page) => page.getByRole("textbox", { name: "Title of the graph" });
 
 async function rename(page, title) {
@@ -62,22 +64,14 @@ const draftsOf = (page) =>
       }),
   );
 
+/** Waits until a draft with this title is kept. */
 async function draftTitled(page, title) {
-  for (let round = 0; round < 100; round++) {
-    const draft = (await draftsOf(page)).find((one) => one.title === title);
-    if (draft) return draft;
-    await new Promise((done) => setTimeout(done, 50));
-  }
-  throw new Error(`no draft ${title}`);
+  const find = async () => (await draftsOf(page)).find((one) => one.title === title);
+  return eventually(find, Boolean, `a draft ${title}`);
 }
 
 /** Waits until there is no draft. */
-async function noDrafts(page) {
-  for (let round = 0; (await draftsOf(page)).length > 0; round++) {
-    assert.ok(round < 100, JSON.stringify((await draftsOf(page)).map((one) => one.title)));
-    await new Promise((done) => setTimeout(done, 50));
-  }
-}
+const noDrafts = (page) => eventually(async () => (await draftsOf(page)).map((one) => one.title), [], "the drafts");
 
 /** Deletes a draft from the list of them. */
 async function forget(page, title) {
@@ -103,11 +97,12 @@ test("what is saved, opened and saved again is the same, and keeps its file's na
     await openFile(page, "my graph.json", JSON.stringify(given));
     await page.waitForFunction(() => document.title.startsWith("Given"));
     await settled(page);
-    assert.equal(await triangles(), before);
+    await eventually(triangles, before);
     const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+s")]);
     assert.equal(download.suggestedFilename(), "my graph.json");
     assert.deepEqual(JSON.parse(readFileSync(await download.path(), "utf8")), given);
-    assert.equal(new URL(page.url()).hash, "", "the address does not name an example any more");
+    // The address does not name an example any more.
+    await eventually(() => new URL(page.url()).hash, "");
     assert.equal(await page.locator("b").count(), 0, "markup is shown as text");
   }));
 
@@ -115,16 +110,17 @@ test("what was not saved is open again after a reload, is listed, and goes when 
   withPage({}, async (page) => {
     await rename(page, "Unsaved work");
     await draftTitled(page, "Unsaved work");
-    await page.reload();
-    await settled(page);
-    assert.equal(await titleOf(page).inputValue(), "Unsaved work");
-    await note(page, "“Unsaved work” is open again");
-    await page.reload();
-    await settled(page);
-    assert.equal(await titleOf(page).inputValue(), "Unsaved work", "also after a second reload");
+    // Also after a second reload.
+    for (let round = 0; round < 2; round++) {
+      await Promise.all([note(page, "“Unsaved work” is open again"), page.reload()]);
+      await settled(page);
+      await titled(page, "Unsaved work");
+      await eventually(async () => (await draftTitled(page, "Unsaved work")).address, "");
+    }
     await rename(page, "More work");
     const draft = await draftTitled(page, "More work");
-    assert.equal((await draftsOf(page)).filter((one) => one.id === draft.id).length, 1);
+    const same = async () => (await draftsOf(page)).filter((one) => one.id === draft.id).length;
+    await eventually(same, 1);
     // Another document takes its place; the draft is still there.
     await page.getByRole("button", { name: "File", exact: true }).click();
     await page.getByRole("menuitem", { name: "New" }).click();
@@ -134,7 +130,7 @@ test("what was not saved is open again after a reload, is listed, and goes when 
     const dialog = page.getByRole("dialog", { name: "Recover" });
     await dialog.getByRole("button", { name: /^More work/ }).click();
     await settled(page);
-    assert.equal(await titleOf(page).inputValue(), "More work");
+    await titled(page, "More work");
     await rename(page, "Saved work");
     await draftTitled(page, "Saved work");
     await saved(page);
@@ -149,15 +145,14 @@ test("a slider's value is kept over a reload, and its draft goes when the slider
     await slider.press("PageUp");
     await page.getByText("edited", { exact: true }).waitFor();
     await draftTitled(page, "Boosted ring");
-    const changed = await value();
-    assert.notEqual(changed, before);
-    await page.reload();
-    await note(page, "“Boosted ring” is open again");
+    const changed = await eventually(value, (text) => text !== before);
+    await Promise.all([note(page, "“Boosted ring” is open again"), page.reload()]);
     await settled(page);
-    assert.equal(await value(), changed);
+    await eventually(value, changed);
     await page.goto(`${server.url}/?again${RING}`);
     await settled(page);
-    assert.equal(await value(), before, "the example itself is as it was");
+    // The example itself is as it was.
+    await eventually(value, before);
     for (const draft of await draftsOf(page)) await forget(page, draft.title);
     await slider.press("PageUp");
     await draftTitled(page, "Boosted ring");
@@ -172,7 +167,7 @@ test("a draft never takes the place of an example that is asked for", () =>
     await draftTitled(page, "Not this");
     await page.goto(`${server.url}/?fresh#example=fig02_boosted_circle`);
     await settled(page);
-    assert.equal(await page.evaluate(() => document.documentElement.dataset.example), "fig02_boosted_circle");
+    await eventually(async () => (await factsOf(page)).example, "fig02_boosted_circle");
   }));
 
 test("dropped graphs open, and what cannot be opened says why and changes nothing", () =>
@@ -182,7 +177,7 @@ test("dropped graphs open, and what cannot be opened says why and changes nothin
     await drop(page, "dropped.json", JSON.stringify(graph));
     await page.waitForFunction(() => document.documentElement.dataset.example === "");
     await settled(page);
-    assert.equal(await titleOf(page).inputValue(), "Dropped");
+    await titled(page, "Dropped");
     for (const [name, text, message] of [
       ["a.json", "{", "it is not JSON"],
       ["b.json", "[]", "a JSON object was expected"],
@@ -244,7 +239,10 @@ test("a mesh dropped on an empty graph is shown at once", () =>
     await drop(page, "tetrahedron.obj", OBJ);
     await note(page, "Imported tetrahedron.obj");
     await settled(page);
-    assert.match(await page.getByLabel("Statistics").textContent(), /^4 triangles/);
+    await eventually(
+      () => page.getByLabel("Statistics").textContent(),
+      (text) => /^4 triangles/.test(text),
+    );
   }));
 
 test("a link opens what was shared, and hostile links open nothing", () =>
@@ -255,17 +253,24 @@ test("a link opens what was shared, and hostile links open nothing", () =>
     const json = await saved(page);
     await page.getByRole("button", { name: "Share", exact: true }).click();
     await page.getByRole("menuitem", { name: "Link to this graph…" }).click();
-    const link = await page.getByRole("dialog", { name: "Share" }).getByRole("textbox", { name: "Link" }).inputValue();
-    assert.ok(link.length < 8000 && new URL(link).hash.startsWith("#g="));
-    await page.getByRole("dialog").getByRole("button", { name: "Close" }).click();
+    const share = page.getByRole("dialog", { name: "Share" });
+    const link = await eventually(
+      () => share.getByRole("textbox", { name: "Link" }).inputValue(),
+      (text) => text.length < 8000 && new URL(text).hash.startsWith("#g="),
+    );
+    await share.getByRole("button", { name: "Close" }).click();
     await withPage({ hash: new URL(link).hash }, async (other) => {
-      assert.equal(await titleOf(other).inputValue(), "Shared ⚙ ring");
+      await titled(other, "Shared ⚙ ring");
       assert.deepEqual(await saved(other), json);
     });
     for (const packed of ["AAAA", "%22", deflateRawSync(Buffer.alloc(3e7)).toString("base64url")]) {
-      await withPage({ hash: `#g=${packed}` }, async (other) => {
+      await withCleanPage(used, { hash: `#g=${packed}` }, async (other) => {
         await note(other, /link/);
-        assert.notEqual(await other.evaluate(() => document.documentElement.dataset.example), "");
+        await settled(other);
+        await eventually(
+          () => factsOf(other),
+          ({ example }) => example !== "",
+        );
       });
     }
   }));
@@ -291,10 +296,11 @@ test("a graph too large for a link is offered as a file", () =>
 test("an edited graph is copied as commands that hold it", () =>
   withPage({ clipboard: true }, async (page) => {
     const copied = async (name) => {
+      await page.evaluate(() => navigator.clipboard.writeText(""));
       await page.getByRole("button", { name: "Share", exact: true }).click();
       await page.getByRole("menuitem", { name }).click();
       await note(page, "Copied");
-      return page.evaluate(() => navigator.clipboard.readText());
+      return eventually(() => page.evaluate(() => navigator.clipboard.readText()), Boolean, "a text on the clipboard");
     };
     assert.match(await copied("Copy as dini eval"), /^dini eval examples\/fig04_boosted_ring\.json -o boosted-ring\.glb$/);
     await rename(page, "It's mine");

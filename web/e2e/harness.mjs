@@ -7,11 +7,15 @@ import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
+import { inspect, isDeepStrictEqual } from "node:util";
 import { chromium } from "playwright-core";
 
 const here = path.dirname(fileURLToPath(import.meta.url));
 const root = path.resolve(here, "../..");
 const program = process.env.DINI_PROGRAM ?? path.join(root, "build/release/dini");
+
+/** Waits end here only where something is wrong: a machine that is ten times slower must not fail. */
+export const LONGEST_WAIT = 60_000;
 
 const CHROMIUM_ARGUMENTS = [
   "--no-sandbox",
@@ -53,7 +57,7 @@ export class Server {
       ? [process.execPath, [path.join(here, "stand_in/main.mjs"), ...common]]
       : [program, ["serve", ...common, "--log-level", "warning", ...folders]];
     this.#child = spawn(command, parts, { stdio: ["ignore", "ignore", "inherit"] });
-    const limit = Date.now() + 15_000;
+    const limit = Date.now() + LONGEST_WAIT;
     const written = () => existsSync(portFile) && readFileSync(portFile, "utf8").trim() !== "";
     while (!written()) {
       if (Date.now() > limit) throw new Error(`${command} did not start`);
@@ -72,11 +76,12 @@ export class Server {
   }
 }
 
-export function launchBrowser() {
+/** `more`: what the browser is to be told beside the usual. */
+export function launchBrowser(more = []) {
   return chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     headless: true,
-    args: CHROMIUM_ARGUMENTS,
+    args: [...CHROMIUM_ARGUMENTS, ...more],
   });
 }
 
@@ -102,6 +107,7 @@ export async function openPage(browser, url, options = {}) {
     delete window.showSaveFilePicker;
   });
   if (count) await context.addInitScript(countThings);
+  context.setDefaultTimeout(LONGEST_WAIT);
   const page = await context.newPage();
   const offences = [];
   const origin = new URL(url).origin;
@@ -114,6 +120,8 @@ export async function openPage(browser, url, options = {}) {
     const isAllowed = isAnswer && (expectOutage || message.text().includes("422"));
     if (message.type() === "error" && !isAllowed) offences.push(`console: ${message.text()}`);
   });
+  // Whoever listens has file dialogs go to the test. Begun with the first dialog, that may be too late for it.
+  page.on("filechooser", () => undefined);
   page.on("pageerror", (error) => offences.push(`error: ${error.message}`));
   page.on("request", (request) => {
     if (!/^(blob|data):/.test(request.url()) && new URL(request.url()).origin !== origin)
@@ -158,6 +166,68 @@ function countThings() {
   };
 }
 
+/**
+ * Reads until what is read equals `expected`, or fulfils it if that is a function, and answers it. What is not there
+ * yet is read again too. Fails with what was read last.
+ */
+export async function eventually(read, expected, what = "") {
+  const limit = Date.now() + LONGEST_WAIT;
+  for (;;) {
+    let [value, error] = [undefined, undefined];
+    try {
+      value = await read();
+      if (typeof expected === "function" ? expected(value) : isDeepStrictEqual(value, expected)) return value;
+    } catch (problem) {
+      error = problem;
+    }
+    if (Date.now() > limit) {
+      const last = error ? String(error) : inspect(value, { depth: 8, maxStringLength: 1000 });
+      const wanted = typeof expected === "function" ? String(expected) : inspect(expected, { depth: 6 });
+      throw new Error(`${what || String(read)} never came to be.\nexpected: ${wanted}\nread last: ${last}`);
+    }
+    await new Promise((done) => setTimeout(done, 40));
+  }
+}
+
+/** Where an element is once it stands still: its box, and the transform of its style. */
+export function still(locator) {
+  const read = async () => {
+    await locator.waitFor();
+    return locator.evaluate(
+      (element, limit) =>
+        new Promise((done, fail) => {
+          const end = performance.now() + limit;
+          let [last, frames] = ["", 0];
+          const look = () => {
+            if (!element.isConnected) return fail(new Error("It was taken away."));
+            if (performance.now() > end) return fail(new Error(`It never stood still: ${last}`));
+            const { x, y, width, height } = element.getBoundingClientRect();
+            const place = { x, y, width, height, transform: element.style.transform };
+            frames = JSON.stringify(place) === last ? frames + 1 : 0;
+            last = JSON.stringify(place);
+            return frames < 3 ? requestAnimationFrame(look) : done(place);
+          };
+          look();
+        }),
+      LONGEST_WAIT,
+    );
+  };
+  return eventually(read, (place) => place.width > 0, `a place of ${locator}`);
+}
+
+/** Turns the wheel where the pointer is, and waits until the page has heard it. */
+export async function turnWheel(page, by) {
+  await page.evaluate(() => {
+    const once = { once: true, capture: true, passive: true };
+    window.turned = new Promise((done) => window.addEventListener("wheel", () => done(), once));
+  });
+  await page.mouse.wheel(0, by);
+  await page.evaluate(() => window.turned);
+}
+
+/** What the page's root element says of its state: see showStateOn() of the page. */
+export const factsOf = (page) => page.evaluate(() => ({ ...document.documentElement.dataset }));
+
 /** The document as Save writes it. */
 export async function saved(page) {
   const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+Shift+s")]);
@@ -176,10 +246,11 @@ export async function selectNode(page, id) {
   const graph = page.getByRole("region", { name: "Graph" });
   const node = graph.getByRole("group", { name: new RegExp(`, ${id}$`) });
   await node.click({ position: { x: 24, y: 6 } });
+  await page.locator(`.react-flow__node.selected[data-id="${id}"]`).waitFor();
 }
 
 /** Waits until the newest input is shown in full quality. */
-export async function settled(page, timeout = 30_000) {
+export async function settled(page, timeout = LONGEST_WAIT) {
   await page.waitForFunction(
     () => {
       const { state, revision, shown, quality } = document.documentElement.dataset;
@@ -190,10 +261,58 @@ export async function settled(page, timeout = 30_000) {
   );
 }
 
+/** Waits until the model fills more than this share of its view, and less than `most`. */
+export function covered(page, least, most = 1) {
+  return eventually(
+    () => coverage(page),
+    (share) => share > least && share < most,
+    `a model on more than ${least} of its view`,
+  );
+}
+
+export const canvasOf = (page) => page.getByRole("img", { name: /^The model/ });
+
+/** The model's view as a picture, once nothing is drawn any more. */
+export async function picture(page) {
+  await quiet(page);
+  return canvasOf(page).screenshot();
+}
+
+/** Waits until the view has drawn what is there, drawn it finely, and draws no more. */
+export function quiet(page) {
+  return canvasOf(page).evaluate(
+    (canvas, limit) =>
+      new Promise((done, fail) => {
+        const end = performance.now() + limit;
+        let [last, frames] = ["", 0];
+        const look = () => {
+          const { frames: drawn, still } = canvas.dataset;
+          frames = still === "true" && drawn === last ? frames + 1 : 0;
+          last = drawn;
+          if (frames >= 3) done();
+          else if (performance.now() < end) requestAnimationFrame(look);
+          else fail(new Error(`The view never rested: ${JSON.stringify(canvas.dataset)}`));
+        };
+        look();
+      }),
+    LONGEST_WAIT,
+  );
+}
+
+/** Fails unless `act` changes the picture. */
+export async function changes(page, what, act) {
+  const last = await picture(page);
+  await act();
+  await eventually(
+    () => picture(page),
+    (now) => !now.equals(last),
+    `another picture after ${what}`,
+  );
+}
+
 /** Share of the model view's pixels that differ clearly from its corners' background. */
-export async function coverage(page) {
-  const canvas = page.getByRole("img", { name: /^The model/ });
-  const picture = (await canvas.screenshot()).toString("base64");
+async function coverage(page) {
+  const shot = (await picture(page)).toString("base64");
   return page.evaluate(async (data) => {
     const image = new Image();
     image.src = `data:image/png;base64,${data}`;
@@ -217,5 +336,5 @@ export async function coverage(page) {
       }
     }
     return different / (image.width * image.height);
-  }, picture);
+  }, shot);
 }

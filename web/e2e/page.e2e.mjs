@@ -1,9 +1,8 @@
 // The page itself: themes, narrow windows, the 3D view's settings, the keyboard, a server that goes away.
 
-import assert from "node:assert/strict";
 import { test } from "node:test";
 import { useServer, withCleanPage } from "./fixture.mjs";
-import { coverage, settled } from "./harness.mjs";
+import { canvasOf, changes, covered, eventually, settled, still } from "./harness.mjs";
 
 const used = useServer();
 const { server } = used;
@@ -14,15 +13,16 @@ const themeOf = (page) => page.evaluate(() => document.documentElement.dataset.t
 
 test("the theme follows the system until it is chosen, and the choice is remembered", () =>
   withPage({ theme: "light" }, async (page) => {
-    assert.equal(await themeOf(page), "light");
-    await settled(page);
-    await page.getByRole("button", { name: "Use the dark theme" }).click();
-    assert.equal(await themeOf(page), "dark");
     const background = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
-    const dark = await background();
+    await eventually(() => themeOf(page), "light");
+    await settled(page);
+    const light = await background();
+    await page.getByRole("button", { name: "Use the dark theme" }).click();
+    await eventually(() => themeOf(page), "dark");
+    const dark = await eventually(background, (color) => color !== light);
     await page.reload();
-    assert.equal(await themeOf(page), "dark");
-    assert.equal(await background(), dark);
+    await eventually(() => themeOf(page), "dark");
+    await eventually(background, dark);
     await page.getByRole("button", { name: "Use the light theme" }).click();
     await page.emulateMedia({ colorScheme: "dark" });
     await page.waitForFunction(() => document.documentElement.dataset.theme === "dark");
@@ -33,32 +33,33 @@ test("text is readable in both themes", async () => {
   for (const theme of ["dark", "light"]) {
     await withPage({ theme }, async (page) => {
       await settled(page);
-      const low = await page.evaluate(() => {
-        const style = getComputedStyle(document.documentElement);
-        const luminance = (name) => {
-          const hex = style.getPropertyValue(name).trim();
-          const [r, g, b] = [1, 3, 5]
-            .map((at) => parseInt(hex.slice(at, at + 2), 16) / 255)
-            .map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));
-          return 0.2126 * r + 0.7152 * g + 0.0722 * b;
-        };
-        const pairs = ["--text", "--text2", "--text3", "--error", "--accent-text"].flatMap((text) =>
-          ["--bg0", "--bg1", "--bg2"].map((ground) => [text, ground]),
-        );
-        pairs.push(
-          ["--error", "--error-soft"],
-          ["--accent-text", "--accent-soft"],
-          ["--text", "--warning-soft"],
-          ["--text", "--bg3"],
-        );
-        return pairs
-          .map(([text, ground]) => {
-            const [a, b] = [luminance(text), luminance(ground)].sort((x, y) => y - x);
-            return { text, ground, ratio: (a + 0.05) / (b + 0.05) };
-          })
-          .filter(({ ratio }) => ratio < 4.5);
-      });
-      assert.deepEqual(low, []);
+      const low = () =>
+        page.evaluate(() => {
+          const style = getComputedStyle(document.documentElement);
+          const luminance = (name) => {
+            const hex = style.getPropertyValue(name).trim();
+            const [r, g, b] = [1, 3, 5]
+              .map((at) => parseInt(hex.slice(at, at + 2), 16) / 255)
+              .map((x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4));
+            return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+          };
+          const pairs = ["--text", "--text2", "--text3", "--error", "--accent-text"].flatMap((text) =>
+            ["--bg0", "--bg1", "--bg2"].map((ground) => [text, ground]),
+          );
+          pairs.push(
+            ["--error", "--error-soft"],
+            ["--accent-text", "--accent-soft"],
+            ["--text", "--warning-soft"],
+            ["--text", "--bg3"],
+          );
+          return pairs
+            .map(([text, ground]) => {
+              const [a, b] = [luminance(text), luminance(ground)].sort((x, y) => y - x);
+              return { text, ground, ratio: (a + 0.05) / (b + 0.05) };
+            })
+            .filter(({ ratio }) => ratio < 4.5);
+        });
+      await eventually(low, [], `contrast in the ${theme} theme`);
     });
   }
 });
@@ -66,14 +67,15 @@ test("text is readable in both themes", async () => {
 test("every button and field has a name", () =>
   withPage({}, async (page) => {
     await settled(page);
-    const nameless = await page.evaluate(() =>
-      [...document.querySelectorAll("button, input, select, [role=slider], [role=separator], [role=tab]")]
-        .filter(
-          (item) => !(item.getAttribute("aria-label") || item.textContent.trim() || item.labels?.[0]?.textContent),
-        )
-        .map((item) => item.outerHTML.slice(0, 120)),
-    );
-    assert.deepEqual(nameless, []);
+    const nameless = () =>
+      page.evaluate(() =>
+        [...document.querySelectorAll("button, input, select, [role=slider], [role=separator], [role=tab]")]
+          .filter(
+            (item) => !(item.getAttribute("aria-label") || item.textContent.trim() || item.labels?.[0]?.textContent),
+          )
+          .map((item) => item.outerHTML.slice(0, 120)),
+      );
+    await eventually(nameless, []);
   }));
 
 test("a narrow window has tabs instead of panes, and the model survives the change", () =>
@@ -83,35 +85,29 @@ test("a narrow window has tabs instead of panes, and the model survives the chan
     await panes.getByRole("tab", { name: "Examples" }).click();
     const cards = page.getByRole("navigation", { name: "Examples" }).getByRole("button");
     await cards.nth(1).click();
+    await page.waitForFunction(() => location.hash.startsWith("#example="));
     await settled(page);
-    assert.equal(await panes.getByRole("tab", { name: "Model" }).getAttribute("aria-selected"), "true");
-    assert.ok((await coverage(page)) > 0.03);
+    await panes.getByRole("tab", { name: "Model", selected: true }).waitFor();
+    await covered(page, 0.03);
     await panes.getByRole("tab", { name: "Graph" }).click();
     await page.locator(".node").first().waitFor();
-    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 800);
+    await eventually(() => page.evaluate(() => document.documentElement.scrollWidth), 800);
     await page.setViewportSize({ width: 1280, height: 720 });
-    await page.getByRole("img", { name: /^The model/ }).waitFor();
-    await page.waitForTimeout(1000);
-    assert.ok((await coverage(page)) > 0.03, "the model is drawn again in the new pane");
+    await panes.waitFor({ state: "detached" });
+    // The model is drawn again in the new pane.
+    await covered(page, 0.03);
   }));
 
 test("shading, grid and axes can be chosen, and the view is turned with mouse and keys", () =>
   withPage({}, async (page) => {
     await settled(page);
-    const canvas = page.getByRole("img", { name: /^The model/ });
-    let last = await canvas.screenshot();
-    const changed = async (what, act) => {
-      await act();
-      await page.waitForTimeout(400);
-      const picture = await canvas.screenshot();
-      assert.ok(!picture.equals(last), what);
-      last = picture;
-    };
+    const canvas = canvasOf(page);
+    const changed = (what, act) => changes(page, what, act);
     for (const mode of ["Lines", "Wire", "Normals", "Shaded"])
       await changed(mode, () => page.getByRole("radio", { name: mode, exact: true }).click());
     await changed("grid", () => page.getByRole("button", { name: "Grid", exact: true }).click());
     await changed("axes", () => page.getByRole("button", { name: "Axes", exact: true }).click());
-    const { x, y, width, height } = await canvas.boundingBox();
+    const { x, y, width, height } = await still(canvas);
     await changed("orbit", async () => {
       await page.mouse.move(x + width / 2, y + height / 2);
       await page.mouse.down();
@@ -146,15 +142,16 @@ test(
       const slider = page.getByRole("slider").first();
       await slider.press("PageUp");
       await page.getByText("The server does not answer.").waitFor();
-      assert.equal(await page.evaluate(() => document.documentElement.dataset.state), "error");
-      assert.ok((await coverage(page)) > 0.03, "the last picture stays");
+      await page.waitForFunction(() => document.documentElement.dataset.state === "error");
+      // The last picture stays.
+      await covered(page, 0.03);
       const title = page.getByRole("textbox", { name: "Title of the graph" });
       await title.fill("Edited while the server was away");
       await title.press("Enter");
       await page.getByText("edited", { exact: true }).waitFor();
       await server.start();
       await settled(page);
-      assert.equal(await page.getByText("The server does not answer.").count(), 0);
-      assert.equal(await title.inputValue(), "Edited while the server was away");
+      await eventually(() => page.getByText("The server does not answer.").count(), 0);
+      await eventually(() => title.inputValue(), "Edited while the server was away");
     }),
 );

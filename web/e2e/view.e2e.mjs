@@ -5,7 +5,19 @@ import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { deflateRawSync } from "node:zlib";
 import { useServer, withCleanPage } from "./fixture.mjs";
-import { coverage, saved, selectNode, settled } from "./harness.mjs";
+import {
+  canvasOf,
+  changes,
+  covered,
+  eventually,
+  factsOf,
+  picture,
+  quiet,
+  saved,
+  selectNode,
+  settled,
+  still,
+} from "./harness.mjs";
 
 const RING = "#example=fig04_boosted_ring";
 /** A graph that takes the server a moment only, with a slider. */
@@ -16,12 +28,12 @@ const SMALL = {
   nodes: {
     ring: { type: "circle", inputs: { radius: 1 } },
     pair: { type: "point_pair", inputs: { position: [0, 0, 2], direction: [0, 0, 1] } },
-    k: { type: "range", inputs: { from: 0, to: { parameter: "reach" }, count: 24 } },
+    k: { type: "range", inputs: { from: 0, to: { parameter: "reach" }, count: 8 } },
     boosted: {
       type: "boost",
       inputs: { shape: { from: "ring" }, generator: { from: "pair" }, amount: { from: "k" } },
     },
-    skin: { type: "surface", inputs: { shape: { from: "boosted" }, segments: 24 } },
+    skin: { type: "surface", inputs: { shape: { from: "boosted" }, segments: 12 } },
     out: { type: "export", inputs: { model: { from: "skin" } } },
   },
 };
@@ -35,23 +47,9 @@ const withPage = (options, run) =>
     await run(page);
   });
 
-const canvasOf = (page) => page.getByRole("img", { name: /^The model/ });
-const twoFrames = (page) =>
-  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-
-/** Waits until the view has drawn what is there, and drawn it finely. */
-async function rested(page) {
-  await twoFrames(page);
-  await page.waitForFunction(() => document.querySelector("canvas[role=img]").dataset.still === "true");
-}
-
-async function picture(page) {
-  await rested(page);
-  return canvasOf(page).screenshot();
-}
-
 /** The drawing alone, without what lies over it. */
 async function drawing(page) {
+  await quiet(page);
   const [download] = await Promise.all([
     page.waitForEvent("download"),
     page.getByRole("button", { name: "Save a picture" }).click(),
@@ -59,16 +57,9 @@ async function drawing(page) {
   return readFileSync(await download.path());
 }
 
-/** Fails unless `act` changes the picture. */
-async function changes(page, what, act) {
-  const last = await picture(page);
-  await act();
-  assert.ok(!(await picture(page)).equals(last), what);
-}
-
 /** Drags an element by some pixels, in steps, and waits until the answer is shown. */
 async function drag(page, element, dx, dy, { release = true } = {}) {
-  const box = await element.boundingBox();
+  const box = await still(element);
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   await page.mouse.move(x, y);
   await page.mouse.down();
@@ -83,16 +74,21 @@ test("curvature has a legend, and every way to look draws something else", () =>
     const seen = new Set();
     for (const mode of ["Shaded", "Lines", "Wire", "Normals", "Curvature"]) {
       await page.getByRole("radio", { name: mode, exact: true }).click();
-      seen.add((await picture(page)).toString("base64"));
+      const another = await eventually(
+        async () => (await picture(page)).toString("base64"),
+        (text) => !seen.has(text),
+        `a picture of its own for ${mode}`,
+      );
+      seen.add(another);
     }
-    assert.equal(seen.size, 5);
     const legend = page.getByRole("group", { name: "Curvature legend" });
-    assert.match(await legend.textContent(), /m⁻²/);
+    await legend.getByText(/m⁻²/).first().waitFor();
     await changes(page, "mean curvature", () => legend.getByRole("radio", { name: "Mean" }).click());
-    assert.match(await legend.textContent(), /m⁻¹/);
+    await legend.getByText(/m⁻¹/).first().waitFor();
     await page.reload();
     await settled(page);
-    assert.ok(await page.getByRole("radio", { name: "Curvature", exact: true }).isChecked(), "the choice is remembered");
+    // The choice is remembered.
+    await page.getByRole("radio", { name: "Curvature", exact: true, checked: true }).waitFor({ state: "attached" });
   }));
 
 test("the page is there before the 3D view has arrived", async () => {
@@ -120,7 +116,10 @@ test("a section is placed by hand and by number, along any axis, on either side"
     const offset = panel.getByRole("textbox", { name: "Section offset value" });
     const before = Number(await offset.inputValue());
     await changes(page, "dragged", () => drag(page, page.getByRole("button", { name: "Move the section plane" }), 40, 20));
-    assert.notEqual(Number(await offset.inputValue()), before);
+    await eventually(
+      async () => Number(await offset.inputValue()),
+      (now) => now !== before,
+    );
     await changes(page, "other side", () => panel.getByRole("button", { name: "Keep the other side" }).click());
     await changes(page, "axis", () => panel.getByRole("radio", { name: "Z" }).click());
     await changes(page, "slider", () => panel.getByRole("slider", { name: "Section offset" }).press("PageUp"));
@@ -131,7 +130,7 @@ test("standard views and keys act on the pane under the pointer", () =>
   withPage({}, async (page) => {
     for (const view of ["Front", "Right", "Top", "Iso"]) {
       await changes(page, view, () => page.getByRole("button", { name: view, exact: true }).click());
-      assert.ok((await coverage(page)) > 0.03, `${view} frames the model`);
+      await covered(page, 0.03);
     }
     await changes(page, "orthographic", () => page.getByRole("button", { name: "Orthographic" }).click());
     await canvasOf(page).hover();
@@ -160,9 +159,10 @@ test("dragging a gizmo changes the mesh and the document, and one undo returns b
     await page.keyboard.press("Control+z");
     await settled(page);
     assert.deepEqual((await saved(page)).nodes, before.json.nodes, "the first drag is one step");
-    assert.ok(!(await drawing(page)).equals(before.drawing), "the gizmo is in the picture");
+    const isAsBefore = async () => (await drawing(page)).equals(before.drawing);
+    await eventually(isAsBefore, false, "the gizmo in the picture");
     await page.getByRole("button", { name: "Control geometry" }).click();
-    assert.ok((await drawing(page)).equals(before.drawing), "the picture is the one before");
+    await eventually(isAsBefore, true, "the picture from before");
   }));
 
 test("Escape takes a drag back without a trace, Ctrl snaps, and arrow keys nudge", () =>
@@ -175,7 +175,8 @@ test("Escape takes a drag back without a trace, Ctrl snaps, and arrow keys nudge
     await page.mouse.up();
     await settled(page);
     assert.deepEqual((await saved(page)).nodes, before.nodes);
-    assert.ok(await page.getByRole("button", { name: /^Undo/ }).isDisabled(), "nothing to undo");
+    // Nothing is left to undo.
+    await eventually(() => page.getByRole("button", { name: /^Undo/ }).isDisabled(), true);
     await page.keyboard.down("Control");
     await drag(page, handle, 3, -57);
     await page.keyboard.up("Control");
@@ -207,34 +208,38 @@ test("a handle follows a finger", () =>
   withPage({ touch: true }, async (page) => {
     const before = await saved(page);
     await selectNode(page, "ring");
-    const box = await page.getByRole("button", { name: "Change radius of Circle" }).boundingBox();
+    const box = await still(page.getByRole("button", { name: "Change radius of Circle" }));
     const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
     const session = await page.context().newCDPSession(page);
     const touch = (type, points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points });
     await touch("touchStart", [{ x, y }]);
     for (let step = 1; step <= 6; step++) await touch("touchMove", [{ x: x - 6 * step, y }]);
     await touch("touchEnd", []);
+    // What a finger does is told to the page when it has time for it.
+    await eventually(
+      async () => (await saved(page)).nodes.ring.inputs.radius,
+      (radius) => radius < before.nodes.ring.inputs.radius - 0.02,
+    );
     await settled(page);
-    assert.ok((await saved(page)).nodes.ring.inputs.radius < before.nodes.ring.inputs.radius - 0.02);
   }));
 
 test("what a selected node makes and takes is drawn over the model, and goes with the selection", () =>
   withPage({}, async (page) => {
     const plain = await picture(page);
-    const frames = Number(await canvasOf(page).getAttribute("data-geometries"));
+    const geometries = Number(await canvasOf(page).getAttribute("data-geometries"));
     await selectNode(page, "boosted");
     await page.waitForFunction(
       (count) => Number(document.querySelector("canvas[role=img]").dataset.geometries) > count,
-      frames,
+      geometries,
     );
     await changes(page, "hidden by its button", () => page.getByRole("button", { name: "Control geometry" }).click());
     await page.getByRole("button", { name: "Control geometry" }).click();
     await page.getByRole("region", { name: "Graph" }).click({ position: { x: 12, y: 320 } });
     await page.waitForFunction(
       (count) => Number(document.querySelector("canvas[role=img]").dataset.geometries) <= count,
-      frames,
+      geometries,
     );
-    assert.ok((await picture(page)).equals(plain));
+    await eventually(async () => (await picture(page)).equals(plain), true, "the picture from before");
   }));
 
 test("a picture is saved as it is seen", () =>
@@ -252,9 +257,11 @@ test("a picture is saved as it is seen", () =>
 test("the show has the model and its controls only, and Escape ends it", () =>
   withPage({}, async (page) => {
     await page.getByRole("button", { name: "Show", exact: true }).click();
-    assert.ok(!(await page.getByRole("region", { name: "Graph" }).isVisible()));
-    const view = await page.getByRole("region", { name: "Model" }).boundingBox();
-    assert.ok(view.width > 1270 && view.height > 710, JSON.stringify(view));
+    await page.locator(".graph-pane").waitFor({ state: "hidden" });
+    await eventually(
+      () => page.getByRole("region", { name: "Model" }).boundingBox(),
+      ({ width, height }) => width > 1270 && height > 710,
+    );
     const slider = page.getByRole("slider", { name: "Reach", exact: true });
     await changes(page, "controls work", async () => {
       await slider.press("PageUp");
@@ -266,26 +273,21 @@ test("the show has the model and its controls only, and Escape ends it", () =>
 
 test("the picture is drawn finely once it rests, and quickly while it moves", () =>
   withPage({}, async (page) => {
-    await rested(page);
+    await quiet(page);
     const pixels = () => canvasOf(page).evaluate((canvas) => canvas.width / canvas.clientWidth);
     assert.ok((await pixels()) > 1.5);
-    const box = await canvasOf(page).boundingBox();
-    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-    await page.mouse.down();
-    const seen = await canvasOf(page).evaluate(async (canvas) => {
-      const found = new Set();
-      const { left, top } = canvas.getBoundingClientRect();
-      for (let step = 1; step <= 12; step++) {
-        const place = { clientX: left + 200 + 4 * step, clientY: top + 200, pointerId: 1, buttons: 1, bubbles: true };
-        canvas.dispatchEvent(new PointerEvent("pointermove", place));
-        await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
-        found.add(canvas.width / canvas.clientWidth);
-      }
-      return [...found];
+    const box = await still(canvasOf(page));
+    await canvasOf(page).evaluate((canvas) => {
+      window.seen = [];
+      const look = () => window.seen.push(canvas.width / canvas.clientWidth);
+      new MutationObserver(look).observe(canvas, { attributeFilter: ["data-frames"] });
     });
+    await page.mouse.move(box.x + 200, box.y + 200);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 260, box.y + 200, { steps: 12 });
     await page.mouse.up();
-    assert.ok(seen.includes(1), `${seen} pixels while it is turned`);
-    await rested(page);
+    await page.waitForFunction(() => window.seen.includes(1));
+    await quiet(page);
     assert.ok((await pixels()) > 1.5, "fine again");
     const frames = await canvasOf(page).getAttribute("data-frames");
     await new Promise((done) => setTimeout(done, 1000));
@@ -294,26 +296,31 @@ test("the picture is drawn finely once it rests, and quickly while it moves", ()
 
 test("a long evaluation says so and can be stopped", () =>
   withPage({}, async (page) => {
-    let hold = true;
+    let release;
+    const held = new Promise((done) => (release = done));
     await page.route("**/v1/evaluate", async (route) => {
-      if (hold) await new Promise((done) => setTimeout(done, 6000));
+      await held;
       await route.continue().catch(() => undefined);
     });
-    const shown = await page.evaluate(() => document.documentElement.dataset.shown);
+    const { shown } = await factsOf(page);
     const slider = page.getByRole("slider", { name: "Reach", exact: true });
     await slider.press("PageUp");
-    await page.getByText(/^Evaluating… \d s$/).waitFor();
+    await page.getByText(/^Evaluating… \d+ s$/).waitFor();
     await page.getByRole("button", { name: "Stop", exact: true }).click();
     await page.getByText("The evaluation was stopped.").first().waitFor();
-    assert.equal(await page.evaluate(() => document.documentElement.dataset.shown), shown);
-    assert.ok((await coverage(page)) > 0.03, "the last picture stays");
-    hold = false;
+    assert.equal((await factsOf(page)).shown, shown);
+    // The last picture stays.
+    await covered(page, 0.03);
+    release();
     await slider.press("PageUp");
     await settled(page);
   }));
 
-test("nothing is drawn while nothing changes, and 500 updates leave nothing behind", { timeout: 400_000 }, () =>
-  withPage({ count: true, hash: `#g=${deflateRawSync(JSON.stringify(SMALL)).toString("base64url")}` }, async (page) => {
+/** What is counted does not depend on how many pixels are drawn. */
+const SMALL_WINDOW = { width: 960, height: 540 };
+
+test("nothing is drawn while nothing changes, and 500 updates leave nothing behind", { timeout: 600_000 }, () =>
+  withPage({ ...SMALL_WINDOW, count: true, hash: `#g=${deflateRawSync(JSON.stringify(SMALL)).toString("base64url")}` }, async (page) => {
     await selectNode(page, "boosted");
     await page.getByRole("radio", { name: "Lines" }).click();
     await page.getByRole("tab", { name: "Controls" }).click();
@@ -330,7 +337,7 @@ test("nothing is drawn while nothing changes, and 500 updates leave nothing behi
         }
       }, times);
       await settled(page);
-      await rested(page);
+      await quiet(page);
     };
     const facts = () =>
       page.evaluate(() => ({

@@ -3,7 +3,7 @@
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
-import { addNode, at, choose, drag, emptyGraph, input, middle, openEditor, output, wire } from "../e2e/editing.mjs";
+import { addNode, at, drag, emptyGraph, input, middle, openEditor, output, untilSelected, wire } from "../e2e/editing.mjs";
 import { settled } from "../e2e/harness.mjs";
 import { shrink } from "./png.mjs";
 
@@ -28,12 +28,12 @@ export async function renderEditor(browser, url) {
     await picture(browser, url, `family-${name}`, { hash: `#example=${example}` });
   }
   await picture(browser, url, "light", { hash: "#example=fig05_twisted_ring", theme: "light" }, (page) =>
-    choose(page, "tangent"),
+    find(page, "tangent"),
   );
   await picture(browser, url, "first-run", { firstRun: true });
-  await picture(browser, url, "gizmo", { hash: "#example=fig04_boosted_ring" }, (page) => choose(page, "ring"));
+  await picture(browser, url, "gizmo", { hash: "#example=fig04_boosted_ring" }, (page) => find(page, "ring"));
   await picture(browser, url, "problem", { hash: "#example=fig04_boosted_ring" }, async (page) => {
-    await choose(page, "boosted");
+    await find(page, "boosted");
     await page.keyboard.press("Delete");
     await page.locator('[data-id="skin"] .node-message').waitFor(PATIENCE);
     await page.getByRole("tab", { name: /^Problems/ }).click();
@@ -61,6 +61,14 @@ export async function renderEditor(browser, url) {
   );
 }
 
+/** Brings a node into sight and selects it, as a person does in a graph that is wider than its pane. */
+async function find(page, id) {
+  await page.getByRole("button", { name: "Find a node" }).click();
+  await page.getByRole("combobox", { name: "Find a node" }).fill(id);
+  await page.keyboard.press("Enter");
+  await untilSelected(page, [id]);
+}
+
 async function picture(browser, url, name, options, prepare) {
   const page = await openEditor(browser, url, { ...SIZE, ...options });
   if (options.isEmpty) await emptyGraph(page);
@@ -68,6 +76,7 @@ async function picture(browser, url, name, options, prepare) {
   await prepare?.(page);
   // Control geometry and notices come and go a moment after what they belong to.
   await page.waitForTimeout(1500);
+  await page.waitForFunction(() => document.querySelector("canvas[role=img]").dataset.still === "true", undefined, PATIENCE);
   const bytes = shrink(await page.screenshot(PATIENCE), MOST_BYTES);
   writeFileSync(path.join(editorFolder, `${name}.png`), bytes);
   console.log(`${String(bytes.length).padStart(8)}  editor/${name}`);

@@ -28,7 +28,10 @@ export function App({ editor }: { editor: Editor }): ReactElement {
   const opened = useSession(session, (state) => state.opened);
 
   // In a narrow window, choosing an example is followed by looking at it.
-  useEffect(() => setTab("model"), [opened]);
+  useEffect(() => {
+    // The first graph opens by itself, maybe after a person chose a tab.
+    if (opened > 1) setTab("model");
+  }, [opened]);
   useEffect(() => listen(editor), [editor]);
 
   const isPicture = wantsPicture();

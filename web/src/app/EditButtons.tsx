@@ -77,7 +77,7 @@ function EditMenu(): ReactElement {
     <>
       <button
         type="button"
-        className="button wide-only"
+        className="button edit-menu-button"
         aria-haspopup="menu"
         aria-expanded={screen !== null}
         onClick={(event) => {

@@ -1,4 +1,5 @@
 import type { ReactElement } from "react";
+import { useProblemCount } from "../panels/Problems";
 import { millisecondText, plural } from "../model/format";
 import { useCurrent } from "./context";
 import { useLasting } from "./hooks";
@@ -14,7 +15,7 @@ export function StatusBar(): ReactElement {
   const view = useCurrent((state) => state.view);
   const shown = useCurrent((state) => state.shown);
   const engine = useCurrent((state) => state.catalogue?.engine);
-  const count = problem ? Math.max(1, problem.errors.length) : 0;
+  const count = useProblemCount();
   const [tone, text] = away
     ? ["warning", "Server away"]
     : busy

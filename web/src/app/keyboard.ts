@@ -61,7 +61,7 @@ function run(editor: Editor, id: string, event: KeyboardEvent): void {
 /** The shortcut meant by a key: that of the graph where it has the pointer or the focus, or one of the whole page. */
 function wanted(editor: Editor, key: string, target: HTMLElement): Shortcut | undefined {
   const isField = target.matches("input:not([type=checkbox]), textarea, select, [contenteditable=true]");
-  if (target.closest("[role=menu], [role=dialog], [role=listbox]")) return undefined;
+  if (target.closest("[role=menu], [role=dialog], [role=listbox], dialog")) return undefined;
   const page = shortcutFor(key, "page");
   // A field whose text is not finished keeps its own undo.
   if (page) return !isField || (page.inFields && target.dataset["typing"] !== "true") ? page : undefined;

@@ -6,15 +6,16 @@ import { emptyDocument, readDocument, type GraphDocument } from "../model/docume
 import { moveNodes, setInput, type Edit } from "../model/edit";
 import { fileOutput, viewGraph } from "../model/graph";
 import { History } from "../model/history";
-import { asArray, asObject, asString, type Json } from "../model/json";
+import { asArray, asObject, type Json } from "../model/json";
 import { layeredLayout } from "../model/layout";
 import { sameValue, sameValues, withValue, type Parameter, type ParameterValue, type ParameterValues } from "../model/parameters";
 import { createStore, type Store } from "../model/store";
 import { getJson, type EvaluateBody } from "../net/api";
 import { localProblem } from "../net/problem";
 import { validate } from "../net/validation";
+import { finest, inOrderOfFigures, readExample } from "./examples";
 import { Renderer } from "./renderer";
-import { EMPTY, type Example, type Origin, type PictureViewer, type SessionState } from "./state";
+import { EMPTY, type Origin, type PictureViewer, type SessionState } from "./state";
 
 export type { Example, Origin, Picture, PictureViewer, SessionState, Shown } from "./state";
 
@@ -50,7 +51,7 @@ export class Session {
   async start(wanted: string | null, first?: { json: Json; origin: Origin }): Promise<void> {
     try {
       const [nodes, list] = await Promise.all([getJson("v1/nodes"), getJson("v1/examples")]);
-      const examples = asArray(asObject(list)["examples"]).map(readExample);
+      const examples = inOrderOfFigures(asArray(asObject(list)["examples"]).map(readExample));
       this.store.set({ catalogue: readCatalogue(nodes), examples, away: false });
       const isOpen = first && this.openDocument(first.json, first.origin) === undefined;
       const example = examples.find((item) => item.id === wanted) ?? finest(examples);
@@ -267,21 +268,4 @@ function knownValues(values: ParameterValues, { parameters }: GraphDocument): Pa
 
 function isSameSet(a: ReadonlySet<string>, b: ReadonlySet<string>): boolean {
   return a.size === b.size && [...a].every((item) => b.has(item));
-}
-
-function readExample(json: Json): Example {
-  const item = asObject(json);
-  return {
-    id: asString(item["id"]),
-    title: asString(item["title"]) || asString(item["id"]),
-    description: asString(item["description"]),
-    figure: typeof item["figure"] === "number" ? String(item["figure"]) : asString(item["figure"]),
-    image: asString(item["image"]),
-    graph: item["graph"],
-  };
-}
-
-/** The example shown to someone who asked for none: the twisted surface of figure 5, else the first. */
-function finest(examples: Example[]): Example | undefined {
-  return examples.find((item) => item.figure === "5") ?? examples[0];
 }

@@ -28,7 +28,7 @@ export interface Beginning {
 }
 
 const NOTE_MILLISECONDS = 6000;
-const LONGEST_WAIT_MILLISECONDS = 1500;
+const LONGEST_WAIT_MILLISECONDS = 4000;
 const kept = new WeakMap<Session, Files>();
 
 /** The files of a session; one for each. */

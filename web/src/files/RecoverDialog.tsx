@@ -17,7 +17,7 @@ export function RecoverDialog(): ReactElement {
   };
   return (
     <Dialog title="Recover" onClose={() => files.show(null)}>
-      <p className="dialog-note">What was edited and not saved is kept in this browser, the last ten of it.</p>
+      <p className="dialog-note">Changes that were not saved are kept in this browser, for the last ten graphs.</p>
       {drafts?.length === 0 && <p className="empty">There are no drafts.</p>}
       <ul className="draft-list">
         {drafts?.map((draft) => (

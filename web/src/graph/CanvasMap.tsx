@@ -6,6 +6,8 @@ import type { FlowNode } from "./flow_nodes";
 /** The map costs more than it helps above this number of nodes. */
 export const MAP_TO = 300;
 const MAP_FROM = 30;
+/** A lower pane needs its room for the graph itself, in pixels. */
+const LEAST_HEIGHT = 400;
 
 /** A map of the graph, where there is much of it or a part of it is out of sight. */
 export function CanvasMap({ count }: { count: number }): ReactElement | null {
@@ -20,8 +22,9 @@ export function CanvasMap({ count }: { count: number }): ReactElement | null {
   return <MiniMap<FlowNode> pannable zoomable ariaLabel="Map of the graph" nodeColor={colorOf} nodeStrokeWidth={0} />;
 }
 
-/** Whether the middle of a node lies outside the pane. */
+/** Whether the middle of a node lies outside a pane that has room for a map. */
 function hasHidden({ nodes, transform: [left, top, zoom], width, height }: ReactFlowState): boolean {
+  if (height < LEAST_HEIGHT) return false;
   return nodes.some(({ position, measured, width: wanted }) => {
     const x = left + zoom * (position.x + (measured?.width ?? wanted ?? 0) / 2);
     const y = top + zoom * (position.y + (measured?.height ?? 0) / 2);

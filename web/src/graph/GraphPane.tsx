@@ -43,11 +43,13 @@ export function GraphPane(): ReactElement {
   const opening = useMemo(() => openingFit(editor.session.store.get(), element.current), [editor, opened, isReady]);
   const [nodes, onNodesChange] = useFlowNodes();
   const edges = useWires();
-  const [flow, setFlow] = useState<Flow | null>(null);
+  const [made, setMade] = useState<{ flow: Flow; opened: number } | null>(null);
+  // Until the canvas of a graph that was just opened is there, the last one must not be asked for places.
+  const flow = made?.opened === opened ? made.flow : null;
   const { noteMove, fitAll } = useCanvas(flow, element);
   const handlers = useHandlers(flow);
   return (
-    <section ref={element} className="graph-pane" aria-label="Graph" data-wiring={isWiring} {...handlers.pane}>
+    <section ref={element} className="graph-pane" aria-label="Graph" data-ready={flow !== null} data-wiring={isWiring} {...handlers.pane}>
       {isReady ? (
         <ReactFlow<FlowNode, WireEdge>
           key={opened}
@@ -55,7 +57,7 @@ export function GraphPane(): ReactElement {
           edges={edges}
           nodeTypes={NODE_TYPES}
           edgeTypes={EDGE_TYPES}
-          onInit={setFlow}
+          onInit={(instance) => setMade({ flow: instance, opened })}
           onNodesChange={onNodesChange}
           {...handlers.flow}
           onMoveStart={noteMove}

@@ -70,7 +70,7 @@ const Head = memo(function Head({ node, tone }: { node: ViewNode; tone?: string 
         <NameField id={node.id} />
       ) : (
         <span className="node-title" title={hint}>
-          {node.title}
+          <span>{node.title}</span>
           {!isPlainName(node) && <span className="node-name">{node.id}</span>}
         </span>
       )}

@@ -12,7 +12,9 @@ import type { Box, Position } from "../model/ui";
 import type { Flow } from "./GraphPane";
 import { OPENING_PADDING, openingNodes, READABLE_ZOOM } from "./opening";
 
-const FOCUS_MILLISECONDS = 1500;
+const FOCUS_MILLISECONDS = 20_000;
+/** Where hands are busy typing, the focus is not taken away. */
+const FIELDS = "input, select, textarea";
 const FIT = { padding: 0.09, maxZoom: 1.15, minZoom: 0.2 };
 
 /** What React Flow is to fit into the pane when a graph opens. */
@@ -40,6 +42,20 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
   const sight = useRef<"opening" | "all" | "moved">("opening");
   const pointer = useRef<(Position & { isOver: boolean }) | null>(null);
 
+  // Heard all the time, also while one graph's canvas takes the place of another's.
+  useEffect(() => {
+    const onMove = (event: PointerEvent): void => {
+      const isOver = event.target instanceof Node && (element.current?.contains(event.target) ?? false);
+      pointer.current = { x: event.clientX, y: event.clientY, isOver };
+    };
+    document.addEventListener("pointermove", onMove, { passive: true });
+    document.addEventListener("pointerdown", onMove, { passive: true, capture: true });
+    return () => {
+      document.removeEventListener("pointermove", onMove);
+      document.removeEventListener("pointerdown", onMove, { capture: true });
+    };
+  }, [element]);
+
   useEffect(() => {
     const pane = element.current;
     if (!flow || !pane) return undefined;
@@ -57,17 +73,24 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
       }
       return found;
     };
+    let attempts = 0;
     const focusSoon = (find: () => HTMLElement | null | undefined): void => {
-      // A node that has just been added is not drawn at once, and hidden until it is measured.
+      // A node that has just been added is not drawn at once, and hidden until it is measured; on a slow machine that
+      // takes a while. A press of the pointer, a newer wish or another field that is typed in ends the attempts.
+      const mine = ++attempts;
       const until = performance.now() + FOCUS_MILLISECONDS;
+      const before = document.activeElement;
       const attempt = (): void => {
+        const active = document.activeElement;
+        if (mine !== attempts || performance.now() > until) return;
+        if (active !== before && active?.matches(FIELDS)) return;
         const found = find();
         found?.focus({ preventScroll: true });
-        const isDone = found && document.activeElement === found;
-        if (!isDone && performance.now() < until) requestAnimationFrame(attempt);
+        if (!found || document.activeElement !== found) requestAnimationFrame(attempt);
       };
       attempt();
     };
+    const endAttempts = (): void => void attempts++;
     editor.canvas = {
       placeAt: (screen) => flow.screenToFlowPosition(screen),
       screenAt: (place) => flow.flowToScreenPosition(place),
@@ -88,21 +111,16 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
       },
       focusSocket: (socket) => focusSoon(() => socketElement(socket)),
     };
-    const onMove = (event: PointerEvent): void => {
-      const isOver = event.target instanceof Node && pane.contains(event.target);
-      pointer.current = { x: event.clientX, y: event.clientY, isOver };
-    };
-    document.addEventListener("pointermove", onMove, { passive: true });
-    document.addEventListener("pointerdown", onMove, { passive: true, capture: true });
+    document.addEventListener("pointerdown", endAttempts, { passive: true, capture: true });
     const observer = new ResizeObserver(() => {
       if (sight.current === "opening") void flow.fitView(openingFit(editor.session.store.get(), pane));
       if (sight.current === "all") void flow.fitView(FIT);
     });
     observer.observe(pane);
     return () => {
-      document.removeEventListener("pointermove", onMove);
-      document.removeEventListener("pointerdown", onMove, { capture: true });
+      document.removeEventListener("pointerdown", endAttempts, { capture: true });
       observer.disconnect();
+      endAttempts();
       editor.canvas = undefined;
     };
   }, [editor, flow, element]);

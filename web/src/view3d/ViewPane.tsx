@@ -31,7 +31,8 @@ export function ViewPane({ light, picture }: { light: boolean; picture: boolean 
   const choice = useViewSettings(light, picture);
   const [showing, setShowing] = useShowMode();
   const stale = useCurrent((state) => state.problem !== null && state.shown !== null);
-  const busy = useCurrent((state) => state.busy);
+  // While the server is away no picture is near.
+  const busy = useCurrent((state) => state.busy && !state.away);
   const { settings } = choice;
   // The view calls back long after it was made; what it calls is always the newest.
   const newest = useRef(choice);

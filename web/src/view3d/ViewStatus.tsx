@@ -3,6 +3,7 @@ import { useCurrent, useCurrentSession } from "../app/context";
 import { useLasting } from "../app/hooks";
 import { Icon } from "../app/icons";
 import { byteText, grouped, millisecondText } from "../model/format";
+import { fileOutput } from "../model/graph";
 import { problemText } from "../net/problem";
 
 /** From here on a person may want to stop it. */
@@ -13,6 +14,9 @@ export function Progress({ failure }: { failure: string }): ReactElement {
   const busy = useCurrent((state) => state.busy && !state.away);
   const isEmpty = useCurrent((state) => state.shown === null);
   const problem = useCurrent((state) => state.problem);
+  const noOutput = useCurrent(({ document, catalogue }) =>
+    Boolean(document && catalogue && fileOutput(document, catalogue) === undefined),
+  );
   const slow = useLasting(busy, 250);
   const long = useLasting(busy, LONG_MILLISECONDS);
   return (
@@ -20,7 +24,7 @@ export function Progress({ failure }: { failure: string }): ReactElement {
       {slow && <div className="progress" role="progressbar" aria-label="Evaluating" />}
       {long && <Waiting />}
       {failure && <p className="view-message">{failure}</p>}
-      {!failure && isEmpty && !problem && !long && <p className="pane-wait">{busy ? "Evaluating…" : ""}</p>}
+      {!failure && isEmpty && !problem && !long && <p className="pane-wait">{busy ? "Evaluating…" : noOutput ? "The model appears here once a node makes a file." : ""}</p>}
       {problem && !long && (
         <div className="view-problem" role="status">
           <Icon name="alert" />

@@ -50,6 +50,7 @@ export class Viewer {
   private center = new Vector3();
   private radius = 1;
   private requested = 0;
+  private isNextFine = false;
   private frames = 0;
   private settings = PLAIN;
 
@@ -70,7 +71,7 @@ export class Viewer {
     this.rest = new Rest(this.isSoftware && !smooth, {
       setTimeout: (run, milliseconds) => window.setTimeout(run, milliseconds),
       clearTimeout: (timer) => window.clearTimeout(timer),
-      drawFine: () => this.render(true),
+      drawFine: () => this.request(true),
       mark: (isStill) => (canvas.dataset["still"] = String(isStill)),
     });
     const isDamped = !this.isSoftware && !matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -260,10 +261,16 @@ export class Viewer {
 
   private draw(): void {
     this.rest.changed();
+    this.request(false);
+  }
+
+  /** Draws with the next frame of the page. What moves is drawn quickly, also if it was to be drawn finely before. */
+  private request(fine: boolean): void {
+    this.isNextFine = fine;
     if (this.requested) return;
     this.requested = requestAnimationFrame(() => {
       this.requested = 0;
-      this.render();
+      this.render(this.isNextFine);
     });
   }
 
