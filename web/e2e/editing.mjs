@@ -101,6 +101,12 @@ export const input = (page, id, name) => node(page, id).getByRole("button", { na
 export const output = (page, id, name) =>
   node(page, id).getByRole("button", { name: new RegExp(`^Output ${name} of `) });
 
+/** Where a node stands. How tall it is may still change: its problems come from the server. */
+export async function placeOf(page, id) {
+  const { x, y } = await still(node(page, id));
+  return { x, y };
+}
+
 /** The middle of what a locator finds, once that stands still. */
 export async function middle(locator) {
   const { x, y, width, height } = await still(locator);

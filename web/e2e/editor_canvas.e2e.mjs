@@ -11,6 +11,7 @@ import {
   node,
   output,
   pane,
+  placeOf,
   said,
   undo,
   untilApart,
@@ -28,8 +29,6 @@ const used = useServer();
 const large = { width: 1500, height: 900 };
 const empty = (run) => withEditor(used, { isEmpty: true, ...large }, run);
 const ring = (run, options = {}) => withEditor(used, { hash: RING, ...large, ...options }, run);
-
-const placeOf = (page, id) => still(node(page, id));
 
 /** What Ctrl+C puts on the clipboard. */
 async function copied(page) {

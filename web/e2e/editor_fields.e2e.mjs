@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { addNode, choose, drag, inPanel, node, said, undo, untilGraph, wire, withEditor } from "./editing.mjs";
+import { addNode, choose, drag, inPanel, node, placeOf, said, undo, untilGraph, wire, withEditor } from "./editing.mjs";
 import { useServer } from "./fixture.mjs";
 import { eventually, settled, still, turnWheel } from "./harness.mjs";
 
@@ -44,10 +44,10 @@ test("a number is dragged and typed on the node; a drag is one step of undo; the
     await page.keyboard.press("Enter");
     await page.keyboard.press("ArrowUp");
     await untilGraph(page, ({ nodes }) => nodes.circle.inputs.radius > 4 && nodes.circle.inputs.radius < 4.2);
-    const place = await still(node(page, "circle"));
+    const place = await placeOf(page, "circle");
     await node(page, "circle").getByText("radius").dblclick();
     await untilGraph(page, ({ nodes }) => nodes.circle.inputs.radius === undefined);
-    await eventually(() => still(node(page, "circle")), place, "a node where it was");
+    await eventually(() => placeOf(page, "circle"), place, "a node where it was");
   }));
 
 test("vectors, choices, switches, colors, texts and lists have their fields in the panel", () =>

@@ -9,9 +9,9 @@ import {
   drag,
   input,
   middle,
-  node,
   output,
   pane,
+  placeOf,
   said,
   undo,
   untilGraph,
@@ -194,17 +194,17 @@ test("a node is put into a wire by dropping it there, or from the wire's menu", 
     await wire(page, "circle", "circle", "surface", "shape");
     await untilGraph(page, ({ nodes }) => nodes.surface.inputs.shape?.from === "circle");
     await addNode(page, "boost", 380, 560);
-    const box = await still(node(page, "boost"));
+    const place = await placeOf(page, "boost");
     const [from, to] = [await middle(output(page, "circle", "circle")), await middle(input(page, "surface", "shape"))];
     const target = { x: (from.x + to.x) / 2, y: (from.y + to.y) / 2 };
-    await drag(page, { x: box.x + 60, y: box.y + 14 }, { x: target.x - 45, y: target.y - 60 });
+    await drag(page, { x: place.x + 60, y: place.y + 14 }, { x: target.x - 45, y: target.y - 60 });
     await untilGraph(
       page,
       ({ nodes }) => nodes.boost.inputs.shape?.from === "circle" && nodes.surface.inputs.shape?.from === "boost",
     );
     await undo(page);
     await untilGraph(page, ({ nodes }) => nodes.surface.inputs.shape?.from === "circle" && !nodes.boost.inputs.shape);
-    await eventually(() => still(node(page, "boost")), box, "a node back in its place");
+    await eventually(() => placeOf(page, "boost"), place, "a node back in its place");
     await page.mouse.click(target.x, target.y, { button: "right" });
     await page.getByRole("menuitem", { name: "Insert here…" }).click();
     await page.getByRole("combobox", { name: "Insert a node" }).fill("twist");
