@@ -24,7 +24,7 @@ class Tracer {
       : field_(field), start_(start), options_(options), cancel_(cancel) {
     const double way = std::abs(options.length);
     // A line that needs more winds around something without end.
-    most_steps_ = 200'000 + 16 * options.count;
+    most_steps_ = 20'000 + 16 * options.count;
     sense_ = options.length < 0 ? -1 : 1;
     largest_ = options.count > 1 ? way / (steps_per_point * static_cast<double>(options.count - 1)) : 0;
   }
