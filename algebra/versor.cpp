@@ -128,6 +128,14 @@ Vector apply_at(const Versor& versor, const Point& point, const Vector& directio
   return is_finite(result) ? result : Vector{};
 }
 
+bool has_inverse(const Versor& versor) {
+  const Generator& g = versor.bivector;
+  const double terms = versor.scalar * versor.scalar + squared_length(g.e_e) + g.no_ni * g.no_ni +
+                       2 * std::abs(dot(g.no_e, g.e_ni)) + squared_length(versor.quad.e) +
+                       2 * std::abs(versor.quad.no * versor.quad.ni);
+  return std::abs(compose(versor, reverse(versor)).scalar) > tolerance::versor * terms;
+}
+
 bool is_versor(const Versor& versor) {
   const Versor square = compose(versor, reverse(versor));
   const Sphere& rest = square.quad;

@@ -40,6 +40,9 @@ Sphere apply(const Versor& versor, const Sphere& sphere);
 /// Versor actions are conformal, so normals may be carried the same way and normalized.
 Vector apply_at(const Versor& versor, const Point& point, const Vector& direction);
 
+/// True when V ~V is more than the round-off of its own terms: else V takes everything to one point.
+bool has_inverse(const Versor& versor);
+
 /// True when V ~V is a nonzero scalar to round-off.
 bool is_versor(const Versor& versor);
 

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <set>
 
+#include "cli/documents.h"
 #include "cli/folders.h"
 #include "server/examples.h"
-#include "server/files.h"
 
 namespace dini::cli {
 namespace {
@@ -19,7 +19,7 @@ Result<std::string> read_bounded(const std::string& path, std::size_t most) {
                    .detail = path + ": the file has " + std::to_string(size) + " bytes, at most " +
                              std::to_string(most) + " are accepted"};
   }
-  return server::read_file(path);
+  return read_file(path, most);
 }
 
 }  // namespace

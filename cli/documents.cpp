@@ -13,13 +13,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Far more than any graph within the limits has; devices have no end.
+/// Far more than any graph within the limits has.
 constexpr std::size_t most_bytes = std::size_t{64} << 20;
 
 std::string shown(const std::string& path) { return path == "-" ? "standard stream" : path; }
 
 Problem io_problem(const std::string& path, int error) {
-  return {.code = "io", .detail = shown(path) + ": " + std::generic_category().message(error)};
+  return {.code = "io", .detail = path + ": " + std::generic_category().message(error)};
 }
 
 /// What stands in the way of a file, as far as a look at the path tells.
@@ -37,31 +37,38 @@ bool same_file(const std::string& a, const std::string& b) {
   return fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error) && !fs::exists(a, error);
 }
 
-}  // namespace
-
-Result<std::string> read_input(const std::string& path) {
-  std::error_code ignored;
-  if (path != "-" && fs::is_directory(path, ignored)) return io_problem(path, EISDIR);
-  errno = 0;
-  std::ifstream file;
-  if (path != "-") file.open(path, std::ios::binary);
-  std::istream& stream = path == "-" ? std::cin : file;
-  if (!stream) return io_problem(path, errno != 0 ? errno : EIO);
+Result<std::string> read_stream(std::istream& stream, const std::string& name, std::size_t most) {
   std::string text, piece(std::size_t{1} << 16, '\0');
   while (stream.read(piece.data(), static_cast<std::streamsize>(piece.size())), stream.gcount() > 0) {
     text.append(piece, 0, static_cast<std::size_t>(stream.gcount()));
-    if (text.size() > most_bytes) {
-      return Problem{.code = "limit-exceeded", .detail = shown(path) + ": there are more than 64 MiB"};
+    if (text.size() > most) {
+      return Problem{.code = "limit-exceeded",
+                     .detail = name + ": there are more than " + std::to_string(most >> 20) + " MiB"};
     }
   }
-  if (stream.bad()) return io_problem(path, EIO);
+  if (stream.bad()) return io_problem(name, EIO);
   return text;
+}
+
+}  // namespace
+
+Result<std::string> read_file(const std::string& path, std::size_t most) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) return io_problem(path, EISDIR);
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return io_problem(path, errno != 0 ? errno : EIO);
+  return read_stream(file, path, most);
+}
+
+Result<std::string> read_input(const std::string& path) {
+  return path == "-" ? read_stream(std::cin, shown(path), most_bytes) : read_file(path, most_bytes);
 }
 
 Problems write_output(const std::string& path, std::string_view bytes) {
   if (path == "-") {
     std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();
-    return std::cout ? Problems{} : Problems{io_problem(path, EIO)};
+    return std::cout ? Problems{} : Problems{io_problem(shown(path), EIO)};
   }
   if (const int error = error_of(path); error != 0) return {io_problem(path, error)};
   std::error_code ignored;

@@ -9,6 +9,10 @@
 
 namespace dini::cli {
 
+/// Everything from a file, or from a device, which may have no end. Problems: `io`, and `limit-exceeded` beyond `most`
+/// bytes.
+Result<std::string> read_file(const std::string& path, std::size_t most);
+
 /// Everything from a file, or from standard input for `-`. Problems: `io`, and `limit-exceeded` beyond 64 MiB.
 Result<std::string> read_input(const std::string& path);
 

@@ -74,9 +74,9 @@ Curvatures estimate_curvatures(const Mesh& mesh, const Cancel& cancel) {
   const Column<Vector> normals = mesh.normals.empty() ? smooth_normals(mesh, cancel) : mesh.normals;
   std::vector<Tensor> shapes(size);
   std::vector<double> areas(size);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (i % 4096 == 0 && cancel.stopped()) return result;
-    const auto& triangle = mesh.triangles[i];
+  CancelEvery steps(cancel);
+  for (const auto& triangle : mesh.triangles) {
+    if (steps.stopped()) return result;
     const std::array<Vector, 3> corners = corners_of(mesh, triangle);
     Tensor shape;
     if (!shape_of_triangle(corners, {normals[triangle[0]], normals[triangle[1]], normals[triangle[2]]}, shape))

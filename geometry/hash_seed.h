@@ -12,4 +12,10 @@ inline std::uint64_t hash_seed() {
   return seed;
 }
 
+/// The hash `bits` with one more number in it; the first is `hash_seed()`.
+inline std::uint64_t hash_with(std::uint64_t bits, std::uint64_t number) {
+  bits = (bits ^ number) * 0x9E3779B97F4A7C15u;
+  return bits ^ bits >> 29;
+}
+
 }  // namespace dini

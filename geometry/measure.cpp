@@ -10,8 +10,6 @@ namespace dini {
 
 namespace {
 
-constexpr std::size_t check_interval = 4096;
-
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Neumaier's compensated sum: the error does not grow with the number of terms.
@@ -62,9 +60,10 @@ void measure_bounds(const Mesh& mesh, const std::vector<Triangle>& triangles, Me
 void measure_sums(const Mesh& mesh, const std::vector<Triangle>& triangles, Measures& measures, const Cancel& cancel) {
   const Vector middle = to_vector(measures.minimum) + 0.5 * (to_vector(measures.maximum) - to_vector(measures.minimum));
   Sum area, volume;
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    if (i % check_interval == 0 && cancel.stopped()) return;
-    const std::array<Vector, 3> corners = corners_of(mesh, triangles[i]);
+  CancelEvery steps(cancel);
+  for (const Triangle& triangle : triangles) {
+    if (steps.stopped()) return;
+    const std::array<Vector, 3> corners = corners_of(mesh, triangle);
     const Vector normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
     area.add(std::sqrt(squared_length(normal)) / 2);
     volume.add(dot(corners[0] - middle, normal) / 6);
@@ -98,8 +97,9 @@ void measure_edges(const std::vector<Triangle>& triangles, std::size_t vertices,
   }
   bool paired = true;
   std::size_t begin = 0;
+  CancelEvery steps(cancel);
   for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
-    if (vertex % check_interval == 0 && cancel.stopped()) return;
+    if (steps.stopped()) return;
     const std::size_t end = run_ends[vertex];  // filling moved every run's start to its end
     std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begin), sides.begin() + static_cast<std::ptrdiff_t>(end));
     while (begin < end) {

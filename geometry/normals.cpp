@@ -6,17 +6,17 @@
 namespace dini {
 
 Column<Vector> smooth_normals(const Mesh& mesh, const Cancel& cancel) {
-  constexpr std::size_t check_interval = 4096;
   const std::vector<std::uint32_t> labels = position_labels(mesh.positions, cancel);
   std::vector<Vector> sums(mesh.positions.size());
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (i % check_interval == 0 && cancel.stopped()) {
+  CancelEvery steps(cancel);
+  for (const auto& triangle : mesh.triangles) {
+    if (steps.stopped()) {
       sums.assign(sums.size(), Vector{});
       break;
     }
-    const std::array<Vector, 3> weighted = angle_weighted_normals(corners_of(mesh, mesh.triangles[i]));
+    const std::array<Vector, 3> weighted = angle_weighted_normals(corners_of(mesh, triangle));
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      Vector& sum = sums[labels[mesh.triangles[i][corner]]];
+      Vector& sum = sums[labels[triangle[corner]]];
       sum = sum + weighted[corner];
     }
   }

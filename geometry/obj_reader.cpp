@@ -23,8 +23,7 @@ struct CornerHash {
   std::size_t operator()(const Corner& corner) const {
     std::uint64_t bits = hash_seed();
     for (const std::int64_t index : {corner.position, corner.uv, corner.normal}) {
-      bits = (bits ^ static_cast<std::uint64_t>(index)) * 0x9E3779B97F4A7C15u;
-      bits ^= bits >> 29;
+      bits = hash_with(bits, static_cast<std::uint64_t>(index));
     }
     return static_cast<std::size_t>(bits);
   }

@@ -11,10 +11,7 @@ namespace {
 
 /// Of an edge; seeded, since the triangles may come from a file.
 struct EdgeHash {
-  std::size_t operator()(std::uint64_t edge) const {
-    const std::uint64_t bits = (edge ^ hash_seed()) * 0x9E3779B97F4A7C15u;
-    return static_cast<std::size_t>(bits ^ bits >> 29);
-  }
+  std::size_t operator()(std::uint64_t edge) const { return static_cast<std::size_t>(hash_with(hash_seed(), edge)); }
 };
 
 /// The vertices of a mesh while middles of edges are added to them.

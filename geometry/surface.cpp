@@ -10,8 +10,6 @@ namespace dini {
 
 namespace {
 
-constexpr std::size_t check_interval = 4096;
-
 /// The normal of a vertex by differences, if they give one.
 std::optional<Vector> difference_normal(const GridSamples& samples, const GridNormals& normals,
                                         const SurfaceVertex& vertex) {
@@ -27,9 +25,10 @@ std::optional<Vector> difference_normal(const GridSamples& samples, const GridNo
 template <class Term>
 std::vector<Vector> corner_sums(const Mesh& mesh, const Cancel& cancel, Term term) {
   std::vector<Vector> sums(mesh.positions.size());
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (i % check_interval == 0 && cancel.stopped()) return sums;
-    term(mesh.triangles[i], sums);
+  CancelEvery steps(cancel);
+  for (const auto& triangle : mesh.triangles) {
+    if (steps.stopped()) return sums;
+    term(triangle, sums);
   }
   return sums;
 }
@@ -45,8 +44,8 @@ Column<Vector> surface_normals(const Mesh& mesh, const GridSamples& samples, con
   });
   Column<Vector> normals(vertices.size());
   std::vector<bool> missing(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    if (i % check_interval == 0 && cancel.stopped()) break;
+  CancelEvery steps(cancel);
+  for (std::size_t i = 0; i < vertices.size() && !steps.stopped(); ++i) {
     const std::optional<Vector> normal = difference_normal(samples, by_differences, vertices[i]);
     missing[i] = !normal || dot(*normal, areas[i]) <= 0;
     if (!missing[i]) normals.set(i, *normal);

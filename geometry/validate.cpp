@@ -4,11 +4,11 @@
 
 namespace dini {
 
-namespace {
-
-bool in_bounds(const Point& p) {
+bool is_within_reach(const Point& p) {
   return std::abs(p.x) < largest_coordinate && std::abs(p.y) < largest_coordinate && std::abs(p.z) < largest_coordinate;
 }
+
+namespace {
 
 std::string numbered(const char* what, std::size_t index, const char* fault) {
   return std::string(what) + " " + std::to_string(index) + " " + fault;
@@ -21,7 +21,7 @@ std::optional<std::string> size_defect(const char* what, std::size_t size, std::
 
 std::optional<std::string> attribute_defect(const Mesh& mesh) {
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    if (!in_bounds(mesh.positions[i])) return numbered("position", i, "is not finite or too large");
+    if (!is_within_reach(mesh.positions[i])) return numbered("position", i, "is not finite or too large");
   }
   for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
     if (!(std::abs(length(mesh.normals[i]) - 1) < 1e-6)) return numbered("normal", i, "is not of unit length");

@@ -1,16 +1,11 @@
 #include "gltf/lines.h"
 
-#include <cmath>
 #include <utility>
+
+#include "geometry/validate.h"
 
 namespace dini {
 namespace {
-
-constexpr double largest_coordinate = 1e18;
-
-bool is_drawable(const Point& p) {
-  return std::abs(p.x) < largest_coordinate && std::abs(p.y) < largest_coordinate && std::abs(p.z) < largest_coordinate;
-}
 
 std::array<float, 3> to_float(const Point& p) {
   return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
@@ -22,7 +17,7 @@ std::vector<FloatPoints> drawable_runs(const Polyline& polyline) {
   const std::size_t size = polyline.points.size();
   std::size_t start = 0;  // where a closed polyline is opened: after a gap, so that no run crosses its start
   if (polyline.closed) {
-    while (start < size && is_drawable(polyline.points[start])) ++start;
+    while (start < size && is_within_reach(polyline.points[start])) ++start;
     if (start == size) start = 0;
   }
   std::vector<FloatPoints> runs;
@@ -33,7 +28,7 @@ std::vector<FloatPoints> drawable_runs(const Polyline& polyline) {
   };
   for (std::size_t i = 0; i < size; ++i) {
     const Point point = polyline.points[(start + i) % size];
-    if (is_drawable(point)) {
+    if (is_within_reach(point)) {
       run.push_back(to_float(point));
     } else {
       finish_run();
@@ -49,7 +44,7 @@ FloatPoints drawable_points(const Column<Point>& points) {
   result.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point point = points[i];
-    if (is_drawable(point)) result.push_back(to_float(point));
+    if (is_within_reach(point)) result.push_back(to_float(point));
   }
   return result;
 }

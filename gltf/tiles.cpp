@@ -5,10 +5,11 @@
 #include <limits>
 #include <string>
 
+#include "geometry/validate.h"
+
 namespace dini {
 namespace {
 
-constexpr double largest_coordinate = 1e18;
 constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
 
 EncodeError invalid(std::string detail) { return {EncodeError::Code::invalid_input, std::move(detail), ""}; }

@@ -58,18 +58,15 @@ Scene scene_of(const std::vector<Value>& models) {
 
 /// What of a value no file can hold: points and circles at infinity, or farther than any coordinate may be.
 std::size_t count_out_of_reach(const Value& value) {
-  const auto reachable = [](const Point& p) {
-    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) < largest_coordinate;
-  };
   std::size_t count = 0;
   if (value.type() == WireType::point) {
     const Column<Point>& points = column_of<Point>(value);
-    for (std::size_t i = 0; i < points.size(); ++i) count += reachable(points[i]) ? 0 : 1;
+    for (std::size_t i = 0; i < points.size(); ++i) count += is_within_reach(points[i]) ? 0 : 1;
   } else if (value.type() == WireType::circle) {
     const Column<Circle>& circles = column_of<Circle>(value);
     for (std::size_t i = 0; i < circles.size(); ++i) {
       const std::optional<CircleCoordinates> found = coordinates(circles[i]);
-      count += found && reachable(found->line ? found->point : found->center) ? 0 : 1;
+      count += found && is_within_reach(found->line ? found->point : found->center) ? 0 : 1;
     }
   }
   return count;

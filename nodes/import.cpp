@@ -43,7 +43,7 @@ Attempt<SharedMesh> imported(const Context& context, const SharedAssetFile& asse
   CancelEvery steps(context.cancel());
   for (std::size_t i = 0; i < mesh.positions.size() && !steps.stopped(); ++i) {
     const Vector place = scale * turned_upright(to_vector(mesh.positions[i]) - middle, y_up);
-    if (!(std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)}) < largest_coordinate)) {
+    if (!is_within_reach(to_point(place))) {
       return Failure{"out-of-range", "scaled like this, the mesh has coordinates of 1e18 and more", "scale"};
     }
     copy->positions.set(i, to_point(place));

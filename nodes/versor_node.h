@@ -3,13 +3,11 @@
 // Most transforms are one versor made from their inputs. VersorNode turns such a rule into the functions for every kind
 // of shape.
 
-#include <cmath>
 #include <optional>
 #include <type_traits>
 #include <variant>
 
 #include "algebra/extract.h"
-#include "algebra/tolerance.h"
 #include "graph/node_builder.h"
 #include "nodes/shapes.h"
 
@@ -17,15 +15,6 @@ namespace dini {
 
 inline bool is_straight(const CircleCoordinates& circle) { return circle.line; }
 inline bool is_straight(const SphereCoordinates& sphere) { return sphere.plane; }
-
-/// Whether V ~V is more than the round-off of its own terms.
-inline bool has_inverse(const Versor& versor) {
-  const Generator& g = versor.bivector;
-  const double terms = versor.scalar * versor.scalar + squared_length(g.e_e) + g.no_ni * g.no_ni +
-                       2 * std::abs(dot(g.no_e, g.e_ni)) + squared_length(versor.quad.e) +
-                       2 * std::abs(versor.quad.no * versor.quad.ni);
-  return std::abs(compose(versor, reverse(versor)).scalar) > tolerance::versor * terms;
-}
 
 /// Warns when a circle or sphere with a radius has come out without, because its radius is lost in the round-off of its
 /// distance from the origin. Operators without an inverse take everything to one point, which is no reason to warn.

@@ -8,7 +8,14 @@ import { fileOutput, viewGraph } from "../model/graph";
 import { History } from "../model/history";
 import { asArray, asObject, type Json } from "../model/json";
 import { layeredLayout } from "../model/layout";
-import { sameValue, sameValues, withValue, type Parameter, type ParameterValue, type ParameterValues } from "../model/parameters";
+import {
+  sameValue,
+  sameValues,
+  withValue,
+  type Parameter,
+  type ParameterValue,
+  type ParameterValues,
+} from "../model/parameters";
 import { createStore, type Store } from "../model/store";
 import { getJson, type EvaluateBody } from "../net/api";
 import { localProblem } from "../net/problem";

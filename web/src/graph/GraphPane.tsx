@@ -49,7 +49,14 @@ export function GraphPane(): ReactElement {
   const { noteMove, fitAll } = useCanvas(flow, element);
   const handlers = useHandlers(flow);
   return (
-    <section ref={element} className="graph-pane" aria-label="Graph" data-ready={flow !== null} data-wiring={isWiring} {...handlers.pane}>
+    <section
+      ref={element}
+      className="graph-pane"
+      aria-label="Graph"
+      data-ready={flow !== null}
+      data-wiring={isWiring}
+      {...handlers.pane}
+    >
       {isReady ? (
         <ReactFlow<FlowNode, WireEdge>
           key={opened}

@@ -17,6 +17,8 @@ export function Progress({ failure }: { failure: string }): ReactElement {
   const noOutput = useCurrent(({ document, catalogue }) =>
     Boolean(document && catalogue && fileOutput(document, catalogue) === undefined),
   );
+  const empty = noOutput ? "The model appears here once a node makes a file." : "";
+  const waiting = busy ? "Evaluating…" : empty;
   const slow = useLasting(busy, 250);
   const long = useLasting(busy, LONG_MILLISECONDS);
   return (
@@ -24,7 +26,7 @@ export function Progress({ failure }: { failure: string }): ReactElement {
       {slow && <div className="progress" role="progressbar" aria-label="Evaluating" />}
       {long && <Waiting />}
       {failure && <p className="view-message">{failure}</p>}
-      {!failure && isEmpty && !problem && !long && <p className="pane-wait">{busy ? "Evaluating…" : noOutput ? "The model appears here once a node makes a file." : ""}</p>}
+      {!failure && isEmpty && !problem && !long && <p className="pane-wait">{waiting}</p>}
       {problem && !long && (
         <div className="view-problem" role="status">
           <Icon name="alert" />

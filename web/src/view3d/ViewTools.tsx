@@ -80,7 +80,8 @@ export function ViewTools({ choice, actions, showing, onSection }: ViewToolsProp
 }
 
 /** The standard views, and perspective. */
-export function StandardViews({ choice: { settings, set }, actions }: Omit<ViewToolsProps, "showing" | "onSection">): ReactElement {
+export function StandardViews({ choice, actions }: Pick<ViewToolsProps, "choice" | "actions">): ReactElement {
+  const { settings, set } = choice;
   return (
     <div className="segments" role="group" aria-label="Standard views">
       {STANDARD.map(({ id, title, hint }) => (
