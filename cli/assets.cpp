@@ -57,4 +57,13 @@ Problems Assets::give_to(const Engine& engine, const Cancel& cancel) const {
   return {};
 }
 
+std::vector<std::string> Assets::paths() const {
+  std::vector<std::string> paths;
+  for (const std::string& word : words_) {
+    const auto equals = word.find('=');
+    if (equals != std::string::npos) paths.push_back(word.substr(equals + 1));
+  }
+  return paths;
+}
+
 }  // namespace dini::cli

@@ -17,8 +17,11 @@ class Assets {
   void add_option(CLI::App& command);
 
   /// Reads the files and gives them to the engine. Problems: `usage` for words that are not name=file and for a name
-  /// given twice, `io`, what is wrong with a file, and those of `Engine::evaluate` when `cancel` stops the reading.
+  /// given twice, `io`, what is wrong with a file, and those of `Engine::compute` when `cancel` stops the reading.
   Problems give_to(const Engine& engine, const Cancel& cancel) const;
+
+  /// The files named by the option, which must not be written over.
+  std::vector<std::string> paths() const;
 
  private:
   std::vector<std::string> words_;

@@ -3,15 +3,17 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
+#include "cli/program.h"
+
 namespace dini::cli {
 
 /// Each adds one command with its options and help. When the command is given, `chosen` becomes what runs it and
-/// answers the exit code.
+/// answers the exit code. `make_engine` must outlive that.
 using Command = std::function<int()>;
-void add_serve(CLI::App& program, Command& chosen);
-void add_eval(CLI::App& program, Command& chosen);
-void add_validate(CLI::App& program, Command& chosen);
-void add_inspect(CLI::App& program, Command& chosen);
-void add_nodes(CLI::App& program, Command& chosen);
+void add_serve(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
+void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
+void add_validate(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
+void add_inspect(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
+void add_nodes(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 
 }  // namespace dini::cli

@@ -1,5 +1,6 @@
 #include "cli/documents.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -89,17 +90,31 @@ Problems write_output(const std::string& path, std::string_view bytes) {
   return {};
 }
 
-Problems unwritable(const std::vector<std::string>& outputs, const std::string& input) {
-  const auto is_path = [](const std::string& path) { return !path.empty() && path != "-"; };
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    if (!is_path(outputs[i])) continue;
-    if (const int error = error_of(outputs[i]); error != 0) return {io_problem(outputs[i], error)};
-    if (is_path(input) && same_file(outputs[i], input)) {
-      return {{.code = "usage", .detail = outputs[i] + " is the graph, it would be written over"}};
+void remove_file(const std::string& path) {
+  std::error_code ignored;
+  if (path != "-" && fs::is_regular_file(fs::symlink_status(path, ignored))) fs::remove(path, ignored);
+}
+
+Problems unwritable(const std::vector<OutputPath>& outputs, const std::vector<std::string>& inputs) {
+  std::vector<OutputPath> before;
+  for (const OutputPath& output : outputs) {
+    if (!output.path) continue;
+    const std::string& path = *output.path;
+    if (path.empty()) return {{.code = "usage", .detail = output.option + " needs a file, or - for standard output"}};
+    const auto same = [&](const OutputPath& other) {
+      return *other.path == path || (path != "-" && *other.path != "-" && same_file(*other.path, path));
+    };
+    if (const auto twice = std::ranges::find_if(before, same); twice != before.end()) {
+      const std::string what = path == "-" ? "standard output" : path;
+      return {
+          {.code = "usage", .detail = what + " would be written twice, by " + twice->option + " and " + output.option}};
     }
-    for (std::size_t k = 0; k < i; ++k) {
-      if (is_path(outputs[k]) && same_file(outputs[i], outputs[k])) {
-        return {{.code = "usage", .detail = outputs[i] + " would be written twice"}};
+    before.push_back(output);
+    if (path == "-") continue;
+    if (const int error = error_of(path); error != 0) return {io_problem(path, error)};
+    for (const std::string& input : inputs) {
+      if (input != "-" && same_file(path, input)) {
+        return {{.code = "usage", .detail = output.option + " would write over " + path + ", which is read"}};
       }
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,9 +21,18 @@ Result<std::string> read_input(const std::string& path);
 /// link; what is no file (a device, a pipe) is written to.
 Problems write_output(const std::string& path, std::string_view bytes);
 
-/// What can be told about the paths of a command before its work is done: folders that are not there (`io`), and one
-/// path written twice, or read and written (`usage`). Empty paths and `-` are passed over.
-Problems unwritable(const std::vector<std::string>& outputs, const std::string& input);
+/// Takes away the file of an earlier run, if there is one; what is no file stays.
+void remove_file(const std::string& path);
+
+/// A path that a command writes, and the option that gives it; no path when the option is not given.
+struct OutputPath {
+  std::string option;
+  std::optional<std::string> path;
+};
+
+/// What can be told about the paths of a command before its work is done: folders that are not there (`io`), and an
+/// empty path, one path written twice, or read and written (`usage`).
+Problems unwritable(const std::vector<OutputPath>& outputs, const std::vector<std::string>& inputs);
 
 /// A graph document from a file or `-`.
 Result<Json> read_graph(const std::string& path, const Limits& limits);

@@ -1,5 +1,6 @@
 #include <iostream>
 #include <memory>
+#include <new>
 #include <optional>
 
 #include "cli/assets.h"
@@ -8,6 +9,7 @@
 #include "cli/documents.h"
 #include "cli/exit_codes.h"
 #include "cli/terminal.h"
+#include "graph/stopped.h"
 
 namespace dini::cli {
 namespace {
@@ -15,8 +17,8 @@ namespace {
 struct Options {
   std::string graph;
   std::vector<std::string> settings;
-  std::string model;
-  std::string report;
+  std::optional<std::string> model;
+  std::optional<std::string> report;
   std::string output;
   std::string quality = "final";
   std::optional<std::int64_t> triangle_budget;
@@ -26,22 +28,50 @@ struct Options {
   Computing computing;
 };
 
-int fail(const Problems& problems, int code) {
-  print_problems(problems);
-  return code;
+/// What an evaluation came to: its report and the file, or why there is none.
+struct Outcome {
+  int code = exit_ok;
+  Problems problems = {};
+  Json report = Json::object();
+  SharedFile file = nullptr;
+};
+
+Outcome failed(const Problems& problems, Stage stage) {
+  return {.code = exit_code_for(problems, stage), .problems = problems};
 }
 
-/// False when a check of the report did not pass; says which.
-bool checks_hold(const Json& report) {
-  bool hold = true;
-  for (const Json& check : report.value("checks", Json::array())) {
-    if (check.value("passed", true)) continue;
-    hold = false;
-    const Problem problem{
-        .code = "check-failed", .detail = check.value("message", ""), .node = check.value("node", "")};
-    print_problems({problem});
+Outcome evaluate(const Options& options, const Engine& engine, const Json& parameters) {
+  // Nobody waits at the other end of a script, so a deadline is kept only when one is asked for.
+  const Cancel cancel(options.deadline_ms == 0 ? Cancel::Clock::time_point::max()
+                                               : Cancel::Clock::now() + std::chrono::milliseconds(options.deadline_ms));
+  const auto graph = read_graph(options.graph, engine.limits());
+  if (!graph) return failed(graph.problems(), Stage::checking);
+  if (const Problems wrong = options.assets.give_to(engine, cancel); !wrong.empty()) {
+    return failed(wrong, Stage::checking);
   }
-  return hold;
+  const auto prepared = engine.prepare({.graph = *graph,
+                                        .parameters = parameters,
+                                        .output = options.output,
+                                        .quality = options.quality == "draft" ? Quality::draft : Quality::final,
+                                        .triangle_budget = options.triangle_budget,
+                                        .preview = options.preview},
+                                       cancel);
+  if (!prepared) return failed(prepared.problems(), Stage::checking);
+  const auto computed = engine.compute(**prepared, cancel);
+  if (!computed) return failed(computed.problems(), Stage::evaluating);
+  return {.report = engine.report(**prepared, **computed),
+          .file = (*computed)->model != nullptr ? (*computed)->model : (*computed)->preview};
+}
+
+/// The same when something goes wrong that should not: that too is an outcome to report.
+Outcome evaluated(const Options& options, const Engine& engine, const Json& parameters) {
+  try {
+    return evaluate(options, engine, parameters);
+  } catch (const std::bad_alloc&) {
+    return failed({out_of_memory()}, Stage::evaluating);
+  } catch (const std::exception& error) {
+    return failed({{.code = "internal", .detail = error.what()}}, Stage::evaluating);
+  }
 }
 
 /// `out: 1234 bytes, 10 vertices, 12 triangles`
@@ -55,59 +85,55 @@ std::string summary(const Json& report) {
   return printable(text);
 }
 
-int run(Options& options) {
-  if (const Problems wrong = options.computing.apply(); !wrong.empty()) return fail(wrong, exit_usage);
-  if (options.model == "-" && options.report == "-") {
-    return fail({{.code = "usage", .detail = "-o and --report cannot both be standard output"}}, exit_usage);
-  }
-  if (const Problems wrong = unwritable({options.model, options.report}, options.graph); !wrong.empty()) {
-    return fail(wrong, exit_code_for(wrong, Stage::checking));
-  }
-  Limits limits;
-  // Nobody waits at the other end of a script, so a deadline is kept only when one is asked for.
-  const Cancel cancel(options.deadline_ms == 0 ? Cancel::Clock::time_point::max()
-                                               : Cancel::Clock::now() + std::chrono::milliseconds(options.deadline_ms));
-  const auto parameters = read_settings(options.settings, limits);
-  if (!parameters) return fail(parameters.problems(), exit_usage);
-  const auto graph = read_graph(options.graph, limits);
-  if (!graph) return fail(graph.problems(), exit_code_for(graph.problems(), Stage::checking));
-
-  const Engine engine(limits);
-  if (const Problems wrong = options.assets.give_to(engine, cancel); !wrong.empty()) {
-    return fail(wrong, exit_code_for(wrong, Stage::checking));
-  }
-  const auto prepared = engine.prepare({.graph = *graph,
-                                        .parameters = *parameters,
-                                        .output = options.output,
-                                        .quality = options.quality == "draft" ? Quality::draft : Quality::final,
-                                        .triangle_budget = options.triangle_budget,
-                                        .preview = options.preview});
-  if (!prepared) return fail(prepared.problems(), exit_code_for(prepared.problems(), Stage::checking));
-  const auto evaluated = engine.evaluate(**prepared, cancel);
-  if (!evaluated) return fail(evaluated.problems(), exit_code_for(evaluated.problems(), Stage::evaluating));
-
-  const Json report = evaluated->report();
+void print_warnings(const Json& report) {
   for (const Json& warning : report.value("warnings", Json::array())) {
     std::cerr << printable("warning[" + warning.value("code", "") + "] " + warning.value("node", "") + ": " +
                            warning.value("detail", ""))
               << "\n";
   }
-  if (!options.report.empty()) {
-    const std::string text = report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-    if (const Problems wrong = write_output(options.report, text); !wrong.empty()) return fail(wrong, exit_io);
+}
+
+/// The report of every outcome says whether it is one of success, so a failed run never leaves one behind that says so.
+std::string report_text(const Outcome& outcome) {
+  Json report = outcome.report;
+  report["succeeded"] = outcome.code == exit_ok;
+  report["errors"] = to_json(outcome.problems);
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+int run(Options& options, const EngineMaker& make_engine) {
+  if (const Problems wrong = options.computing.apply(); !wrong.empty()) return fail(wrong, exit_usage);
+  std::vector<std::string> inputs = options.assets.paths();
+  inputs.push_back(options.graph);
+  const Problems unfit = unwritable({{"-o", options.model}, {"--report", options.report}}, inputs);
+  if (!unfit.empty()) return fail(unfit, exit_code_for(unfit, Stage::checking));
+  const Limits limits;
+  const auto parameters = read_settings(options.settings, limits);
+  if (!parameters) return fail(parameters.problems(), exit_usage);
+
+  // A report of an earlier run must not be taken for one of this, however this one ends.
+  if (options.report) remove_file(*options.report);
+  const std::unique_ptr<Engine> engine = make_engine(limits);
+  Outcome outcome = evaluated(options, *engine, *parameters);
+  print_problems(outcome.problems);
+  print_warnings(outcome.report);
+  if (outcome.code == exit_ok && !options.model && options.report != "-") std::cout << summary(outcome.report) << "\n";
+  if (outcome.code == exit_ok && options.model) {
+    if (const Problems wrong = write_output(*options.model, *outcome.file->bytes); !wrong.empty()) {
+      print_problems(wrong);
+      outcome = {.code = exit_io, .problems = wrong, .report = std::move(outcome.report)};
+    }
   }
-  if (options.model.empty() && options.report != "-") std::cout << summary(report) << "\n";
-  // A check that fails is an answer about this model, so the model is written all the same.
-  if (!options.model.empty()) {
-    const std::string& file = evaluated->glb != nullptr ? *evaluated->glb : *evaluated->preview;
-    if (const Problems wrong = write_output(options.model, file); !wrong.empty()) return fail(wrong, exit_io);
+  if (options.report) {
+    const Problems wrong = write_output(*options.report, report_text(outcome));
+    if (!wrong.empty()) return fail(wrong, outcome.code == exit_ok ? exit_io : outcome.code);
   }
-  return checks_hold(report) ? exit_ok : exit_check_failed;
+  return outcome.code;
 }
 
 }  // namespace
 
-void add_eval(CLI::App& program, Command& chosen) {
+void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine) {
   auto* command = program.add_subcommand("eval", "Evaluate a graph into a GLB file");
   const auto options = std::make_shared<Options>();
   command->add_option("graph", options->graph, "The graph document, or - for standard input")->required();
@@ -129,7 +155,8 @@ void add_eval(CLI::App& program, Command& chosen) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{86'400'000}));
   options->assets.add_option(*command);
   options->computing.add_options(*command);
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback(
+      [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });
 }
 
 }  // namespace dini::cli

@@ -20,12 +20,7 @@ struct Options {
   Computing computing;
 };
 
-int fail(const Problems& problems, int code) {
-  print_problems(problems);
-  return code;
-}
-
-int run(Options& options) {
+int run(Options& options, const EngineMaker& make_engine) {
   if (const Problems wrong = options.computing.apply(); !wrong.empty()) return fail(wrong, exit_usage);
   const Limits limits;
   const auto parameters = read_settings(options.settings, limits);
@@ -44,23 +39,24 @@ int run(Options& options) {
                                .node = options.place.substr(0, dot),
                                .output = dot == std::string::npos ? "" : options.place.substr(dot + 1),
                                .full = options.full};
-  const Engine engine(limits);
-  if (const Problems wrong = options.assets.give_to(engine, Cancel()); !wrong.empty()) {
+  const std::unique_ptr<Engine> engine = make_engine(limits);
+  if (const Problems wrong = options.assets.give_to(*engine, Cancel()); !wrong.empty()) {
     return fail(wrong, exit_code_for(wrong, Stage::checking));
   }
   // `inspect` checks and evaluates in one call; a graph that checks out can only have failed while being evaluated.
-  const auto value = engine.inspect(request, Cancel());
+  const auto value = engine->inspect(request, Cancel());
   if (!value) {
-    const bool valid = engine.validate(*graph, *parameters).value("valid", false);
+    const auto verdict = engine->validate(*graph, *parameters, Cancel());
+    const bool valid = verdict && verdict->value("valid", false);
     return fail(value.problems(), exit_code_for(value.problems(), valid ? Stage::evaluating : Stage::checking));
   }
-  std::cout << value->dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+  std::cout << Json::parse(**value).dump(2) << "\n";
   return exit_ok;
 }
 
 }  // namespace
 
-void add_inspect(CLI::App& program, Command& chosen) {
+void add_inspect(CLI::App& program, Command& chosen, const EngineMaker& make_engine) {
   auto* command = program.add_subcommand("inspect", "Print the value on a wire, in full double precision, as JSON");
   const auto options = std::make_shared<Options>();
   command->add_option("graph", options->graph, "The graph document, or - for standard input")->required();
@@ -70,7 +66,8 @@ void add_inspect(CLI::App& program, Command& chosen) {
   command->add_flag("--full", options->full, "Meshes with all positions and indices");
   options->assets.add_option(*command);
   options->computing.add_options(*command);
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback(
+      [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });
 }
 
 }  // namespace dini::cli

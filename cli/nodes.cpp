@@ -39,26 +39,27 @@ NodeExamples read_node_examples() {
   return examples;
 }
 
-int run(const Options& options) {
-  const Engine engine;
+int run(const Options& options, const EngineMaker& make_engine) {
+  const std::unique_ptr<Engine> engine = make_engine({});
   if (options.json) {
-    std::cout << engine.catalogue().dump(2) << "\n";
+    std::cout << engine->catalogue().dump(2) << "\n";
   } else if (options.markdown) {
-    std::cout << nodes_markdown(engine.catalogue(), read_node_examples());
+    std::cout << nodes_markdown(engine->catalogue(), read_node_examples());
   } else {
-    print_list(engine.catalogue());
+    print_list(engine->catalogue());
   }
   return exit_ok;
 }
 
 }  // namespace
 
-void add_nodes(CLI::App& program, Command& chosen) {
+void add_nodes(CLI::App& program, Command& chosen, const EngineMaker& make_engine) {
   auto* command = program.add_subcommand("nodes", "List the node types");
   const auto options = std::make_shared<Options>();
   auto* json = command->add_flag("--json", options->json, "The whole catalogue as JSON");
   command->add_flag("--markdown", options->markdown, "The catalogue as a page to read")->excludes(json);
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback(
+      [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });
 }
 
 }  // namespace dini::cli

@@ -1,18 +1,18 @@
-#include <algorithm>
-#include <array>
 #include <csignal>
 #include <filesystem>
-#include <iostream>
 #include <memory>
-#include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include "cli/commands.h"
 #include "cli/computing.h"
 #include "cli/documents.h"
+#include "cli/ending_signals.h"
 #include "cli/exit_codes.h"
 #include "cli/folders.h"
+#include "cli/log_sink.h"
 #include "cli/terminal.h"
+#include "server/addresses.h"
 #include "server/server.h"
 
 namespace dini::cli {
@@ -27,65 +27,56 @@ struct Options {
   Computing computing;
 };
 
-int fail(const Problems& problems, int code) {
-  print_problems(problems);
-  return code;
-}
-
-bool is_loopback(const std::string& host) { return host == "localhost" || host == "::1" || host.starts_with("127."); }
-
-/// The signals that end the server, blocked in this and every later thread, so that one thread can wait for them.
-sigset_t block_ending_signals() {
-  sigset_t signals;
-  sigemptyset(&signals);
-  sigaddset(&signals, SIGTERM);
-  sigaddset(&signals, SIGINT);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-  return signals;
-}
-
-void wait_for_signal(const sigset_t& signals) {
-  int received = 0;
-  sigwait(&signals, &received);
-  // A second one ends the program at once, for those who will not wait for the requests that still run.
-  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
-}
+/// What the server gets on top of its own deadlines to end before it is ended.
+constexpr std::chrono::seconds patience{5};
 
 Problems announce(const Options& options, int port) {
   const std::string& host = options.settings.host;
   const std::string name = host.find(':') == std::string::npos ? host : "[" + host + "]";
-  std::cout << "Dini listens on http://" << name << ":" << port << "/" << std::endl;
-  if (options.settings.web.empty()) std::cout << "There is no built page beside the program; see --web." << std::endl;
+  // Whether anybody reads this is none of the server's concern.
+  write_at_once(STDOUT_FILENO, "Dini listens on http://" + name + ":" + std::to_string(port) + "/\n");
+  if (options.settings.web.empty()) {
+    write_at_once(STDOUT_FILENO, "There is no built page beside the program; see --web.\n");
+  }
   return options.port_file.empty() ? Problems{} : write_output(options.port_file, std::to_string(port) + "\n");
 }
 
-int run(Options& options) {
-  if (options.settings.host.empty()) return fail({{.code = "usage", .detail = "--host needs an address"}}, exit_usage);
+/// What is wrong with the options, as far as can be told before anything is started.
+Problems check(const Options& options) {
+  const std::string& host = options.settings.host;
+  if (host.empty()) return {{.code = "usage", .detail = "--host needs an address"}};
   std::error_code ignored;
   if (!options.examples.empty() && !std::filesystem::is_directory(options.examples, ignored)) {
-    return fail({{.code = "io", .detail = options.examples + ": there is no such folder"}}, exit_io);
+    return {{.code = "io", .detail = options.examples + ": there is no such folder"}};
   }
-  if (!is_loopback(options.settings.host) && options.settings.token.empty()) {
-    return fail({{.code = "usage",
-                  .detail = "--host " + options.settings.host + " can be reached from elsewhere: give a --token"}},
-                exit_usage);
+  if (!server::is_loopback(host) && options.settings.token.empty()) {
+    return {{.code = "usage", .detail = "--host " + host + " can be reached from elsewhere: give a --token"}};
   }
+  return {};
+}
+
+int run(Options& options, const EngineMaker& make_engine) {
+  if (const Problems wrong = check(options); !wrong.empty()) return fail(wrong, exit_code_for(wrong, Stage::checking));
   if (const Problems wrong = options.computing.apply(); !wrong.empty()) return fail(wrong, exit_usage);
-  const sigset_t signals = block_ending_signals();
-  spdlog::set_default_logger(spdlog::stderr_logger_mt("dini"));
+  std::signal(SIGPIPE, SIG_IGN);  // whoever reads the log may leave
+  EndingSignals signals(options.settings.drain_deadline + patience);
+  spdlog::set_default_logger(std::make_shared<spdlog::logger>("dini", log_sink()));
   spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
   spdlog::set_level(spdlog::level::from_str(options.log_level));
   options.settings.web = find_folder(options.web, "../../web/dist", "../share/dini/web");
   options.settings.examples = find_examples(options.examples);
 
-  const Engine engine;
-  const auto server = server::Server::start(engine, options.settings);
+  const std::unique_ptr<Engine> engine = make_engine({});
+  const auto server = server::Server::start(*engine, options.settings);
   if (!server) {
-    const bool address = server.problems().front().code == "address" || server.problems().front().code == "io";
-    return fail(server.problems(), address ? exit_io : exit_invalid_graph);
+    const std::string& code = server.problems().front().code;
+    return fail(server.problems(), code == "address" || code == "io" ? exit_io
+                                   : code == "out-of-memory"         ? exit_limit
+                                                                     : exit_invalid_graph);
   }
+  signals.running();
   if (const Problems wrong = announce(options, (*server)->port()); !wrong.empty()) return fail(wrong, exit_io);
-  wait_for_signal(signals);
+  signals.wait();
   spdlog::info("draining");
   (*server)->stop();
   return exit_ok;
@@ -93,7 +84,7 @@ int run(Options& options) {
 
 }  // namespace
 
-void add_serve(CLI::App& program, Command& chosen) {
+void add_serve(CLI::App& program, Command& chosen, const EngineMaker& make_engine) {
   auto* command = program.add_subcommand("serve", "Run the HTTP server and its page");
   const auto options = std::make_shared<Options>();
   server::Settings& settings = options->settings;
@@ -112,7 +103,8 @@ void add_serve(CLI::App& program, Command& chosen) {
   command->add_option("--log-level", options->log_level, "Least level to log (default info)")
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}));
   options->computing.add_options(*command);
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback(
+      [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });
 }
 
 }  // namespace dini::cli

@@ -37,4 +37,9 @@ void print_problems(const Problems& problems) {
   for (const Json& problem : to_json(problems)) std::cerr << problem_line(problem) << "\n";
 }
 
+int fail(const Problems& problems, int code) {
+  print_problems(problems);
+  return code;
+}
+
 }  // namespace dini::cli

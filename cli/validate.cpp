@@ -28,24 +28,19 @@ void print_verdict(const Json& verdict) {
   std::cout << "valid" << printable(cost) << (cost.empty() ? "" : ")") << "\n";
 }
 
-int run(const Options& options) {
+int run(const Options& options, const EngineMaker& make_engine) {
   const Limits limits;
   const auto parameters = read_settings(options.settings, limits);
-  if (!parameters) {
-    print_problems(parameters.problems());
-    return exit_usage;
-  }
+  if (!parameters) return fail(parameters.problems(), exit_usage);
   const auto graph = read_graph(options.graph, limits);
-  if (!graph) {
-    print_problems(graph.problems());
-    return exit_code_for(graph.problems(), Stage::checking);
+  if (!graph) return fail(graph.problems(), exit_code_for(graph.problems(), Stage::checking));
+  const std::unique_ptr<Engine> engine = make_engine(limits);
+  if (const Problems wrong = options.assets.give_to(*engine, Cancel()); !wrong.empty()) {
+    return fail(wrong, exit_code_for(wrong, Stage::checking));
   }
-  const Engine engine(limits);
-  if (const Problems wrong = options.assets.give_to(engine, Cancel()); !wrong.empty()) {
-    print_problems(wrong);
-    return exit_code_for(wrong, Stage::checking);
-  }
-  const Json verdict = engine.validate(*graph, *parameters);
+  const auto checked = engine->validate(*graph, *parameters, Cancel());
+  if (!checked) return fail(checked.problems(), exit_limit);
+  const Json& verdict = *checked;
   if (options.json) {
     std::cout << verdict.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
   } else {
@@ -56,7 +51,7 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_validate(CLI::App& program, Command& chosen) {
+void add_validate(CLI::App& program, Command& chosen, const EngineMaker& make_engine) {
   auto* command =
       program.add_subcommand("validate", "List everything that is wrong with a graph, without evaluating it");
   const auto options = std::make_shared<Options>();
@@ -65,7 +60,8 @@ void add_validate(CLI::App& program, Command& chosen) {
       ->allow_extra_args(false);
   options->assets.add_option(*command);
   command->add_flag("--json", options->json, "Answer as JSON, with types, axes and predicted cost");
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  command->callback(
+      [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });
 }
 
 }  // namespace dini::cli

@@ -7,7 +7,7 @@
 namespace dini {
 
 /// Why work was stopped.
-enum class StopReason { none, deadline, superseded, client_gone, shutting_down };
+enum class StopReason { none, deadline, superseded, client_gone, canceled, shutting_down };
 
 /// The one flag that tells running work to stop. Shared by the request that owns it and every kernel that runs for it:
 /// kernels call `stopped()` at least every few thousand elements and return early, with any partial result, when it is

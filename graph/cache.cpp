@@ -2,28 +2,31 @@
 
 namespace dini {
 
-std::shared_ptr<const NodeResult> Cache::find(const Digest& fingerprint) {
+std::shared_ptr<const void> Cache::find_any(const Digest& digest) {
   const std::lock_guard lock(mutex_);
-  const auto found = index_.find(fingerprint);
+  const auto found = index_.find(digest);
   if (found == index_.end()) return nullptr;
   entries_.splice(entries_.begin(), entries_, found->second);
-  return found->second->result;
+  return found->second->thing;
 }
 
-void Cache::insert(const Digest& fingerprint, std::shared_ptr<const NodeResult> result) {
+void Cache::insert_any(const Digest& digest, std::shared_ptr<const void> thing, std::size_t bytes) {
   constexpr std::size_t overhead = 256;  // the entry itself, its index node and the shared headers
-  std::size_t size = overhead;
-  for (const AnyColumn& column : result->columns) size += dini::bytes(column);
-  if (size > budget_) return;
+  bytes += overhead;
+  if (bytes > budget_) return;
+  // Everything that may run out of memory comes before anything is changed.
+  std::list<Entry> fresh;
+  fresh.push_back({digest, std::move(thing), bytes});
+  std::list<Entry> evicted;  // large things take long to free, so they go when others may come in again
   const std::lock_guard lock(mutex_);
-  if (index_.contains(fingerprint)) return;
-  entries_.push_front({fingerprint, std::move(result), size});
-  index_.emplace(fingerprint, entries_.begin());
-  bytes_ += size;
+  if (!index_.emplace(digest, fresh.begin()).second) return;
+  entries_.splice(entries_.begin(), fresh);
+  bytes_ += bytes;
   while (bytes_ > budget_) {
     bytes_ -= entries_.back().bytes;
-    index_.erase(entries_.back().fingerprint);
-    entries_.pop_back();
+    index_.erase(entries_.back().digest);
+    evicted.splice(evicted.begin(), entries_, std::prev(entries_.end()));
+    ++evictions_;
   }
 }
 
@@ -35,6 +38,11 @@ std::size_t Cache::bytes() const {
 std::size_t Cache::size() const {
   const std::lock_guard lock(mutex_);
   return entries_.size();
+}
+
+std::size_t Cache::evictions() const {
+  const std::lock_guard lock(mutex_);
+  return evictions_;
 }
 
 }  // namespace dini

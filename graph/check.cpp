@@ -38,7 +38,10 @@ class Checker {
     for (const auto& [id, entry] : document_.nodes) check_names(id, entry);
     const Order order = evaluation_order(document_);
     for (const std::vector<std::string>& cycle : order.cycles) report_cycle(cycle);
-    for (const std::string& id : order.ids) plan(id, document_.nodes.at(id));
+    for (const std::string& id : order.ids) {
+      if (stopped()) return std::move(report_);
+      plan(id, document_.nodes.at(id));
+    }
     find_blocked();
     find_guards();
     share_triangles(report_.plan, needed_);
@@ -46,43 +49,55 @@ class Checker {
       if (!node.bypass && !node.doubtful) node.fingerprint = fingerprint(node, report_.plan);
     }
     add_up();
+    report_.problems = std::move(problems_).take();
+    report_.elsewhere = std::move(elsewhere_).take();
     return std::move(report_);
   }
 
  private:
-  void add(Problem problem) {
-    broken_.insert(problem.node);
-    (needed_.contains(problem.node) ? report_.problems : report_.elsewhere).push_back(std::move(problem));
+  bool stopped() const { return scope_.cancel != nullptr && scope_.cancel->stopped(); }
+
+  /// Problems of a node, or what makes one when it is to be listed.
+  template <class Found>
+  void add(const std::string& node, Found found) {
+    broken_.insert(node);
+    (needed_.contains(node) ? problems_ : elsewhere_).add(std::move(found));
   }
 
   /// Node types, port names and link targets: what can be wrong whatever the rest of the graph is.
   void check_names(const std::string& id, const NodeEntry& entry) {
     const NodeType* type = registry_.find(entry.type);
-    if (type == nullptr) report_unknown_type(id, entry);
+    if (type == nullptr) add(id, [&] { return unknown_type(id, entry); });
     for (const auto& [port, input] : entry.inputs) {
-      if (type != nullptr && type->find_input(port) == nullptr) report_unknown_port(*type, id, port);
-      for (std::size_t item = 0; item < input.items.size(); ++item) check_item(id, port, input, item);
+      if (type != nullptr && type->find_input(port) == nullptr) {
+        add(id, [&, &name = port] { return unknown_port(*type, id, name); });
+      }
+      for (std::size_t item = 0; item < input.items.size(); ++item) {
+        if (stopped()) return;
+        check_item(id, port, input, item);
+      }
     }
   }
 
   void check_item(const std::string& id, const std::string& port, const InputEntry& input, std::size_t item) {
     if (const auto* link = std::get_if<Link>(&input.items[item])) check_link(id, port, input, item, *link);
-    if (const auto* reference = std::get_if<ParameterReference>(&input.items[item])) {
-      check_reference(id, port, item_pointer(id, port, input, item), *reference);
+    const auto* reference = std::get_if<ParameterReference>(&input.items[item]);
+    if (reference != nullptr && !document_.parameters.contains(reference->name)) {
+      add(id, [&] { return unknown_parameter(id, port, item_pointer(id, port, input, item), *reference); });
     }
   }
 
-  void report_unknown_type(const std::string& id, const NodeEntry& entry) {
+  Problem unknown_type(const std::string& id, const NodeEntry& entry) const {
     const std::vector<std::string> known = keys_of(registry_.types());
     const std::string near = nearest(entry.type, known);
     Problem problem{"unknown-node-type",
                     "there is no node type " + excerpt(entry.type) + did_you_mean(entry.type, known), id, "",
                     input_pointer(id, "") + "/type"};
     if (!near.empty()) problem.fix = replacement(problem.pointer, near);
-    add(std::move(problem));
+    return problem;
   }
 
-  void report_unknown_port(const NodeType& type, const std::string& id, const std::string& port) {
+  Problem unknown_port(const NodeType& type, const std::string& id, const std::string& port) const {
     std::vector<std::string> known;
     for (const InputPort& input : type.inputs) known.push_back(input.name);
     Problem problem{"unknown-port", type.title + " has no input " + excerpt(port) + did_you_mean(port, known), id, port,
@@ -93,49 +108,76 @@ class Checker {
     } else {
       problem.fix = {{{"op", "remove"}, {"path", problem.pointer}}};
     }
-    add(std::move(problem));
+    return problem;
   }
 
   void check_link(const std::string& id, const std::string& port, const InputEntry& input, std::size_t item,
                   const Link& link) {
     const auto source = document_.nodes.find(link.node);
     if (source == document_.nodes.end()) {
-      add({"dangling-link",
-           "there is no node " + excerpt(link.node) + did_you_mean(link.node, keys_of(document_.nodes)), id, port,
-           input_pointer(id, port), item_removal(id, port, input, item)});
+      add(id, [&] { return unknown_source(id, port, input, item, link); });
       return;
     }
     const NodeType* type = registry_.find(source->second.type);
     if (type == nullptr || link.output.empty() || type->find_output(link.output) != nullptr) return;
-    std::vector<std::string> known;
-    for (const OutputPort& output : type->outputs) known.push_back(output.name);
-    const std::string near = nearest(link.output, known);
-    add({"dangling-link",
-         "node " + link.node + " (" + type->title + ") has no output " + excerpt(link.output) +
-             did_you_mean(link.output, known),
-         id, port, input_pointer(id, port),
-         near.empty() ? item_removal(id, port, input, item)
-                      : replacement(item_pointer(id, port, input, item) + "/from", link.node + "." + near)});
+    add(id, [&] { return unknown_output(id, port, input, item, link, *type); });
   }
 
-  void check_reference(const std::string& id, const std::string& port, const std::string& place,
-                       const ParameterReference& reference) {
-    if (document_.parameters.contains(reference.name)) return;
+  Problem unknown_source(const std::string& id, const std::string& port, const InputEntry& input, std::size_t item,
+                         const Link& link) const {
+    const std::vector<std::string> known = keys_of(document_.nodes);
+    const std::string near = nearest(link.node, known);
+    const std::string output = link.output.empty() ? "" : "." + link.output;
+    return {"dangling-link",
+            "there is no node " + excerpt(link.node) + did_you_mean(link.node, known),
+            id,
+            port,
+            input_pointer(id, port),
+            near.empty() || near == id ? item_removal(id, port, input, item)
+                                       : replacement(item_pointer(id, port, input, item) + "/from", near + output)};
+  }
+
+  Problem unknown_output(const std::string& id, const std::string& port, const InputEntry& input, std::size_t item,
+                         const Link& link, const NodeType& type) const {
+    std::vector<std::string> known;
+    for (const OutputPort& output : type.outputs) known.push_back(output.name);
+    const std::string near = nearest(link.output, known);
+    return {"dangling-link",
+            "node " + link.node + " (" + type.title + ") has no output " + excerpt(link.output) +
+                did_you_mean(link.output, known),
+            id,
+            port,
+            input_pointer(id, port),
+            near.empty() ? item_removal(id, port, input, item)
+                         : replacement(item_pointer(id, port, input, item) + "/from", link.node + "." + near)};
+  }
+
+  Problem unknown_parameter(const std::string& id, const std::string& port, const std::string& place,
+                            const ParameterReference& reference) const {
     const std::vector<std::string> known = keys_of(document_.parameters);
     const std::string near = nearest(reference.name, known);
-    add({"unknown-parameter",
-         "the graph has no parameter " + excerpt(reference.name) + did_you_mean(reference.name, known), id, port,
-         input_pointer(id, port), near.empty() ? Json() : replacement(place + "/parameter", near)});
+    return {"unknown-parameter",
+            "the graph has no parameter " + excerpt(reference.name) + did_you_mean(reference.name, known),
+            id,
+            port,
+            input_pointer(id, port),
+            near.empty() ? Json() : replacement(place + "/parameter", near)};
   }
 
   void report_cycle(const std::vector<std::string>& cycle) {
-    constexpr std::size_t most_named = 8;
-    std::string path;
-    for (std::size_t i = 0; i < std::min(cycle.size(), most_named); ++i) path += cycle[i] + " -> ";
-    if (cycle.size() > most_named) path += "... -> ";
-    const std::string& first = cycle.front();
-    add({"graph-has-cycle", "the links form a cycle: " + path + first, first, "", input_pointer(first, ""),
-         link_removal(first, document_.nodes.at(first), cycle.back())});
+    add(cycle.front(), [&] {
+      constexpr std::size_t most_named = 8;
+      std::string path;
+      for (std::size_t i = 0; i < std::min(cycle.size(), most_named); ++i) path += cycle[i] + " -> ";
+      if (cycle.size() > most_named) path += "... -> ";
+      const std::string& first = cycle.front();
+      return Problem{"graph-has-cycle",
+                     "the links form a cycle: " + path + first,
+                     first,
+                     "",
+                     input_pointer(first, ""),
+                     link_removal(first, document_.nodes.at(first), cycle.back())};
+    });
   }
 
   /// Plans one node whose sources have all been looked at; skips it when nothing is known of one of them.
@@ -150,14 +192,14 @@ class Checker {
     Resolved resolved = resolve_node(id, entry, *registry_.find(entry.type), document_, report_.plan, find_asset_);
     const bool sound = resolved.problems.empty();
     const bool can_be_told = outputs_can_be_told(resolved);
-    for (Problem& problem : resolved.problems) add(std::move(problem));
+    if (!sound) add(id, std::move(resolved.problems));
     if (!can_be_told) return;
     PlannedNode& node = resolved.node;
     if (!node.bypass) {
       if (std::optional<Problem> problem = infer_axes(node, limits_)) {
         problem->pointer = input_pointer(id, problem->port);
         // Behind a broken node axes may be missing, so this may be a consequence.
-        if (sound && !doubtful) add(std::move(*problem));
+        if (sound && !doubtful) add(id, [&] { return *std::move(problem); });
         return;
       }
     }
@@ -171,11 +213,7 @@ class Checker {
     if (resolved.problems.empty()) return true;
     const PlannedNode& node = resolved.node;
     if (node.overload == nullptr) return false;
-    // Which function is meant shows at the first input.
-    const auto at_first = [&](const Problem& problem) { return problem.port == node.type->inputs.front().name; };
-    if (node.type->overloads.size() > 1 && std::any_of(resolved.problems.begin(), resolved.problems.end(), at_first)) {
-      return false;
-    }
+    if (node.type->overloads.size() > 1 && resolved.first_input_is_wrong) return false;
     // Axes and sizes are made from literals.
     for (std::size_t port = 0; port < node.inputs.size(); ++port) {
       const bool literal = !node.overload->is_mixed(port) && info(node.overload->inputs[port]).literal_only;
@@ -224,11 +262,10 @@ class Checker {
         if (shape.type == WireType::mesh) cost.vertices = std::max(cost.vertices, shape.vertices);
       }
       if (cost.bytes > limits_.request_bytes) {
-        report_.problems.push_back({"limit-exceeded",
-                                    "up to here the graph would need " + std::to_string(cost.bytes >> 20) +
-                                        " MiB, at most " + std::to_string(limits_.request_bytes >> 20) +
-                                        " MiB are accepted",
-                                    node.id, "", input_pointer(node.id, "")});
+        problems_.add({"limit-exceeded",
+                       "up to here the graph would need " + std::to_string(cost.bytes >> 20) + " MiB, at most " +
+                           std::to_string(limits_.request_bytes >> 20) + " MiB are accepted",
+                       node.id, "", input_pointer(node.id, "")});
         return;
       }
     }
@@ -241,6 +278,8 @@ class Checker {
   const AssetFinder& find_asset_;
   const CheckScope& scope_;
   CheckReport report_;
+  ProblemCollector problems_;
+  ProblemCollector elsewhere_;
   std::set<std::string> needed_;
   std::set<std::string> broken_;
 };

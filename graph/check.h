@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/cancel.h"
 #include "graph/limits.h"
 #include "graph/plan.h"
 #include "graph/problem.h"
@@ -25,10 +26,12 @@ struct CheckReport {
 };
 
 /// What of a graph is going to be evaluated: everything, unless targets are named. With `guards`, also the nodes that
-/// run whatever is asked for, where they are sound.
+/// run whatever is asked for, where they are sound. When `cancel` stops, the check ends with what it has: the caller
+/// looks at it before it believes the report.
 struct CheckScope {
   std::vector<std::string> targets = {};
   bool guards = true;
+  const Cancel* cancel = nullptr;
 };
 
 /// Checks ids, types, links, cycles, literals, ranges, axes, sizes and limits, all at once, finds the files that the

@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,15 @@ namespace dini {
 
 /// A SHA-256.
 using Digest = std::array<std::uint8_t, 32>;
+
+/// For hashed containers: a digest is as good a hash as there is.
+struct DigestHash {
+  std::size_t operator()(const Digest& digest) const {
+    std::size_t hash = 0;
+    std::memcpy(&hash, digest.data(), sizeof hash);
+    return hash;
+  }
+};
 
 Digest sha256(std::string_view bytes);
 std::string to_hex(const Digest& digest);

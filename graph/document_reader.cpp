@@ -17,7 +17,7 @@ class DocumentReader {
 
   Result<Document> read(const Json& json) {
     Document document;
-    if (!object(json, "/graph", {"format", "meta", "parameters", "nodes", "ui"})) return problems_;
+    if (!object(json, "/graph", {"format", "meta", "parameters", "nodes", "ui"})) return std::move(problems_).take();
     read_format(json);
     if (json.contains("meta")) document.meta = json["meta"];
     if (json.contains("ui")) document.ui = json["ui"];
@@ -27,13 +27,13 @@ class DocumentReader {
     } else {
       read_nodes(json["nodes"], document);
     }
-    if (!problems_.empty()) return problems_;
+    if (!problems_.empty()) return std::move(problems_).take();
     return document;
   }
 
  private:
   void add(std::string code, std::string pointer, std::string detail, std::string node = "", std::string port = "") {
-    problems_.push_back({std::move(code), std::move(detail), std::move(node), std::move(port), std::move(pointer)});
+    problems_.add({std::move(code), std::move(detail), std::move(node), std::move(port), std::move(pointer)});
   }
 
   /// True when `json` is an object with no other members than `known`; adds a problem for each that is not.
@@ -46,9 +46,11 @@ class DocumentReader {
     bool all_known = true;
     for (const auto& [name, value] : json.items()) {
       if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-      add("unknown-member", pointer + "/" + pointer_token(name),
-          "unknown member " + excerpt(name) + did_you_mean(name, known), node);
       all_known = false;
+      problems_.add([&] {
+        return Problem{"unknown-member", "unknown member " + excerpt(name) + did_you_mean(name, known), node, "",
+                       pointer + "/" + pointer_token(name)};
+      });
     }
     return all_known;
   }
@@ -63,7 +65,7 @@ class DocumentReader {
   void read_format(const Json& json) {
     if (!json.contains("format")) {
       add("required-member-missing", "/graph", "the document has no \"format\"; this version reads format 1");
-    } else if (json["format"] != 1 || !json["format"].is_number_integer()) {
+    } else if (json["format"] != 1) {
       add("unsupported-format", "/graph/format", "got " + excerpt(json["format"]) + ", this version reads format 1");
     }
   }
@@ -80,7 +82,7 @@ class DocumentReader {
       if (parameter) {
         document.parameters.emplace(name, std::move(*parameter));
       } else {
-        problems_.insert(problems_.end(), parameter.problems().begin(), parameter.problems().end());
+        problems_.add(std::move(parameter).problems());
       }
     }
   }
@@ -170,7 +172,7 @@ class DocumentReader {
   }
 
   const Limits& limits_;
-  Problems problems_;
+  ProblemCollector problems_;
   std::size_t links_ = 0;
 };
 

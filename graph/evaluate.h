@@ -3,10 +3,11 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "graph/cache.h"
+#include "graph/node_result.h"
 #include "graph/plan.h"
 #include "graph/problem.h"
 
@@ -19,26 +20,29 @@ struct NodeRun {
   std::shared_ptr<const NodeResult> result;
 };
 
-/// The runs of all nodes that were needed, by index into the plan. Nodes behind a cached one were not needed and are
-/// absent.
+/// What was computed or found, by fingerprint: plans that compute the same under other ids can share one evaluation.
+/// Nodes behind a cached one were not needed and are absent.
 struct Evaluation {
-  std::map<std::size_t, NodeRun> runs;
+  std::map<Digest, NodeRun> runs;
+
+  /// How a node of a plan fared; null for one that was not needed, or that is bypassed.
+  const NodeRun* run(const PlannedNode& node) const;
 
   /// A value by its place. The node must be among the targets of the evaluation or have been run for it.
   Value value(const Plan& plan, std::size_t node, std::size_t output) const;
 };
 
-/// What is said about work that was stopped.
-Problem stopped_problem(StopReason reason);
-
-/// Called after every node with how many of the needed nodes are done; from any thread.
+/// Called after every node with how many of the needed nodes are done; from any thread. Must not throw.
 using Progress = std::function<void(std::size_t done, std::size_t needed)>;
 
-/// Computes what `targets` need, each node once, independent nodes in parallel, results taken from and put into the
-/// cache. Fails with all problems found: a failed node spoils those behind it and lets the others finish. When `cancel`
-/// stops the work, the only problem has the code of the reason: `deadline`, `superseded`, `client-gone` or
-/// `shutting-down`.
+/// Computes what `targets` need, each fingerprint once, independent nodes in parallel, results taken from and put into
+/// the cache. Fails with all problems found: a failed node spoils those behind it and lets the others finish, whether
+/// it failed by its own word, by an exception (`internal`) or for want of memory (`out-of-memory`). When `cancel` stops
+/// the work, the only problem is that of `stopped_problem`. Nothing but complete results enters the cache.
 Result<Evaluation> evaluate(const Plan& plan, const std::vector<std::size_t>& targets, Cache& cache,
                             const Cancel& cancel, const Progress& progress = {});
+
+/// What `evaluate` would answer if nothing had to be computed; nothing when something has to be.
+std::optional<Evaluation> find_evaluation(const Plan& plan, const std::vector<std::size_t>& targets, Cache& cache);
 
 }  // namespace dini

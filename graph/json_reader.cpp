@@ -1,12 +1,20 @@
 #include "graph/json_reader.h"
 
 #include <algorithm>
-#include <set>
+#include <cmath>
 #include <vector>
 
 namespace dini {
 
 namespace {
+
+/// A number of JSON is a double, however it is spelled (RFC 8785): 16, 16.0 and 1.6e1 become the same value, kept as an
+/// integer where every neighbor is one too; and there is one zero.
+Json number(double value) {
+  constexpr double largest_exact_integer = 9007199254740992;  // 2^53
+  if (value != std::floor(value) || std::abs(value) > largest_exact_integer) return value;
+  return static_cast<std::int64_t>(value);
+}
 
 /// Builds the document while counting; stops at the first thing that is refused.
 class StrictReader : public nlohmann::json_sax<Json> {
@@ -15,9 +23,9 @@ class StrictReader : public nlohmann::json_sax<Json> {
 
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
-  bool number_integer(number_integer_t value) override { return add(value); }
-  bool number_unsigned(number_unsigned_t value) override { return add(value); }
-  bool number_float(number_float_t value, const string_t&) override { return add(value); }
+  bool number_integer(number_integer_t value) override { return add(number(static_cast<double>(value))); }
+  bool number_unsigned(number_unsigned_t value) override { return add(number(static_cast<double>(value))); }
+  bool number_float(number_float_t value, const string_t&) override { return add(number(value)); }
   bool string(string_t& value) override {
     if (value.find('\0') != string_t::npos) return refuse("not-json", "a text holds the character NUL");
     return short_enough(value) && add(std::move(value));
@@ -114,7 +122,10 @@ class StrictReader : public nlohmann::json_sax<Json> {
 
 Result<Json> parse_json(std::string_view text, const Limits& limits) {
   if (text.find('\0') != std::string_view::npos) return Problem{"not-json", "the text holds a NUL byte"};
-  if (text.starts_with("\xEF\xBB\xBF")) return Problem{"not-json", "the text starts with a byte order mark"};
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // some editors put one before their UTF-8
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  // The library passes over a further one by itself.
+  if (text.starts_with(byte_order_mark)) return Problem{"not-json", "the text starts with two byte order marks"};
   StrictReader reader(limits);
   const bool read = Json::sax_parse(text, &reader);
   return std::move(reader).result(read);

@@ -8,7 +8,8 @@
 namespace dini {
 
 /// Reads JSON from outside, strictly: no duplicate keys, no NUL, no control characters in names, nothing after the end,
-/// depth, number of values and string lengths within the limits. The problem has code `not-json` or `limit-exceeded`
+/// depth, number of values and string lengths within the limits. A byte order mark before it is passed over, and
+/// numbers that are whole become integers whatever their spelling. The problem has code `not-json` or `limit-exceeded`
 /// and says where.
 Result<Json> parse_json(std::string_view text, const Limits& limits);
 

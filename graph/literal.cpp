@@ -7,7 +7,8 @@ namespace dini {
 
 namespace {
 
-constexpr std::int64_t largest_exact_integer = std::int64_t{1} << 53;
+/// The largest whole number that no other one is rounded to.
+constexpr double largest_exact_integer = 9007199254740991;
 
 LiteralProblem mismatch(const Json& json, const std::string& accepted) {
   return {"type-mismatch", "got " + excerpt(json) + ", expected " + accepted};
@@ -30,12 +31,11 @@ LiteralOutcome read_number(const Json& json, const InputPort& port) {
 }
 
 LiteralOutcome read_integer(const Json& json, const InputPort& port) {
-  if (!json.is_number_integer()) return mismatch(json, "a whole number");
-  const bool too_large = json.is_number_unsigned()
-                             ? json.get<std::uint64_t>() > static_cast<std::uint64_t>(largest_exact_integer)
-                             : std::abs(json.get<std::int64_t>() / 2) > largest_exact_integer / 2;
-  if (too_large || outside(json.get<double>(), port.spec)) return out_of_range(json, port.spec);
-  return Argument(Literal(json.get<std::int64_t>()));
+  if (!json.is_number()) return mismatch(json, "a whole number");
+  const double value = json.get<double>();
+  if (value != std::floor(value)) return mismatch(json, "a whole number");
+  if (std::abs(value) > largest_exact_integer || outside(value, port.spec)) return out_of_range(json, port.spec);
+  return Argument(Literal(static_cast<std::int64_t>(value)));
 }
 
 /// The numbers of an array of `least` to `most` finite numbers; empty when it is anything else.

@@ -29,6 +29,25 @@ std::vector<std::string> names_of(const std::map<std::string, Parameter>& parame
   return names;
 }
 
+/// What a sentence calls a parameter: its name, and its label where it has one.
+std::string named(const std::string& name, const Parameter& parameter) {
+  return parameter.label && *parameter.label != name ? name + " (" + *parameter.label + ")" : name;
+}
+
+Problem unknown_parameter(const Document& document, const Json& given, const std::string& name) {
+  const std::string pointer = "/parameters/" + pointer_token(name);
+  const std::vector<std::string> known = names_of(document.parameters);
+  const std::string near = nearest(name, known);
+  return {"unknown-parameter",
+          "the graph has no parameter " + excerpt(name) + did_you_mean(name, known),
+          "",
+          "",
+          pointer,
+          near.empty() || given.contains(near)
+              ? Json{{{"op", "remove"}, {"path", pointer}}}
+              : Json{{{"op", "move"}, {"from", pointer}, {"path", "/parameters/" + near}}}};
+}
+
 /// Collects the problems of one parameter.
 class ParameterReader {
  public:
@@ -151,34 +170,30 @@ Result<Parameter> read_parameter(const Json& json, const std::string& pointer) {
 }
 
 Result<std::map<std::string, Json>> resolve_parameters(const Document& document, const Json& given) {
-  Problems problems;
+  ProblemCollector problems;
   std::map<std::string, Json> values;
   for (const auto& [name, parameter] : document.parameters) values[name] = parameter.default_value;
   if (!given.is_object())
     return Problem{"type-mismatch", "parameters must be an object of values by name", "", "", "/parameters"};
   for (const auto& [name, value] : given.items()) {
-    const std::string pointer = "/parameters/" + pointer_token(name);
     const auto parameter = document.parameters.find(name);
     if (parameter == document.parameters.end()) {
-      const std::vector<std::string> known = names_of(document.parameters);
-      const std::string near = nearest(name, known);
-      problems.push_back({"unknown-parameter",
-                          "the graph has no parameter " + excerpt(name) + did_you_mean(name, known), "", "", pointer,
-                          near.empty() || given.contains(near)
-                              ? Json{{{"op", "remove"}, {"path", pointer}}}
-                              : Json{{{"op", "move"}, {"from", pointer}, {"path", "/parameters/" + near}}}});
+      problems.add([&, &unknown = name] { return unknown_parameter(document, given, unknown); });
       continue;
     }
     const InputPort port = parameter_port(parameter->second);
     const LiteralOutcome outcome = read_literal(value, parameter->second.type, port);
     if (const auto* problem = std::get_if<LiteralProblem>(&outcome)) {
-      problems.push_back({problem->code, parameter->second.label.value_or(name) + ": " + problem->detail, "", "",
-                          pointer, acceptable_literal(pointer, problem->code, value, port)});
+      problems.add([&, &wrong = name, &refused = value] {
+        const std::string pointer = "/parameters/" + wrong;
+        return Problem{problem->code, named(wrong, parameter->second) + ": " + problem->detail, "", "",
+                       pointer,       acceptable_literal(pointer, problem->code, refused, port)};
+      });
       continue;
     }
     values[name] = value;
   }
-  if (!problems.empty()) return problems;
+  if (!problems.empty()) return std::move(problems).take();
   return values;
 }
 

@@ -40,7 +40,7 @@ struct PlannedInput {
   std::vector<PlannedItem> items;
   std::optional<Axis> list_axis;
   WireShape shape;
-  std::set<std::string> parameters;  ///< graph parameters that reach this port directly
+  std::set<std::string> parameters = {};  ///< graph parameters that reach this port directly
 };
 
 struct PlannedNode {
@@ -56,8 +56,7 @@ struct PlannedNode {
   std::vector<WireShape> outputs;
   std::size_t triangle_budget = 0;  ///< for each mesh that the node makes; 0 is no limit
   Digest fingerprint{};
-  std::set<std::string> parameters;  ///< all graph parameters that can change this node's outputs
-  bool doubtful = false;             ///< broken, or behind a broken node: its wires are known, but it cannot run
+  bool doubtful = false;  ///< broken, or behind a broken node: its wires are known, but it cannot run
 };
 
 /// Predicted totals of a plan.
@@ -75,5 +74,8 @@ struct Plan {
   Detail detail;
   Cost cost;
 };
+
+/// The graph parameters that can change the outputs of a node.
+std::set<std::string> parameters_behind(const Plan& plan, std::size_t node);
 
 }  // namespace dini

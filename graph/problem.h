@@ -27,6 +27,45 @@ struct Problem {
 
 using Problems = std::vector<Problem>;
 
+/// Gathers problems: lists the first hundred and counts the others, so that no document can ask for an answer many
+/// times its own size. What a problem says may take long to find (the nearest of all names, say), so it is only made
+/// when it is listed.
+class ProblemCollector {
+ public:
+  template <class Make>
+  void add(Make make) {
+    if (problems_.size() < most_listed) {
+      problems_.push_back(make());
+    } else {
+      ++unlisted_;
+    }
+  }
+  void add(Problem problem) {
+    add([&] { return std::move(problem); });
+  }
+  void add(Problems problems) {
+    for (Problem& problem : problems) add(std::move(problem));
+  }
+
+  /// All of another collector's, in its order.
+  void add(ProblemCollector other) {
+    add(std::move(other.problems_));
+    unlisted_ += other.unlisted_;
+  }
+
+  bool empty() const { return problems_.empty(); }
+  std::size_t count() const { return problems_.size() + unlisted_; }
+
+  /// All that were listed; the last one, with code `more-problems`, says how many were not.
+  Problems take() &&;
+
+ private:
+  static constexpr std::size_t most_listed = 100;
+
+  Problems problems_;
+  std::size_t unlisted_ = 0;
+};
+
 /// Either a value or the problems that prevented it (at least one).
 template <class T>
 class Result {

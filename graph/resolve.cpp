@@ -14,7 +14,7 @@ namespace {
 struct Given {
   std::optional<PlannedItem> wire;
   Json literal;
-  const Parameter* parameter = nullptr;
+  const std::pair<const std::string, Parameter>* parameter = nullptr;
   std::string pointer = {};
 };
 
@@ -54,13 +54,20 @@ class Resolver {
     // The overload with the fewest problems is the one that was meant; the first one on a tie.
     for (std::size_t k = 0; k < type_.overloads.size(); ++k) {
       Resolved candidate = read_as(type_.overloads[k]);
-      if (k == 0 || candidate.problems.size() < best.problems.size()) best = std::move(candidate);
+      if (k == 0 || candidate.problems.count() < best.problems.count()) best = std::move(candidate);
       if (best.problems.empty()) break;
     }
     return best;
   }
 
  private:
+  /// What makes a problem of a port, when it is to be listed.
+  template <class Make>
+  void add(Resolved& resolved, const std::string& port, Make make) const {
+    resolved.first_input_is_wrong = resolved.first_input_is_wrong || port == type_.inputs.front().name;
+    resolved.problems.add(make);
+  }
+
   Problem problem(std::string code, const std::string& port, std::string detail, Json fix = nullptr) const {
     return {std::move(code), std::move(detail), id_, port, input_pointer(id_, port), std::move(fix)};
   }
@@ -90,7 +97,7 @@ class Resolver {
   Given look_up(const InputItem& item, std::size_t port) {
     if (const auto* link = std::get_if<Link>(&item)) return {wire(*link, type_.inputs[port].name), nullptr};
     if (const auto* reference = std::get_if<ParameterReference>(&item)) {
-      return {{}, plan_.parameters.at(reference->name), &document_.parameters.at(reference->name)};
+      return {{}, plan_.parameters.at(reference->name), &*document_.parameters.find(reference->name)};
     }
     return {{}, std::get<Json>(item)};
   }
@@ -104,9 +111,9 @@ class Resolver {
     }
     if (!source.bypass) return {Source{index, output}, source.outputs[output]};
     if (output > 0) {
-      early_.push_back(problem("dangling-link", port,
-                               "node " + link.node + " is bypassed and passes on its first input only, as output " +
-                                   source.type->outputs.front().name));
+      early_.add(problem("dangling-link", port,
+                         "node " + link.node + " is bypassed and passes on its first input only, as output " +
+                             source.type->outputs.front().name));
     }
     return *source.bypass;
   }
@@ -118,15 +125,11 @@ class Resolver {
     resolved.problems = early_;
     const std::string& port = type_.inputs.empty() ? id_ : type_.inputs.front().name;
     if (given_.empty() || given_.front().empty() || !given_.front().front().wire) {
-      resolved.problems.push_back(
-          problem("required-input-missing", port, "a bypassed node needs a link at its first input"));
+      resolved.problems.add(problem("required-input-missing", port, "a bypassed node needs a link at its first input"));
       return;
     }
     resolved.node.bypass = given_.front().front().wire;
     resolved.node.outputs = {resolved.node.bypass->shape};
-    if (const auto* source = std::get_if<Source>(&resolved.node.bypass->from)) {
-      resolved.node.parameters = plan_.nodes[source->node].parameters;
-    }
   }
 
   Resolved read_as(const Overload& overload) const {
@@ -138,15 +141,6 @@ class Resolver {
     node.overload = &overload;
     node.inputs.resize(type_.inputs.size());
     for (std::size_t port = 0; port < type_.inputs.size(); ++port) read_port(overload, port, resolved);
-    for (PlannedInput& input : node.inputs) {
-      node.parameters.insert(input.parameters.begin(), input.parameters.end());
-      for (const PlannedItem& item : input.items) {
-        const auto* source = std::get_if<Source>(&item.from);
-        if (source == nullptr) continue;
-        const std::set<std::string>& upstream = plan_.nodes[source->node].parameters;
-        node.parameters.insert(upstream.begin(), upstream.end());
-      }
-    }
     check_list_sizes(resolved);
     return resolved;
   }
@@ -160,8 +154,10 @@ class Resolver {
       return;
     }
     if (listed_[port] && !card.spec.takes_several) {
-      resolved.problems.push_back(problem(
-          "type-mismatch", card.name, card.name + " takes one value, got a list of " + std::to_string(given.size())));
+      add(resolved, card.name, [&] {
+        return problem("type-mismatch", card.name,
+                       card.name + " takes one value, got a list of " + std::to_string(given.size()));
+      });
       return;
     }
     for (const Given& item : given) {
@@ -177,10 +173,12 @@ class Resolver {
   void use_default(const Overload& overload, std::size_t port, Resolved& resolved) const {
     const InputPort& card = type_.inputs[port];
     if (card.required()) {
-      const std::string more = card.spec.takes_several && listed_[port] ? "; the list is empty" : "";
-      resolved.problems.push_back(problem("required-input-missing", card.name,
-                                          card.name + " is not given, it takes " + names_of(card.types) + more,
-                                          missing_input(id_, entry_, card)));
+      add(resolved, card.name, [&] {
+        const std::string more = card.spec.takes_several && listed_[port] ? "; the list is empty" : "";
+        return problem("required-input-missing", card.name,
+                       card.name + " is not given, it takes " + names_of(card.types) + more,
+                       missing_input(id_, entry_, card));
+      });
       return;
     }
     if (card.optional) return;
@@ -197,13 +195,16 @@ class Resolver {
                           ? std::find(card.types.begin(), card.types.end(), type) != card.types.end()
                           : type == wanted;
     if (literal_only) {
-      resolved.problems.push_back(problem("type-mismatch", card.name,
-                                          card.name + " is written in the graph or given as a parameter (" +
-                                              std::string(name(wanted)) + "); it takes no link"));
+      add(resolved, card.name, [&] {
+        return problem("type-mismatch", card.name,
+                       card.name + " is written in the graph or given as a parameter (" + std::string(name(wanted)) +
+                           "); it takes no link");
+      });
     } else if (!fits) {
-      resolved.problems.push_back(
-          problem("type-mismatch", card.name,
-                  card.name + " takes " + names_of(card.types) + ", got a link to a " + std::string(name(type))));
+      add(resolved, card.name, [&] {
+        return problem("type-mismatch", card.name,
+                       card.name + " takes " + names_of(card.types) + ", got a link to a " + std::string(name(type)));
+      });
     } else {
       resolved.node.inputs[port].items.push_back(item);
     }
@@ -212,20 +213,24 @@ class Resolver {
   void read_json(const Overload& overload, std::size_t port, const Given& given, Resolved& resolved) const {
     const InputPort& card = type_.inputs[port];
     const WireType wanted = overload.inputs[port];
-    if (given.parameter != nullptr && !parameter_fits(given.parameter->type, wanted)) {
-      resolved.problems.push_back(problem("type-mismatch", card.name,
-                                          card.name + " takes " + names_of(card.types) + ", got a parameter of type " +
-                                              std::string(name(given.parameter->type))));
+    if (given.parameter != nullptr && !parameter_fits(given.parameter->second.type, wanted)) {
+      add(resolved, card.name, [&] {
+        return problem("type-mismatch", card.name,
+                       card.name + " takes " + names_of(card.types) + ", got the parameter " + given.parameter->first +
+                           " of type " + std::string(name(given.parameter->second.type)));
+      });
       return;
     }
     LiteralOutcome outcome = overload.is_mixed(port)
                                  ? LiteralProblem{"type-mismatch", "expected a link to a " + names_of(card.types)}
                                  : read_literal(given.literal, wanted, card);
     if (auto* wrong = std::get_if<LiteralProblem>(&outcome)) {
-      const bool written_here = given.parameter == nullptr && !given.pointer.empty();
-      resolved.problems.push_back(
-          problem(wrong->code, card.name, card.name + ": " + wrong->detail,
-                  written_here ? acceptable_literal(given.pointer, wrong->code, given.literal, card) : Json()));
+      add(resolved, card.name, [&] {
+        const bool written_here = given.parameter == nullptr && !given.pointer.empty();
+        const std::string by = given.parameter != nullptr ? " (from the parameter " + given.parameter->first + ")" : "";
+        return problem(wrong->code, card.name, card.name + by + ": " + wrong->detail,
+                       written_here ? acceptable_literal(given.pointer, wrong->code, given.literal, card) : Json());
+      });
       stand_in(port, wanted, resolved);
       return;
     }
@@ -234,15 +239,17 @@ class Resolver {
       const std::string& text = std::get<std::string>(std::get<Literal>(argument));
       SharedAssetFile file = find_asset_ ? find_asset_(text) : nullptr;
       if (file == nullptr) {
-        resolved.problems.push_back(problem("unknown-asset", card.name,
-                                            card.name + ": there is no file " + excerpt(text) +
-                                                " here; upload it to /v1/assets, or give it with --asset"));
+        add(resolved, card.name, [&] {
+          return problem("unknown-asset", card.name,
+                         card.name + ": there is no file " + excerpt(text) +
+                             " here; upload it to /v1/assets, or give it with --asset");
+        });
         return;
       }
       argument = Literal(std::move(file));
     }
     PlannedInput& input = resolved.node.inputs[port];
-    if (given.parameter != nullptr) note_parameter(given.parameter, input);
+    if (given.parameter != nullptr) input.parameters.insert(given.parameter->first);
     if (const auto* literal = std::get_if<Literal>(&argument)) resolved.node.literals[card.name] = *literal;
     input.items.push_back({std::move(argument), {wanted, {}, 0}});
   }
@@ -258,12 +265,6 @@ class Resolver {
     resolved.node.inputs[port].items.push_back({std::move(*argument), {wanted, {}, 0}});
   }
 
-  void note_parameter(const Parameter* parameter, PlannedInput& input) const {
-    for (const auto& [name, known] : document_.parameters) {
-      if (&known == parameter) input.parameters.insert(name);
-    }
-  }
-
   void check_list_sizes(Resolved& resolved) const {
     const PlannedInput* first = nullptr;
     for (const PlannedInput& input : resolved.node.inputs) {
@@ -272,10 +273,11 @@ class Resolver {
       if (input.list_axis->size == first->list_axis->size) continue;
       const std::string& port = type_.inputs[static_cast<std::size_t>(&input - resolved.node.inputs.data())].name;
       const std::string& other = type_.inputs[static_cast<std::size_t>(first - resolved.node.inputs.data())].name;
-      resolved.problems.push_back(problem("axis-mismatch", port,
-                                          port + " lists " + std::to_string(input.list_axis->size) + " items but " +
-                                              other + " lists " + std::to_string(first->list_axis->size) +
-                                              "; lists of one node pair up"));
+      add(resolved, port, [&] {
+        return problem("axis-mismatch", port,
+                       port + " lists " + std::to_string(input.list_axis->size) + " items but " + other + " lists " +
+                           std::to_string(first->list_axis->size) + "; lists of one node pair up");
+      });
     }
   }
 
@@ -287,7 +289,7 @@ class Resolver {
   const AssetFinder& find_asset_;
   std::vector<std::vector<Given>> given_;
   std::vector<bool> listed_;
-  Problems early_;
+  ProblemCollector early_;
 };
 
 }  // namespace

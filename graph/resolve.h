@@ -10,7 +10,8 @@ namespace dini {
 /// A node with its function chosen and every input read, or the problems with its inputs.
 struct Resolved {
   PlannedNode node;
-  Problems problems;
+  ProblemCollector problems;
+  bool first_input_is_wrong = false;  ///< so which function is meant cannot be told
 };
 
 /// Reads the inputs of one node: picks the overload that fits what is wired to it, reads literals, follows bypasses,

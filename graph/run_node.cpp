@@ -64,7 +64,7 @@ class NodeRunner {
   NodeRunner(const PlannedNode& node, const ColumnOf& column_of, const Context& context)
       : node_(node), column_of_(column_of), call_{context, {}, node.lifted, node.consumed, node.made} {}
 
-  Result<NodeResult> run() {
+  Result<std::vector<AnyColumn>> run() {
     for (std::size_t port = 0; port < node_.inputs.size(); ++port) {
       call_.arguments.push_back(argument(port));
       if (auto problem = out_of_range(port)) return *problem;
@@ -74,16 +74,16 @@ class NodeRunner {
       return problem(failed->failure.code, failed->failure.port,
                      failed->failure.detail + place_text(node_.lifted, failed->index));
     }
-    NodeResult result{std::move(std::get<0>(lifted)), call_.context.take_warnings()};
-    if (call_.context.cancel().stopped()) return result;
-    for (std::size_t output = 0; output < result.columns.size(); ++output) {
-      if (const std::optional<std::size_t> bad = first_bad(result.columns[output])) {
+    std::vector<AnyColumn> columns = std::move(std::get<0>(lifted));
+    if (call_.context.cancel().stopped()) return columns;
+    for (std::size_t output = 0; output < columns.size(); ++output) {
+      if (const std::optional<std::size_t> bad = first_bad(columns[output])) {
         return problem("non-finite", "",
                        "output " + node_.type->outputs[output].name + " is not a finite " +
                            std::string(name(node_.outputs[output].type)) +
                            place_text(node_.outputs[output].axes, *bad));
       }
-      if (const std::optional<std::size_t> unreal = first_unreal(result.columns[output])) {
+      if (const std::optional<std::size_t> unreal = first_unreal(columns[output])) {
         return problem("degenerate", "",
                        "output " + node_.type->outputs[output].name + " is no " +
                            std::string(name(node_.outputs[output].type)) +
@@ -91,7 +91,7 @@ class NodeRunner {
                            place_text(node_.outputs[output].axes, *unreal));
       }
     }
-    return result;
+    return columns;
   }
 
  private:
@@ -140,7 +140,7 @@ class NodeRunner {
 
 }  // namespace
 
-Result<NodeResult> run_node(const PlannedNode& node, const ColumnOf& column_of, const Context& context) {
+Result<std::vector<AnyColumn>> run_node(const PlannedNode& node, const ColumnOf& column_of, const Context& context) {
   return NodeRunner(node, column_of, context).run();
 }
 

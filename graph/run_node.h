@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "graph/cache.h"
+#include "graph/context.h"
 #include "graph/plan.h"
 #include "graph/problem.h"
 
@@ -12,7 +12,8 @@ namespace dini {
 using ColumnOf = std::function<const AnyColumn&(const Source&)>;
 
 /// Runs one planned node: gathers its arguments, holds wired numbers against the hard ranges, runs its function, and
-/// refuses results that are not finite. The problem names node, port and sample.
-Result<NodeResult> run_node(const PlannedNode& node, const ColumnOf& column_of, const Context& context);
+/// refuses results that are not finite: one column per output. The problem names node, port and sample. Warnings stay
+/// with the context.
+Result<std::vector<AnyColumn>> run_node(const PlannedNode& node, const ColumnOf& column_of, const Context& context);
 
 }  // namespace dini

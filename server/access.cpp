@@ -1,31 +1,51 @@
 #include "server/access.h"
 
 #include <algorithm>
-#include <array>
 
+#include "server/addresses.h"
 #include "server/text.h"
 
 namespace dini::server {
 namespace {
 
-std::string_view without_port(std::string_view host) {
-  const auto colon = host.rfind(':');
-  const auto bracket = host.rfind(']');
-  const bool has_port = colon != std::string_view::npos && (bracket == std::string_view::npos || colon > bracket);
-  return has_port ? host.substr(0, colon) : host;
+/// The token of `Authorization: Bearer <token>`, whatever the case of its scheme; empty when there is none.
+std::string_view bearer_token(std::string_view authorization) {
+  constexpr std::string_view scheme = "Bearer ";
+  if (!equal_ignoring_case(authorization.substr(0, scheme.size()), scheme)) return {};
+  return trim(authorization.substr(scheme.size()));
+}
+
+/// Whether a name with its port is one that --allow-host gave: with any port, or with this one.
+bool is_allowed(std::string_view authority, const Settings& settings) {
+  const std::string_view name = without_port(authority);
+  return std::ranges::any_of(settings.allowed_hosts, [&](const std::string& allowed) {
+    return equal_ignoring_case(allowed, authority) || equal_ignoring_case(allowed, name);
+  });
 }
 
 bool is_our_host(std::string_view host, const Settings& settings) {
-  constexpr std::array<std::string_view, 3> local = {"localhost", "127.0.0.1", "[::1]"};
   const std::string_view name = without_port(host);
-  const auto same = [&](std::string_view candidate) { return equal_ignoring_case(candidate, name); };
-  return std::ranges::any_of(local, same) || same(settings.host) || same("[" + settings.host + "]") ||
-         std::ranges::any_of(settings.allowed_hosts, same);
+  return is_loopback(name) || equal_ignoring_case(name, settings.host) ||
+         equal_ignoring_case(name, "[" + settings.host + "]") || is_allowed(host, settings);
 }
 
-bool is_same_origin(std::string_view origin, std::string_view host) {
-  return equal_ignoring_case(origin, "http://" + std::string(host)) ||
-         equal_ignoring_case(origin, "https://" + std::string(host));
+/// A name without the port that its scheme has anyway.
+std::string_view without_usual_port(std::string_view authority, std::string_view scheme) {
+  const std::string_view port = scheme == "https://" ? ":443" : ":80";
+  if (authority.ends_with(port)) authority.remove_suffix(port.size());
+  return authority;
+}
+
+/// Whether a page of that origin is ours: it came from the host that it now asks, or from one of our names while a
+/// proxy before us asks by another.
+bool is_our_origin(std::string_view origin, std::string_view host, const Settings& settings) {
+  for (const std::string_view scheme : {"http://", "https://"}) {
+    if (!equal_ignoring_case(origin.substr(0, scheme.size()), scheme)) continue;
+    const std::string_view authority = origin.substr(scheme.size());
+    return is_allowed(authority, settings) ||
+           equal_ignoring_case(without_usual_port(authority, scheme), without_usual_port(host, scheme));
+  }
+  return false;
 }
 
 /// In a time that does not tell how much of a guess was right.
@@ -38,22 +58,24 @@ bool equal_secrets(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::optional<Problem> check_access(const httplib::Request& request, const Settings& settings) {
-  const std::string host = request.get_header_value("Host");
-  if (!is_our_host(host, settings)) {
+std::optional<Problem> check_access(const Request& request, const Settings& settings) {
+  const std::string_view host = request.header("Host");
+  if (request.has_header("Host") && !is_our_host(host, settings)) {
     return Problem{.code = "misdirected-request",
                    .detail = "The host '" + escape_controls(host, 80) +
                              "' is not served here; start with --allow-host to add it."};
   }
   const bool changes = request.method != "GET" && request.method != "HEAD";
-  if (changes && request.has_header("Origin") && !is_same_origin(request.get_header_value("Origin"), host)) {
-    return Problem{.code = "foreign-origin", .detail = "Pages from other origins may not send requests here."};
+  if (changes && request.has_header("Origin") && !is_our_origin(request.header("Origin"), host, settings)) {
+    return Problem{.code = "foreign-origin",
+                   .detail =
+                       "Pages from other origins may not send requests here; start with --allow-host to add the "
+                       "name of a proxy."};
   }
-  if (!settings.token.empty() && request.path.starts_with("/v1/")) {
-    if (!equal_secrets(request.get_header_value("Authorization"), "Bearer " + settings.token)) {
-      return Problem{.code = "unauthorized",
-                     .detail = "Send 'Authorization: Bearer <token>' with the token of this server."};
-    }
+  if (!settings.token.empty() && request.path.starts_with("/v1/") &&
+      !equal_secrets(bearer_token(request.header("Authorization")), settings.token)) {
+    return Problem{.code = "unauthorized",
+                   .detail = "Send 'Authorization: Bearer <token>' with the token of this server."};
   }
   return std::nullopt;
 }

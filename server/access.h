@@ -1,16 +1,16 @@
 #pragma once
 
-#include <httplib.h>
 #include <optional>
 
 #include "graph/problem.h"
+#include "server/request.h"
 #include "server/settings.h"
 
 namespace dini::server {
 
-/// Whether this request may be answered at all. A web page anywhere can make a browser send requests to 127.0.0.1, so:
-/// the Host must be one of ours (no rebinding of names), a foreign Origin may not post, and with a token set every
-/// /v1 request must carry it.
-std::optional<Problem> check_access(const httplib::Request& request, const Settings& settings);
+/// Whether this request may be answered at all, by its head alone. A web page anywhere can make a browser send requests
+/// to 127.0.0.1, so: the Host must be one of ours (no rebinding of names), a foreign Origin may not post, and with a
+/// token set every /v1 request must carry it.
+std::optional<Problem> check_access(const Request& request, const Settings& settings);
 
 }  // namespace dini::server

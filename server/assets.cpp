@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "server/computation.h"
+#include "server/computing.h"
 #include "server/handlers.h"
 #include "server/responses.h"
 #include "server/text.h"
@@ -18,30 +18,36 @@ bool is_mesh_type(std::string_view type) {
   return std::ranges::any_of(types, [&](std::string_view known) { return equal_ignoring_case(known, type); });
 }
 
-}  // namespace
-
-Reply add_asset(Call& call) {
-  const std::string type = call.header("Content-Type");
-  if (!is_mesh_type(trim(std::string_view(type).substr(0, type.find(';'))))) {
-    return problem_reply(
-        Problem{.code = "unsupported-media-type",
-                .detail = "Send the file itself as application/octet-stream, model/gltf-binary, model/obj, "
-                          "application/x-ply or text/plain."},
-        call.exchange);
-  }
-  Computation computation(call, std::nullopt);
-  const auto pass = computation.enter();
-  if (!pass) return problem_reply(pass.problems(), call.exchange);
-  const auto added = call.engine().add_asset(call.request.body, "", computation.cancel());
-  if (!added) return problem_reply(added.problems(), call.exchange);
-  Reply reply = json_reply({{"sha256", added->sha256},
-                            {"bytes", added->bytes},
-                            {"format", added->format},
-                            {"vertices", added->vertices},
-                            {"triangles", added->triangles}},
+Reply added_reply(const AssetSummary& added) {
+  Reply reply = json_reply({{"sha256", added.sha256},
+                            {"bytes", added.bytes},
+                            {"format", added.format},
+                            {"vertices", added.vertices},
+                            {"triangles", added.triangles}},
                            201);
   reply.headers.emplace_back("Cache-Control", "no-store");
   return reply;
+}
+
+}  // namespace
+
+void add_asset(const Context& context) {
+  const std::string_view type = context.request().header("Content-Type");
+  if (!is_mesh_type(trim(type.substr(0, type.find(';'))))) {
+    return reply_problems(context,
+                          {{.code = "unsupported-media-type",
+                            .detail = "Send the file itself as application/octet-stream, model/gltf-binary, model/obj, "
+                                      "application/x-ply or text/plain."}});
+  }
+  const Digest key = DigestBuilder().text("asset").digest(sha256(context.request().body)).finish();
+  compute<AssetSummary>(
+      context, {.key = key, .deadline = deadline_of(context, std::nullopt)},
+      [context](const Cancel& cancel) -> Result<std::shared_ptr<const AssetSummary>> {
+        auto added = context.engine().add_asset(context.request().body, "", cancel);
+        if (!added) return std::move(added).problems();
+        return std::make_shared<const AssetSummary>(*std::move(added));
+      },
+      [](const std::shared_ptr<const AssetSummary>& added) { return added_reply(*added); });
 }
 
 }  // namespace dini::server

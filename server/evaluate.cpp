@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <array>
-#include <variant>
 
-#include "server/computation.h"
+#include "server/computing.h"
 #include "server/handlers.h"
 #include "server/negotiation.h"
 #include "server/request_body.h"
 #include "server/responses.h"
+#include "server/text.h"
 
 namespace dini::server {
 namespace {
@@ -33,108 +33,144 @@ std::string boundary_for(const std::string& tag) {
   return name.substr(0, 64);
 }
 
-/// Text that becomes the body of a multipart answer, part by part.
+/// The pieces of a multipart answer; files are handed on as they are.
 class Multipart {
  public:
-  Multipart(const std::string& tag, std::size_t bytes) : boundary_(boundary_for(tag)) { body_.reserve(bytes + 1024); }
+  explicit Multipart(const std::string& tag) : boundary_(boundary_for(tag)) {}
 
-  void add(std::string_view name, std::string_view type, std::string_view content, const std::string& file = "") {
-    body_ += (body_.empty() ? "--" : "\r\n--") + boundary_ + "\r\nContent-Disposition: form-data; name=\"";
-    body_.append(name) += "\"";
-    if (!file.empty()) body_ += "; filename=\"" + file + "\"";
-    body_.append("\r\nContent-Type: ").append(type).append("\r\n\r\n").append(content);
+  void add(std::string_view name, std::string_view type, SharedBytes content, const std::string& file = "") {
+    std::string head = (pieces_.empty() ? "--" : "\r\n--") + boundary_ + "\r\nContent-Disposition: form-data; name=\"";
+    head.append(name) += "\"";
+    if (!file.empty()) head += "; filename=\"" + file + "\"";
+    head.append("\r\nContent-Type: ").append(type).append("\r\n\r\n");
+    pieces_.push_back(share(std::move(head)));
+    pieces_.push_back(std::move(content));
   }
 
   void finish(Reply& reply) && {
     reply.type += "; boundary=" + boundary_;
-    reply.body = std::move(body_) + "\r\n--" + boundary_ + "--\r\n";
+    pieces_.push_back(share("\r\n--" + boundary_ + "--\r\n"));
+    reply.body = std::move(pieces_);
   }
 
  private:
   std::string boundary_;
-  std::string body_;
+  std::vector<SharedBytes> pieces_;
 };
 
-void set_content(Reply& reply, std::string_view type, const Evaluated& evaluated, const std::string& tag,
-                 const std::string& output) {
-  reply.type = type;
-  const std::string file = file_name(evaluated.glb != nullptr ? output : "preview");
-  if (type == report_type) {
-    reply.body = dump(evaluated.report());
-  } else if (type == both_type) {
-    const auto size_of = [](const auto& bytes) { return bytes == nullptr ? 0 : bytes->size(); };
-    const std::string report = dump(evaluated.report());
-    Multipart parts(tag, report.size() + size_of(evaluated.glb) + size_of(evaluated.preview));
-    parts.add("report", report_type, report);
-    if (evaluated.glb != nullptr) parts.add("model", model_type, *evaluated.glb, file);
-    if (evaluated.preview != nullptr) parts.add("preview", model_type, *evaluated.preview, file_name("preview"));
-    std::move(parts).finish(reply);
-  } else {
-    reply.body = evaluated.glb != nullptr ? *evaluated.glb : *evaluated.preview;
-    reply.headers.emplace_back("Content-Disposition", "inline; filename=\"" + file + "\"");
-  }
+/// A request that was read and checked.
+struct KnownRequest {
+  SharedPrepared prepared;
+  std::string file_name;
+  std::optional<std::int64_t> deadline_milliseconds;
+};
+
+/// One tag for the result in all its forms that holds no times: it is strong for the model. What a report tells has a
+/// tag of its own, which is weak, since its bytes differ from one answer to the next.
+std::string tag_for(std::string_view type, const Prepared& prepared) {
+  return type == model_type ? prepared.model_tag : "W/" + prepared.report_tag;
 }
 
-/// Reads and checks a request, unless the very same bytes were read and checked before. Else the answer that says why
-/// not.
-std::variant<std::shared_ptr<const KnownRequest>, Reply> read_request(Call& call) {
-  const std::string key = call.header("Content-Type") + "\n" + call.request.body;
-  if (auto known = call.application.known.find(key)) return known;
-  auto json = read_json(call);
-  if (!json) return problem_reply(json.problems(), call.exchange);
+Reply evaluated_reply(const Context& context, std::string_view type, const KnownRequest& request,
+                      const Computed& computed) {
+  const Prepared& prepared = *request.prepared;
+  for (const auto& [step, took] : computed.milliseconds) context.call->note_time(step, took);
+  Reply reply{.type = std::string(type),
+              .headers = {{"ETag", tag_for(type, prepared)}, {"Cache-Control", "no-cache"}, {"Vary", "Accept"}}};
+  const std::string file = computed.model != nullptr ? request.file_name : file_name("preview");
+  if (type == model_type) {
+    reply.body = {computed.model != nullptr ? computed.model->bytes : computed.preview->bytes};
+    reply.headers.emplace_back("Content-Disposition", "inline; filename=\"" + file + "\"");
+    return reply;
+  }
+  SharedBytes report = share(dump(context.engine().report(prepared, computed)));
+  if (type == report_type) {
+    reply.body = {std::move(report)};
+    return reply;
+  }
+  Multipart parts(prepared.report_tag);
+  parts.add("report", report_type, std::move(report));
+  if (computed.model != nullptr) parts.add("model", model_type, computed.model->bytes, file);
+  if (computed.preview != nullptr) parts.add("preview", model_type, computed.preview->bytes, file_name("preview"));
+  std::move(parts).finish(reply);
+  return reply;
+}
+
+/// Reads and checks a request, unless the very same bytes were read and checked before. Null when it has been answered
+/// that it is wrong.
+std::shared_ptr<const KnownRequest> read_request(const Context& context) {
+  const Request& request = context.request();
+  const Digest digest =
+      DigestBuilder().text("request").text(request.header("Content-Type")).text(request.body).finish();
+  if (auto known = context.application.known.find<KnownRequest>(digest)) return known;
+  const auto refuse = [&](const Reply& reply) {
+    context.call->reply(reply);
+    return nullptr;
+  };
+  auto json = read_json(context);
+  if (!json) return refuse(problem_reply(json.problems(), context.exchange()));
   RequestBody body(*std::move(json),
                    {"graph", "parameters", "output", "preview", "quality", "triangle_budget", "deadline_ms"});
-  KnownRequest read;
-  const EvaluateRequest request{
+  const EvaluateRequest asked{
       .graph = body.object("graph", true),
       .parameters = body.object("parameters", false),
       .output = body.text("output", false),
       .quality = body.choice("quality", {"final", "draft"}) == "draft" ? Quality::draft : Quality::final,
       .triangle_budget = body.integer("triangle_budget"),
       .preview = body.texts("preview")};
-  read.deadline_milliseconds = body.positive_integer("deadline_ms");
-  read.output = request.output;
-  if (!body.problems().empty()) return problem_reply(body.problems(), call.exchange);
-  auto prepared = call.engine().prepare(request);
-  if (!prepared) return problem_reply(prepared.problems(), call.exchange, call.engine().blocked(request));
-  read.prepared = *std::move(prepared);
-  return call.application.known.insert(key, std::move(read));
+  auto read = std::make_shared<KnownRequest>();
+  read->file_name = file_name(asked.output);
+  read->deadline_milliseconds = body.positive_integer("deadline_ms");
+  if (!body.well()) return refuse(problem_reply(std::move(body).problems(), context.exchange()));
+  const Cancel cancel(deadline_of(context, read->deadline_milliseconds));
+  auto prepared = context.engine().prepare(asked, cancel);
+  if (!prepared) {
+    return refuse(problem_reply(prepared.problems(), context.exchange(), context.engine().blocked(asked, cancel)));
+  }
+  read->prepared = *std::move(prepared);
+  context.application.known.insert<KnownRequest>(digest, read, read->prepared->held);
+  return read;
+}
+
+/// Whether a client has what it asks for. On anything but a GET `*` would mean "only if there is nothing yet", which
+/// says nothing about a result.
+bool is_known_to_client(const Context& context, std::string_view type, const Prepared& prepared) {
+  const std::string_view known = context.request().header("If-None-Match");
+  return trim(known) != "*" && names_tag(known, type == model_type ? prepared.model_tag : prepared.report_tag);
 }
 
 }  // namespace
 
-Reply evaluate(Call& call) {
-  const auto type = choose_type(call.header("Accept"), offers);
+void evaluate(const Context& context) {
+  const auto type = choose_type(context.request().header("Accept"), offers);
   if (!type) {
-    return problem_reply(
-        Problem{.code = "not-acceptable",
-                .detail = "Available are model/gltf-binary, application/json and multipart/form-data."},
-        call.exchange);
+    return reply_problems(context,
+                          {{.code = "not-acceptable",
+                            .detail = "Available are model/gltf-binary, application/json and multipart/form-data."}});
   }
-  auto read = read_request(call);
-  if (auto* refused = std::get_if<Reply>(&read)) return std::move(*refused);
-  const KnownRequest& request = *std::get<0>(read);
-  const Prepared& prepared = *request.prepared;
-  Computation computation(call, request.deadline_milliseconds);
-  const std::string& tag = Engine::entity_tag(prepared);
-  // One tag for the result in all its forms; clients keep it and ask again, so an unchanged graph costs nothing. It is
-  // strong for the model only: reports hold times, so their bytes differ from one answer to the next.
-  const std::string shown = *type == model_type ? tag : "W/" + tag;
-  Reply reply{.headers = {{"ETag", shown}, {"Cache-Control", "no-cache"}, {"Vary", "Accept"}}};
-  if (names_tag(call.header("If-None-Match"), tag)) {
-    reply.status = 304;
-    return reply;
+  const auto request = read_request(context);
+  if (request == nullptr) return take_over(context);  // a wrong request is newer all the same
+  const SharedPrepared prepared = request->prepared;
+  if (is_known_to_client(context, *type, *prepared)) {
+    take_over(context);
+    return context.call->reply(
+        {.status = 304,
+         .headers = {{"ETag", tag_for(*type, *prepared)}, {"Cache-Control", "no-cache"}, {"Vary", "Accept"}}});
   }
-
-  const auto evaluated = [&]() -> Result<Evaluated> {
-    const auto pass = computation.enter();
-    if (!pass) return pass.problems();
-    return call.engine().evaluate(prepared, computation.cancel());
-  }();
-  if (!evaluated) return problem_reply(evaluated.problems(), call.exchange);
-  for (const auto& [step, took] : evaluated->milliseconds) call.exchange.timings.emplace_back(step, took);
-  set_content(reply, *type, *evaluated, tag, request.output);
-  return reply;
+  // What is known waits for nobody.
+  if (const SharedComputed known = context.engine().find(*prepared, *type != model_type)) {
+    take_over(context);
+    return context.call->reply(evaluated_reply(context, *type, *request, *known));
+  }
+  compute<Computed>(
+      context,
+      {.key = prepared->content,
+       .bytes = prepared->bytes,
+       .deadline = deadline_of(context, request->deadline_milliseconds)},
+      [&engine = context.engine(), prepared](const Cancel& cancel) { return engine.compute(*prepared, cancel); },
+      [context, request, type = *type](const SharedComputed& computed) {
+        return evaluated_reply(context, type, *request, *computed);
+      });
 }
 
 }  // namespace dini::server

@@ -14,9 +14,10 @@ Problem bad_example(const std::filesystem::path& path, const std::string& why) {
 
 /// The first thing that is wrong with a document, in words; empty when nothing is.
 std::string first_error(const Engine& engine, const Json& graph) {
-  const Json verdict = engine.validate(graph, Json::object());
-  if (verdict.value("valid", false)) return {};
-  const Json errors = verdict.value("errors", Json::array());
+  const Result<Json> verdict = engine.validate(graph, Json::object(), {});
+  if (!verdict) return verdict.problems().front().detail;
+  if (verdict->value("valid", false)) return {};
+  const Json errors = verdict->value("errors", Json::array());
   return errors.empty() ? "the graph is not valid" : errors.front().value("detail", "the graph is not valid");
 }
 
@@ -43,7 +44,7 @@ Problems load_assets(const std::filesystem::path& folder, const Engine& engine) 
     const std::filesystem::path& path = entry->path();
     auto bytes = read_file(path);
     if (!bytes) return bytes.problems();
-    const auto added = engine.add_asset(*bytes, path.filename().string());
+    const auto added = engine.add_asset(*bytes, path.filename().string(), {});
     if (!added) return {bad_example(path, added.problems().front().detail)};
   }
   if (error) return {bad_example(folder, error.message())};
@@ -71,8 +72,7 @@ Result<Examples> Examples::load(const std::filesystem::path& folder, const Engin
     if (pictures.empty() || !std::filesystem::is_regular_file(picture, missing)) continue;
     auto png = read_file(picture);
     if (!png) return png.problems();
-    std::string tag = "\"" + content_hash(*png) + "\"";
-    examples.pictures_.emplace(picture_name(id), Picture{*std::move(png), std::move(tag)});
+    examples.pictures_.emplace(picture_name(id), static_answer(*std::move(png)));
   }
   if (error) return bad_example(folder, error.message());
   return examples;
@@ -97,7 +97,7 @@ const Examples::OrderedJson* Examples::find(std::string_view id) const {
   return found != graphs_.end() ? &found->second : nullptr;
 }
 
-const Examples::Picture* Examples::picture(std::string_view name) const {
+const StaticAnswer* Examples::picture(std::string_view name) const {
   const auto found = pictures_.find(name);
   return found != pictures_.end() ? &found->second : nullptr;
 }

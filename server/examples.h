@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "server/static_answer.h"
 #include "service/engine.h"
 
 namespace dini::server {
@@ -22,11 +23,6 @@ class Examples {
   /// No examples.
   Examples() = default;
 
-  struct Picture {
-    std::string png;
-    std::string tag;
-  };
-
   /// Every `<id>.json` of a folder, after the mesh files in its folder `assets`. The picture of each is `<id>.png` in
   /// its folder `images`, as installed, or in `docs/images/examples` beside the folder, as in the source tree; an
   /// example without one is shown without. Problems name the file.
@@ -40,11 +36,11 @@ class Examples {
   const OrderedJson* find(std::string_view id) const;
 
   /// The picture of the given file name, `<id>.png`, or nothing. Held in memory: no request reaches the file system.
-  const Picture* picture(std::string_view name) const;
+  const StaticAnswer* picture(std::string_view name) const;
 
  private:
   std::map<std::string, OrderedJson, std::less<>> graphs_;
-  std::map<std::string, Picture, std::less<>> pictures_;  ///< by file name
+  std::map<std::string, StaticAnswer, std::less<>> pictures_;  ///< by file name
 };
 
 }  // namespace dini::server

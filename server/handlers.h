@@ -1,35 +1,32 @@
 #pragma once
 
-#include "server/routes.h"
+#include "server/application.h"
 
 namespace dini::server {
 
 /// GET /healthz: the process answers.
-Reply health(Call& call);
+Reply health(const Context& context);
 /// GET /version: the engine and every limit by name.
-Reply version(Call& call);
+Reply version(const Context& context);
 /// GET /v1/nodes: the catalogue.
-Reply nodes(Call& call);
+Reply nodes(const Context& context);
 /// GET /v1/examples and /v1/examples/{id}.
-Reply example_list(Call& call);
-Reply example(Call& call);
+Reply example_list(const Context& context);
+Reply example(const Context& context);
 /// GET /images/examples/{name}: the picture of an example.
-Reply example_picture(Call& call);
+Reply example_picture(const Context& context);
 /// POST /v1/validate: everything that is wrong, without evaluating.
-Reply validate(Call& call);
+Reply validate(const Context& context);
 /// POST /v1/inspect: the value on one wire.
-Reply inspect(Call& call);
+void inspect(const Context& context);
 /// POST /v1/evaluate: the model, the report, or both.
-Reply evaluate(Call& call);
+void evaluate(const Context& context);
 /// POST /v1/assets: a mesh file for `import`.
-Reply add_asset(Call& call);
+void add_asset(const Context& context);
 /// GET anything else: a file of the page.
-Reply page_file(Call& call);
+Reply page_file(const Context& context);
 
 /// A body from outside as JSON; the media type must say so, which also keeps foreign web forms out.
-Result<Json> read_json(const Call& call);
-
-/// A JSON answer that clients may keep but must ask about; 304 when they have it.
-Reply tagged_json(const Call& call, const std::string& body, const std::string& tag);
+Result<Json> read_json(const Context& context);
 
 }  // namespace dini::server

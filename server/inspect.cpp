@@ -1,29 +1,30 @@
-#include "server/computation.h"
+#include "server/computing.h"
 #include "server/handlers.h"
 #include "server/request_body.h"
 #include "server/responses.h"
 
 namespace dini::server {
 
-Reply inspect(Call& call) {
-  auto json = read_json(call);
-  if (!json) return problem_reply(json.problems(), call.exchange);
+void inspect(const Context& context) {
+  auto json = read_json(context);
+  if (!json) return reply_problems(context, json.problems());
   RequestBody body(*std::move(json), {"graph", "parameters", "node", "output", "full", "deadline_ms"});
-  const InspectRequest request{.graph = body.object("graph", true),
-                               .parameters = body.object("parameters", false),
-                               .node = body.text("node", true),
-                               .output = body.text("output", false),
-                               .full = body.boolean("full")};
-  Computation computation(call, body.positive_integer("deadline_ms"));
-  if (!body.problems().empty()) return problem_reply(body.problems(), call.exchange);
+  const auto request =
+      std::make_shared<const InspectRequest>(InspectRequest{.graph = body.object("graph", true),
+                                                            .parameters = body.object("parameters", false),
+                                                            .node = body.text("node", true),
+                                                            .output = body.text("output", false),
+                                                            .full = body.boolean("full")});
+  const auto deadline = deadline_of(context, body.positive_integer("deadline_ms"));
+  if (!body.well()) return reply_problems(context, std::move(body).problems());
 
-  const auto pass = computation.enter();
-  if (!pass) return problem_reply(pass.problems(), call.exchange);
-  const auto value = call.engine().inspect(request, computation.cancel());
-  if (!value) return problem_reply(value.problems(), call.exchange);
-  Reply reply = json_reply(*value);
-  reply.headers.emplace_back("Cache-Control", "no-store");
-  return reply;
+  const Digest key = DigestBuilder().text("inspect").text(context.request().body).finish();
+  compute<std::string>(
+      context, {.key = key, .deadline = deadline},
+      [&engine = context.engine(), request](const Cancel& cancel) { return engine.inspect(*request, cancel); },
+      [](const SharedBytes& text) {
+        return Reply{.type = "application/json", .body = {text}, .headers = {{"Cache-Control", "no-store"}}};
+      });
 }
 
 }  // namespace dini::server

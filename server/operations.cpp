@@ -5,12 +5,12 @@
 
 namespace dini::server {
 
-Reply health(Call&) { return json_reply({{"status", "ok"}}); }
+Reply health(const Context&) { return json_reply({{"status", "ok"}}); }
 
-Reply version(Call& call) {
-  const Limits& limits = call.engine().limits();
-  const Settings& settings = call.application.settings;
-  return json_reply({{"engine", call.engine().catalogue().value("engine", "")},
+Reply version(const Context& context) {
+  const Limits& limits = context.engine().limits();
+  const Settings& settings = context.application.settings;
+  return json_reply({{"engine", context.engine().catalogue().value("engine", "")},
                      {"limits",
                       {{"body_bytes", limits.body_bytes},
                        {"json_depth", limits.json_depth},
@@ -31,70 +31,49 @@ Reply version(Call& call) {
                        {"asset_vertices", limits.asset_vertices},
                        {"asset_triangles", limits.asset_triangles},
                        {"asset_store_bytes", limits.asset_store_bytes},
-                       {"large_bodies", settings.large_bodies},
+                       {"incoming_bytes", settings.incoming_bytes},
+                       {"unsent_bytes", settings.unsent_bytes},
                        {"head_bytes", settings.head_bytes},
                        {"line_bytes", settings.line_bytes},
                        {"header_count", settings.header_count},
-                       {"connection_threads", settings.connection_threads},
+                       {"connections", settings.connections},
+                       {"known_bytes", settings.known_bytes},
                        {"head_milliseconds", settings.head_deadline.count()},
                        {"body_milliseconds", settings.body_deadline.count()},
                        {"idle_milliseconds", settings.idle_deadline.count()},
-                       {"write_milliseconds", settings.write_deadline.count()}}}});
+                       {"write_milliseconds", settings.write_deadline.count()},
+                       {"write_rate", settings.write_rate}}}});
 }
 
-Reply nodes(Call& call) {
-  const std::string body = dump(call.engine().catalogue());
-  return tagged_json(call, body, "\"" + content_hash(body) + "\"");
+Reply nodes(const Context& context) {
+  return static_reply(context.request(), context.application.catalogue, "application/json");
 }
 
-Reply example_list(Call& call) {
-  const std::string body = call.application.examples.list().dump();
-  return tagged_json(call, body, "\"" + content_hash(body) + "\"");
+Reply example_list(const Context& context) {
+  return static_reply(context.request(), context.application.example_list, "application/json");
 }
 
-Reply example(Call& call) {
-  const auto* graph = call.application.examples.find(call.argument);
+Reply example(const Context& context) {
+  const auto* graph = context.application.examples.find(context.arguments.front());
   if (graph == nullptr) {
     return problem_reply(
         Problem{.code = "not-found", .detail = "There is no example of that name; GET /v1/examples lists them."},
-        call.exchange);
+        context.exchange());
   }
-  const std::string body = graph->dump();
-  return tagged_json(call, body, "\"" + content_hash(body) + "\"");
+  return static_reply(context.request(), static_answer(graph->dump()), "application/json");
 }
 
-Reply example_picture(Call& call) {
-  const Examples::Picture* picture = call.application.examples.picture(call.argument);
-  if (picture == nullptr) return page_file(call);
-  Reply reply;
-  reply.headers = {{"ETag", picture->tag}, {"Cache-Control", "no-cache"}};
-  if (names_tag(call.header("If-None-Match"), picture->tag)) {
-    reply.status = 304;
-  } else {
-    reply.type = "image/png";
-    reply.body = picture->png;
-  }
-  return reply;
+Reply example_picture(const Context& context) {
+  const StaticAnswer* picture = context.application.examples.picture(context.arguments.front());
+  return picture == nullptr ? page_file(context) : static_reply(context.request(), *picture, "image/png");
 }
 
-Reply tagged_json(const Call& call, const std::string& body, const std::string& tag) {
-  Reply reply;
-  reply.headers = {{"ETag", tag}, {"Cache-Control", "no-cache"}};
-  if (names_tag(call.header("If-None-Match"), tag)) {
-    reply.status = 304;
-  } else {
-    reply.type = "application/json";
-    reply.body = body;
-  }
-  return reply;
-}
-
-Result<Json> read_json(const Call& call) {
-  const std::string type = call.header("Content-Type");
-  if (!equal_ignoring_case(trim(std::string_view(type).substr(0, type.find(';'))), "application/json")) {
+Result<Json> read_json(const Context& context) {
+  const std::string_view type = context.request().header("Content-Type");
+  if (!equal_ignoring_case(trim(type.substr(0, type.find(';'))), "application/json")) {
     return Problem{.code = "unsupported-media-type", .detail = "Send the body as application/json."};
   }
-  return parse_json(call.request.body, call.engine().limits());
+  return parse_json(context.request().body, context.engine().limits());
 }
 
 }  // namespace dini::server

@@ -76,12 +76,12 @@ Result<Page> Page::load(const std::filesystem::path& folder) {
     if (!bytes) return bytes.problems();
     const std::string url = "/" + path.lexically_relative(folder).generic_string();
     File& file = page.files_[url];
-    file = {.bytes = *std::move(bytes),
-            .gzip = {},
+    file = {.bytes = share(*std::move(bytes)),
+            .gzip = nullptr,
             .type = std::string(media_type(url)),
             .tag = {},
             .immutable = carries_hash(url)};
-    file.tag = "\"" + content_hash(file.bytes) + "\"";
+    file.tag = "\"" + content_hash(*file.bytes) + "\"";
   }
   if (error) return cannot_serve(folder, error.message());
   for (auto& [url, file] : page.files_) {

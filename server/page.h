@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "graph/problem.h"
+#include "service/file.h"
 
 namespace dini::server {
 
@@ -14,8 +15,8 @@ namespace dini::server {
 class Page {
  public:
   struct File {
-    std::string bytes;
-    std::string gzip;  ///< the neighbor `name.gz`; empty without one
+    SharedBytes bytes;
+    SharedBytes gzip;  ///< the neighbor `name.gz`; null without one
     std::string type;
     std::string tag;
     bool immutable = false;  ///< the name carries a hash of the content

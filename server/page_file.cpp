@@ -4,23 +4,23 @@
 
 namespace dini::server {
 
-Reply page_file(Call& call) {
-  const Page::File* file = call.application.page.find(call.request.path);
+Reply page_file(const Context& context) {
+  const Page::File* file = context.application.page.find(context.request().path);
   if (file == nullptr) {
-    return problem_reply(Problem{.code = "not-found", .detail = "There is no such address."}, call.exchange);
+    return problem_reply(Problem{.code = "not-found", .detail = "There is no such address."}, context.exchange());
   }
   Reply reply;
   reply.headers = {{"ETag", file->tag},
                    {"Cache-Control", file->immutable ? "public, max-age=31536000, immutable" : "no-cache"},
                    {"Vary", "Accept-Encoding"}};
-  if (names_tag(call.header("If-None-Match"), file->tag)) {
+  if (names_tag(context.request().header("If-None-Match"), file->tag)) {
     reply.status = 304;
     return reply;
   }
   reply.type = file->type;
-  const bool packed = call.exchange.accepts_gzip && !file->gzip.empty();
+  const bool packed = context.exchange().accepts_gzip && file->gzip != nullptr;
   if (packed) reply.headers.emplace_back("Content-Encoding", "gzip");
-  reply.body = packed ? file->gzip : file->bytes;
+  reply.body = {packed ? file->gzip : file->bytes};
   return reply;
 }
 

@@ -2,30 +2,35 @@
 
 #include <chrono>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "service/file.h"
+
 namespace dini::server {
 
-/// An answer before it is put on the wire.
+/// An answer before it is put on the wire. Its body is in pieces that may be shared with other answers: none is copied.
 struct Reply {
   int status = 200;
   std::string type = {};  ///< media type; empty without a body
-  std::string body = {};
+  std::vector<SharedBytes> body = {};
   std::vector<std::pair<std::string, std::string>> headers = {};
+  std::vector<std::pair<std::string, double>> timings = {};  ///< name and milliseconds, for Server-Timing
+
+  std::size_t size() const {
+    std::size_t total = 0;
+    for (const SharedBytes& piece : body) total += piece->size();
+    return total;
+  }
 };
 
 /// What is known about the request being answered besides its text.
 struct Exchange {
   using Clock = std::chrono::steady_clock;
 
-  int socket = -1;
-  std::string id;  ///< names the request in the answer and in the log
-  Clock::time_point started = Clock::now();
+  std::string id;                            ///< names the request in the answer and in the log
+  Clock::time_point started = Clock::now();  ///< when its first byte came
   bool accepts_gzip = false;
-  int status = 0;                                       ///< of the answer, once there is one
-  std::vector<std::pair<std::string, double>> timings;  ///< name and milliseconds, for Server-Timing
 
   double milliseconds() const { return std::chrono::duration<double, std::milli>(Clock::now() - started).count(); }
 };

@@ -1,7 +1,7 @@
 #include "server/request_body.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 #include "graph/nearest.h"
 #include "server/text.h"
@@ -26,18 +26,19 @@ std::string quoted_list(std::initializer_list<std::string_view> names) {
 
 RequestBody::RequestBody(Json body, std::initializer_list<std::string_view> known) : body_(std::move(body)) {
   if (!body_.is_object()) {
-    problems_.push_back(
-        {.code = "type-mismatch", .detail = "The body must be an object with " + quoted_list(known) + "."});
+    problems_.add(
+        Problem{.code = "type-mismatch", .detail = "The body must be an object with " + quoted_list(known) + "."});
     body_ = Json::object();
     return;
   }
   for (const auto& [name, value] : body_.items()) {
     if (std::ranges::find(known, name) != known.end()) continue;
-    const std::string shown = cut(name, 64);
-    problems_.push_back(
-        {.code = "unknown-member",
-         .detail = "There is no member '" + shown + "'" + did_you_mean(shown, {known.begin(), known.end()}),
-         .pointer = pointer_to(shown)});
+    problems_.add([&, &unknown = name] {
+      const std::string shown = cut(unknown, 64);
+      return Problem{.code = "unknown-member",
+                     .detail = "There is no member '" + shown + "'" + did_you_mean(shown, {known.begin(), known.end()}),
+                     .pointer = pointer_to(shown)};
+    });
   }
 }
 
@@ -60,9 +61,9 @@ std::string RequestBody::choice(std::string_view name, std::initializer_list<std
   if (find(name, false) == nullptr) return std::string(*choices.begin());
   std::string value = text(name, false);
   if (body_.at(std::string(name)).is_string() && std::ranges::find(choices, value) == choices.end()) {
-    problems_.push_back({.code = "not-in-choices",
-                         .detail = "'" + cut(value, 64) + "' is none of " + quoted_list(choices) + ".",
-                         .pointer = pointer_to(name)});
+    problems_.add(Problem{.code = "not-in-choices",
+                          .detail = "'" + cut(value, 64) + "' is none of " + quoted_list(choices) + ".",
+                          .pointer = pointer_to(name)});
   }
   return value;
 }
@@ -75,34 +76,26 @@ bool RequestBody::boolean(std::string_view name) {
   return false;
 }
 
-std::optional<std::int64_t> RequestBody::positive_integer(std::string_view name) {
-  const Json* value = find(name, false);
-  if (value == nullptr) return std::nullopt;
-  if (!value->is_number_integer()) {
-    wrong_type(name, "a whole number");
-    return std::nullopt;
-  }
-  constexpr auto largest = std::numeric_limits<std::int64_t>::max();
-  const bool positive = value->is_number_unsigned() && value->get<std::uint64_t>() > 0;
-  if (!positive || value->get<std::uint64_t>() > static_cast<std::uint64_t>(largest)) {
-    problems_.push_back({.code = "out-of-range",
-                         .detail = "'" + std::string(name) + "' must be at least 1.",
-                         .pointer = pointer_to(name)});
-    return std::nullopt;
-  }
-  return static_cast<std::int64_t>(value->get<std::uint64_t>());
-}
-
 std::optional<std::int64_t> RequestBody::integer(std::string_view name) {
   const Json* value = find(name, false);
   if (value == nullptr) return std::nullopt;
-  constexpr auto largest = std::numeric_limits<std::int64_t>::max();
-  if (!value->is_number_integer()) {
+  const double number = value->is_number() ? value->get<double>() : 0.5;
+  if (number != std::floor(number)) {
     wrong_type(name, "a whole number");
     return std::nullopt;
   }
-  if (value->is_number_unsigned() && value->get<std::uint64_t>() > static_cast<std::uint64_t>(largest)) return largest;
-  return value->get<std::int64_t>();
+  // What lies beyond is out of any range as well.
+  constexpr double largest = 9007199254740992;
+  return static_cast<std::int64_t>(std::clamp(number, -largest, largest));
+}
+
+std::optional<std::int64_t> RequestBody::positive_integer(std::string_view name) {
+  const std::optional<std::int64_t> value = integer(name);
+  if (!value || *value >= 1) return value;
+  problems_.add(Problem{.code = "out-of-range",
+                        .detail = "'" + std::string(name) + "' must be at least 1.",
+                        .pointer = pointer_to(name)});
+  return std::nullopt;
 }
 
 std::vector<std::string> RequestBody::texts(std::string_view name) {
@@ -119,17 +112,17 @@ const Json* RequestBody::find(std::string_view name, bool required) {
   const auto found = body_.find(std::string(name));
   if (found != body_.end()) return &*found;
   if (required) {
-    problems_.push_back({.code = "required-input-missing",
-                         .detail = "The body needs a member '" + std::string(name) + "'.",
-                         .pointer = pointer_to(name)});
+    problems_.add(Problem{.code = "required-input-missing",
+                          .detail = "The body needs a member '" + std::string(name) + "'.",
+                          .pointer = pointer_to(name)});
   }
   return nullptr;
 }
 
 void RequestBody::wrong_type(std::string_view name, std::string_view expected) {
-  problems_.push_back({.code = "type-mismatch",
-                       .detail = "'" + std::string(name) + "' must be " + std::string(expected) + ".",
-                       .pointer = pointer_to(name)});
+  problems_.add(Problem{.code = "type-mismatch",
+                        .detail = "'" + std::string(name) + "' must be " + std::string(expected) + ".",
+                        .pointer = pointer_to(name)});
 }
 
 }  // namespace dini::server

@@ -27,14 +27,16 @@ class RequestBody {
   /// A list of texts; empty when it is missing.
   std::vector<std::string> texts(std::string_view name);
 
-  const Problems& problems() const { return problems_; }
+  /// Whether nothing was wrong with what was asked for so far.
+  bool well() const { return problems_.empty(); }
+  Problems problems() && { return std::move(problems_).take(); }
 
  private:
   const Json* find(std::string_view name, bool required);
   void wrong_type(std::string_view name, std::string_view expected);
 
   Json body_;
-  Problems problems_;
+  ProblemCollector problems_;
 };
 
 }  // namespace dini::server

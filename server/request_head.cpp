@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 
+#include "server/addresses.h"
 #include "server/text.h"
 
 namespace dini::server {
@@ -40,13 +41,21 @@ std::optional<char> percent_decoded(std::string_view text) {
   return static_cast<char>(value);
 }
 
-/// Controls hidden behind percent signs: whoever decodes the value later must not meet a line end or a NUL.
+/// Controls hidden behind percent signs: whoever decodes an address must not meet a line end or a NUL.
 bool hides_control(std::string_view text) {
   for (auto sign = text.find('%'); sign != std::string_view::npos; sign = text.find('%', sign + 1)) {
     const auto decoded = percent_decoded(text.substr(sign));
     if (decoded && is_control(*decoded)) return true;
   }
   return false;
+}
+
+/// Nothing here decodes headers. But a whole line end or a NUL behind percent signs is there only to forge a line in
+/// whatever decodes it later; unless it is in what a browser sends along of other programs and pages.
+bool hides_line_end(std::string_view name, std::string_view value) {
+  if (equal_ignoring_case(name, "Cookie") || equal_ignoring_case(name, "Referer")) return false;
+  const std::string lower = to_lower(value);
+  return lower.find("%0d%0a") != std::string::npos || lower.find("%00") != std::string::npos;
 }
 
 bool is_target(std::string_view target) {
@@ -70,27 +79,57 @@ std::optional<Problem> read_request_line(std::string_view line, const Settings& 
   if (first == std::string_view::npos || first == last) {
     return bad_request("The request line must be a method, a target and a version.");
   }
-  head.method = line.substr(0, first);
+  head.request.method = line.substr(0, first);
   head.target = line.substr(first + 1, last - first - 1);
-  head.version = line.substr(last + 1);
-  if (!is_token(head.method)) return bad_request("The method is not a token.");
-  if (head.version != "HTTP/1.1" && head.version != "HTTP/1.0") {
-    if (head.version.starts_with("HTTP/")) {
+  const std::string_view version = line.substr(last + 1);
+  if (!is_token(head.request.method)) return bad_request("The method is not a token.");
+  if (version != "HTTP/1.1" && version != "HTTP/1.0") {
+    if (version.starts_with("HTTP/")) {
       return Problem{.code = "http-version", .detail = "Only HTTP/1.1 and HTTP/1.0 are spoken here."};
     }
     return bad_request("The request line must end with the HTTP version.");
   }
-  if (!is_method(head.method)) return Problem{.code = "method-not-allowed", .detail = "This method is not known here."};
-  if (head.target != "*" && !head.target.starts_with('/')) return bad_request("The target must be a path.");
-  if (!is_target(head.target)) {
+  head.is_old = version == "HTTP/1.0";
+  if (!is_method(head.request.method)) {
+    return Problem{.code = "method-not-allowed", .detail = "This method is not known here."};
+  }
+  return std::nullopt;
+}
+
+/// Takes the target apart. One with a scheme and a host, as for a proxy, means its own host and not that of the header
+/// (RFC 9112, 3.2.2).
+std::optional<Problem> read_target(RequestHead& head) {
+  std::string_view target = head.target;
+  for (const std::string_view scheme : {"http://", "https://"}) {
+    if (!equal_ignoring_case(target.substr(0, scheme.size()), scheme)) continue;
+    target.remove_prefix(scheme.size());
+    const std::string_view host = target.substr(0, target.find_first_of("/?"));
+    if (host.empty() || host.find('@') != std::string_view::npos) return bad_request("The target names no host.");
+    target.remove_prefix(host.size());
+    const auto hosts = std::erase_if(head.request.headers,
+                                     [](const auto& header) { return equal_ignoring_case(header.first, "Host"); });
+    if (hosts > 1) return bad_request("Exactly one Host header is needed.");
+    head.request.headers.emplace_back("Host", host);
+    break;
+  }
+  const bool of_server = target == "*" && head.request.method == "OPTIONS";
+  if (target.empty() || target.starts_with('?')) {
+    head.request.path = "/";
+  } else if (!target.starts_with('/') && !of_server) {
+    return bad_request("The target must be a path.");
+  }
+  if (!is_target(target)) {
     return bad_request("The target holds a control character, a space, '#' or a byte that should be percent-encoded.");
   }
+  const auto question = target.find('?');
+  if (head.request.path.empty()) head.request.path = decoded_path(target.substr(0, question));
+  if (question != std::string_view::npos) head.request.query = target.substr(question + 1);
   return std::nullopt;
 }
 
 /// Takes "name: value" apart; no spaces before the colon, no folded lines, no controls.
 std::optional<Problem> read_header_line(std::string_view line, const Settings& settings, RequestHead& head) {
-  if (line.size() > settings.line_bytes || head.headers.size() >= settings.header_count) {
+  if (line.size() > settings.line_bytes || head.request.headers.size() >= settings.header_count) {
     return Problem{.code = "headers-too-large",
                    .detail = "At most " + std::to_string(settings.header_count) + " headers of " +
                              std::to_string(settings.line_bytes) + " bytes each are accepted."};
@@ -100,35 +139,31 @@ std::optional<Problem> read_header_line(std::string_view line, const Settings& s
     return bad_request("A header is not of the form 'Name: value'.");
   }
   const std::string_view value = trim(line.substr(colon + 1));
-  if (std::ranges::any_of(value, [](char c) { return is_control(c) && c != '\t'; }) || hides_control(value)) {
+  if (std::ranges::any_of(value, [](char c) { return is_control(c) && c != '\t'; }) ||
+      hides_line_end(line.substr(0, colon), value)) {
     return bad_request("A header value holds a control character.");
   }
-  head.headers.emplace_back(line.substr(0, colon), value);
+  head.request.headers.emplace_back(line.substr(0, colon), value);
   return std::nullopt;
 }
 
-std::optional<Problem> read_length(std::string_view value, std::size_t limit, RequestHead& head) {
+std::optional<Problem> read_length(std::string_view value, RequestHead& head) {
   std::size_t length = 0;
   const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), length);
   const bool digits = !value.empty() && std::ranges::all_of(value, [](char c) { return c >= '0' && c <= '9'; });
   if (!digits) return bad_request("Content-Length must be a decimal number.");
   // A length past 64 bits is a lie rather than a large body.
   if (error != std::errc() || end != value.data() + value.size()) return bad_request("Content-Length is out of range.");
-  if (length > limit) {
-    return Problem{.code = "body-too-large",
-                   .detail = "The body has " + std::to_string(length) + " bytes; at most " + std::to_string(limit) +
-                             " are accepted."};
-  }
   head.content_length = length;
   return std::nullopt;
 }
 
 /// Takes out the headers that decide where the request ends, so that nobody after us decides differently.
-std::optional<Problem> read_framing(RequestHead& head, const BodyLimit& body_limit) {
+std::optional<Problem> read_framing(RequestHead& head) {
   std::optional<std::string> length;
   std::size_t hosts = 0;
-  std::vector<std::pair<std::string, std::string>> kept;
-  for (auto& [name, value] : head.headers) {
+  Request::Fields kept;
+  for (auto& [name, value] : head.request.headers) {
     const std::string lower = to_lower(name);
     if (lower == "transfer-encoding") {
       return Problem{.code = "length-required", .detail = "Chunked bodies are not accepted; send Content-Length."};
@@ -143,23 +178,26 @@ std::optional<Problem> read_framing(RequestHead& head, const BodyLimit& body_lim
       if (to_lower(value) != "100-continue") {
         return Problem{.code = "expectation-failed", .detail = "Only 'Expect: 100-continue' is understood."};
       }
-      head.expects_continue = true;
+      head.expects_continue = !head.is_old;
     } else if (lower == "connection") {
-      head.close = head.close || to_lower(value).find("close") != std::string::npos;
+      const std::string options = to_lower(value);
+      head.close = head.close || std::ranges::count(split(options, ','), std::string_view("close")) > 0;
     } else if (lower != "range" && lower != "if-range" && lower != "content-encoding") {
       hosts += lower == "host" ? 1 : 0;
       kept.emplace_back(std::move(name), std::move(value));
     }
   }
-  head.headers = std::move(kept);
-  head.close = head.close || head.version == "HTTP/1.0";
-  if (hosts != 1) return bad_request("Exactly one Host header is needed.");
+  head.request.headers = std::move(kept);
+  head.close = head.close || head.is_old;
+  // Before HTTP/1.1 there was no such header. No browser speaks that, so no page can be behind it.
+  if (hosts > 1 || (hosts == 0 && !head.is_old)) return bad_request("Exactly one Host header is needed.");
+  const std::string& method = head.request.method;
   if (length) {
-    if (auto problem = read_length(*length, body_limit(head.method, head.target), head)) return problem;
-    if (head.content_length > 0 && !may_have_body(head.method)) {
-      return bad_request("A " + head.method + " request must not have a body.");
+    if (auto problem = read_length(*length, head)) return problem;
+    if (head.content_length > 0 && !may_have_body(method)) {
+      return bad_request("A " + method + " request must not have a body.");
     }
-  } else if (may_have_body(head.method) && head.method != "DELETE") {
+  } else if (may_have_body(method) && method != "DELETE") {
     return Problem{.code = "length-required", .detail = "Send Content-Length with the body."};
   }
   return std::nullopt;
@@ -167,7 +205,7 @@ std::optional<Problem> read_framing(RequestHead& head, const BodyLimit& body_lim
 
 }  // namespace
 
-Result<RequestHead> parse_head(std::string_view bytes, const Settings& settings, const BodyLimit& body_limit) {
+Result<RequestHead> parse_head(std::string_view bytes, const Settings& settings) {
   RequestHead head;
   bool first = true;
   while (true) {
@@ -180,7 +218,8 @@ Result<RequestHead> parse_head(std::string_view bytes, const Settings& settings,
     if (problem) return *std::move(problem);
     first = false;
   }
-  if (auto problem = read_framing(head, body_limit)) return *std::move(problem);
+  if (auto problem = read_target(head)) return *std::move(problem);
+  if (auto problem = read_framing(head)) return *std::move(problem);
   return head;
 }
 
@@ -203,17 +242,6 @@ std::optional<Problem> check_unfinished_head(std::string_view bytes, const Setti
                              " bytes, or one of them than " + std::to_string(settings.line_bytes) + "."};
   }
   return std::nullopt;
-}
-
-std::string RequestHead::request_line() const {
-  std::string line = method + " ";
-  bool in_query = false;
-  for (const char c : target) {
-    // cpp-httplib refuses a second question mark, which is an ordinary character of a query.
-    c == '?' && in_query ? line += "%3F" : line += c;
-    in_query = in_query || c == '?';
-  }
-  return line + " " + version + "\r\n\r\n";
 }
 
 }  // namespace dini::server

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "server/text.h"
 #include "service/engine.h"
@@ -32,6 +31,7 @@ constexpr std::array code_statuses = {
     CodeStatus{"expectation-failed", 417},
     CodeStatus{"misdirected-request", 421},
     CodeStatus{"headers-too-large", 431},
+    CodeStatus{"canceled", 409},
     CodeStatus{"client-gone", 499},  // nobody reads it, but the log does
     CodeStatus{"internal", 500},
     CodeStatus{"busy", 503},
@@ -48,6 +48,9 @@ struct StatusTitle {
 };
 
 constexpr std::array status_titles = {
+    StatusTitle{200, "OK", ""},
+    StatusTitle{201, "Created", ""},
+    StatusTitle{304, "Not Modified", ""},
     StatusTitle{400, "Bad Request", "The request could not be read"},
     StatusTitle{401, "Unauthorized", "A token is needed"},
     StatusTitle{403, "Forbidden", "This page may not send requests here"},
@@ -76,23 +79,7 @@ const StatusTitle& title_of(int status) {
   return found != status_titles.end() ? *found : *std::ranges::find(status_titles, 500, &StatusTitle::status);
 }
 
-/// Draco's decoder is WebAssembly in a worker made from a blob; without these two permissions the page hangs silently.
-constexpr std::string_view content_security_policy =
-    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src blob:; style-src 'self'; "
-    "img-src 'self' data: blob:; connect-src 'self'; object-src 'none'; base-uri 'none'; frame-ancestors 'none'";
-
 constexpr std::size_t detail_bytes = 200;
-
-std::string server_timing(const Exchange& exchange) {
-  std::array<char, 64> number{};
-  std::string text;
-  for (const auto& [name, milliseconds] : exchange.timings) {
-    std::snprintf(number.data(), number.size(), ";dur=%.3f, ", milliseconds);
-    text += name + number.data();
-  }
-  std::snprintf(number.data(), number.size(), "total;dur=%.3f", exchange.milliseconds());
-  return text + number.data();
-}
 
 }  // namespace
 
@@ -126,26 +113,14 @@ Reply problem_reply(Problem problem, const Exchange& exchange) {
   return problem_reply(Problems{std::move(problem)}, exchange);
 }
 
-std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-Reply json_reply(const Json& json, int status) { return {status, "application/json", dump(json), {}}; }
-
-void add_common_headers(Reply& reply, const Exchange& exchange) {
-  reply.headers.emplace_back("X-Request-Id", exchange.id);
-  reply.headers.emplace_back("Server-Timing", server_timing(exchange));
-  reply.headers.emplace_back("Content-Security-Policy", content_security_policy);
-  reply.headers.emplace_back("X-Content-Type-Options", "nosniff");
-  reply.headers.emplace_back("Referrer-Policy", "no-referrer");
-  reply.headers.emplace_back("Cross-Origin-Opener-Policy", "same-origin");
-  reply.headers.emplace_back("Cross-Origin-Resource-Policy", "same-origin");
+Reply refusal(const Problem& problem, const Exchange& exchange) {
+  Reply reply = problem_reply(problem, exchange);
+  if (problem.code == "method-not-allowed") reply.headers.emplace_back("Allow", "GET, HEAD, POST");
+  return reply;
 }
 
-std::string closing_answer(const Reply& reply) {
-  std::string text = "HTTP/1.1 " + std::to_string(reply.status) + " " + std::string(reason_of(reply.status)) + "\r\n";
-  for (const auto& [name, value] : reply.headers) text.append(name).append(": ").append(value).append("\r\n");
-  text += "Content-Type: " + reply.type + "\r\nContent-Length: " + std::to_string(reply.body.size()) +
-          "\r\nConnection: close\r\n\r\n";
-  return text + reply.body;
+Reply json_reply(const Json& json, int status) {
+  return {.status = status, .type = "application/json", .body = {share(dump(json))}};
 }
 
 }  // namespace dini::server

@@ -2,7 +2,6 @@
 
 // How problems become answers. The only place that knows both the codes of problems and the statuses of HTTP.
 
-#include <string>
 #include <string_view>
 
 #include "graph/problem.h"
@@ -13,7 +12,7 @@ namespace dini::server {
 /// The status for a problem code; 422 for every code that speaks about a graph or its values.
 int status_of(std::string_view code);
 
-/// The reason phrase of every status that `status_of` gives.
+/// The reason phrase of every status that there is.
 std::string_view reason_of(int status);
 
 /// An RFC 9457 answer. The first problem decides status, type and detail; all of them are listed. `blocked` names the
@@ -21,15 +20,10 @@ std::string_view reason_of(int status);
 Reply problem_reply(const Problems& problems, const Exchange& exchange, const Json& blocked = Json::array());
 Reply problem_reply(Problem problem, const Exchange& exchange);
 
+/// The answer to a request that never reaches a handler.
+Reply refusal(const Problem& problem, const Exchange& exchange);
+
 /// A JSON answer. Bytes that are not UTF-8 are replaced, never thrown about.
 Reply json_reply(const Json& json, int status = 200);
-std::string dump(const Json& json);
-
-/// Adds what every answer carries: request id, timings, and the headers that keep a browser from doing anything
-/// unwanted.
-void add_common_headers(Reply& reply, const Exchange& exchange);
-
-/// The whole answer as bytes, closing the connection: for those given before cpp-httplib has a part in it.
-std::string closing_answer(const Reply& reply);
 
 }  // namespace dini::server

@@ -2,8 +2,8 @@
 
 #include <array>
 #include <new>
+#include <optional>
 #include <spdlog/spdlog.h>
-#include <string_view>
 
 #include "server/access.h"
 #include "server/handlers.h"
@@ -13,80 +13,126 @@
 namespace dini::server {
 namespace {
 
-struct Route {
-  std::string_view method;
-  std::string_view path;  ///< a last segment in braces stands for any one segment
-  Reply (*handler)(Call&);
-};
+std::size_t graph_body(const Limits& limits) { return limits.body_bytes; }
+std::size_t file_body(const Limits& limits) { return limits.asset_bytes; }
 
-constexpr std::array routes = {
+constexpr std::array all_routes = {
     Route{"GET", "/healthz", health},
     Route{"GET", "/version", version},
     Route{"GET", "/v1/nodes", nodes},
     Route{"GET", "/v1/examples", example_list},
     Route{"GET", "/v1/examples/{id}", example},
-    Route{"POST", "/v1/validate", validate},
-    Route{"POST", "/v1/inspect", inspect},
-    Route{"POST", "/v1/evaluate", evaluate},
+    Route{"POST", "/v1/validate", validate, graph_body},
+    Route{"POST", "/v1/inspect", inspect, graph_body},
+    Route{"POST", "/v1/evaluate", evaluate, graph_body},
     Route{"GET", "/images/examples/{name}", example_picture},
-    Route{"POST", "/v1/assets", add_asset},
+    Route{"POST", "/v1/assets", add_asset, file_body},
 };
 
-/// True when the path is the route's; `argument` gets what its braces stand for.
-bool matches(std::string_view pattern, std::string_view path, std::string& argument) {
-  const auto brace = pattern.find('{');
-  if (brace == std::string_view::npos) return pattern == path;
-  if (!path.starts_with(pattern.substr(0, brace))) return false;
-  const std::string_view rest = path.substr(brace);
-  if (rest.empty() || rest.find('/') != std::string_view::npos) return false;
-  argument = rest;
-  return true;
+bool reads(std::string_view method) { return method == "GET" || method == "HEAD"; }
+
+/// What the braces of a path stand for; nothing when an address is not the route's.
+std::optional<std::vector<std::string>> matched(std::string_view pattern, std::string_view path) {
+  std::vector<std::string> arguments;
+  const auto take_segment = [](std::string_view& rest) {
+    const auto end = rest.find('/', 1);
+    const std::string_view segment = rest.substr(0, end);
+    rest.remove_prefix(segment.size());
+    return segment;
+  };
+  while (!pattern.empty() && !path.empty()) {
+    const std::string_view wanted = take_segment(pattern), given = take_segment(path);
+    if (wanted.starts_with("/{") && given.size() > 1) {
+      arguments.emplace_back(given.substr(1));
+    } else if (wanted != given) {
+      return std::nullopt;
+    }
+  }
+  if (!pattern.empty() || !path.empty()) return std::nullopt;
+  return arguments;
 }
 
-Reply dispatch(Call& call) {
-  if (auto problem = check_access(call.request, call.application.settings)) {
-    return problem_reply(*std::move(problem), call.exchange);
+/// The route of a request, or the methods that its address takes; both empty for an address that is none.
+struct Found {
+  const Route* route = nullptr;
+  std::vector<std::string> arguments = {};
+  std::string allowed = {};
+};
+
+Found find_route(const Application& application, const Request& request) {
+  Found found;
+  for (const Route& route : all_routes) {
+    auto arguments = matched(route.path, request.path);
+    if (!arguments) continue;
+    if (route.method == request.method || (route.method == "GET" && request.method == "HEAD")) {
+      return {&route, *std::move(arguments), {}};
+    }
+    found.allowed +=
+        (found.allowed.empty() ? "" : ", ") + std::string(route.method == "GET" ? "GET, HEAD" : route.method);
   }
-  const bool reads = call.request.method == "GET" || call.request.method == "HEAD";
-  std::string allowed;
-  for (const Route& route : routes) {
-    if (!matches(route.path, call.request.path, call.argument)) continue;
-    if (route.method == call.request.method || (reads && route.method == "GET")) return route.handler(call);
-    allowed = route.method == "GET" ? "GET, HEAD" : route.method;
-  }
-  if (allowed.empty() && reads) return page_file(call);
-  if (allowed.empty() && call.application.page.find(call.request.path) != nullptr) allowed = "GET, HEAD";
-  if (allowed.empty()) {
-    return problem_reply(Problem{.code = "not-found", .detail = "There is no such address."}, call.exchange);
+  if (found.allowed.empty() && application.page.find(request.path) != nullptr) found.allowed = "GET, HEAD";
+  return found;
+}
+
+Reply no_route(const Found& found, const Exchange& exchange) {
+  if (found.allowed.empty()) {
+    return problem_reply(Problem{.code = "not-found", .detail = "There is no such address."}, exchange);
   }
   Reply reply = problem_reply(
-      Problem{.code = "method-not-allowed", .detail = "This address takes " + allowed + " only."}, call.exchange);
-  reply.headers.emplace_back("Allow", allowed);
+      Problem{.code = "method-not-allowed", .detail = "This address takes " + found.allowed + " only."}, exchange);
+  reply.headers.emplace_back("Allow", found.allowed);
   return reply;
 }
 
 }  // namespace
 
-std::size_t body_limit(std::string_view method, std::string_view target, const Limits& limits) {
-  const bool takes_file = method == "POST" && target.substr(0, target.find('?')) == "/v1/assets";
-  return takes_file ? limits.asset_bytes : limits.body_bytes;
+std::span<const Route> routes() { return all_routes; }
+
+std::variant<std::size_t, Reply> admit(const Application& application, const RequestHead& head,
+                                       const Exchange& exchange) {
+  if (auto problem = check_access(head.request, application.settings)) {
+    return problem_reply(*std::move(problem), exchange);
+  }
+  // Without a body nothing is won by refusing early.
+  if (head.content_length == 0) return std::size_t{0};
+  const Found found = find_route(application, head.request);
+  if (found.route == nullptr) return no_route(found, exchange);
+  return found.route->body_limit != nullptr ? found.route->body_limit(application.engine.limits()) : 0;
 }
 
-Reply answer(Application& application, const httplib::Request& request, Exchange& exchange) {
-  Call call{application, request, exchange, {}};
+void answer_with(const Context& context, const std::function<Reply()>& step) {
+  const auto reply = [&](const Problem& problem) { context.call->reply(problem_reply(problem, context.exchange())); };
   try {
-    return dispatch(call);
+    return context.call->reply(step());
   } catch (const std::bad_alloc&) {
-    return problem_reply(Problem{.code = "out-of-memory", .detail = "There is not enough memory for this now."},
-                         exchange);
+    return reply({.code = "out-of-memory", .detail = "There is not enough memory for this now."});
   } catch (const std::exception& error) {
-    spdlog::error("{} {}", exchange.id, escape_controls(error.what()));
+    spdlog::error("{} {}", context.exchange().id, escape_controls(error.what()));
   } catch (...) {
-    spdlog::error("{} an exception of no known kind", exchange.id);
+    spdlog::error("{} an exception of no known kind", context.exchange().id);
   }
-  return problem_reply(
-      Problem{.code = "internal", .detail = "Something went wrong here; the log has it under this request's id."},
-      exchange);
+  reply({.code = "internal", .detail = "Something went wrong here; the log has it under this request's id."});
+}
+
+void answer(Application& application, const std::shared_ptr<Call>& call) {
+  Context context{application, call};
+  const Request& request = call->request;
+  Found found = find_route(application, request);
+  if (found.route == nullptr && reads(request.method) && found.allowed.find("GET") != std::string::npos) {
+    return answer_with(context, [&] { return page_file(context); });
+  }
+  if (found.route == nullptr) {
+    return answer_with(context, [&] { return no_route(found, call->exchange); });
+  }
+  context.arguments = std::move(found.arguments);
+  if (const auto* instant = std::get_if<InstantHandler>(&found.route->handler)) {
+    return answer_with(context, [&] { return (*instant)(context); });
+  }
+  try {
+    std::get<LaterHandler>(found.route->handler)(context);
+  } catch (...) {
+    answer_with(context, []() -> Reply { throw; });
+  }
 }
 
 }  // namespace dini::server

@@ -1,47 +1,39 @@
 #pragma once
 
-#include <httplib.h>
-#include <string>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <variant>
 
-#include "server/examples.h"
-#include "server/gate.h"
-#include "server/known_requests.h"
-#include "server/page.h"
-#include "server/reply.h"
-#include "server/running.h"
-#include "server/settings.h"
-#include "server/supersede.h"
-#include "service/engine.h"
+#include "server/application.h"
+#include "server/request_head.h"
 
 namespace dini::server {
 
-/// What the handlers share.
-struct Application {
-  const Engine& engine;
-  const Settings& settings;
-  Page page;
-  Examples examples;
-  Gate gate;
-  RunningRequests running;
-  Supersede supersede;
-  KnownRequests known;
+/// Answers at once.
+using InstantHandler = Reply (*)(const Context& context);
+/// Sees to it that the call is answered, now or later, by whatever thread.
+using LaterHandler = void (*)(const Context& context);
+
+/// One address and method: everything that is done for a request follows from this.
+struct Route {
+  std::string_view method;
+  std::string_view path;  ///< segments in braces stand for any one segment
+  std::variant<InstantHandler, LaterHandler> handler;
+  /// How long its body may be, by the limits; null when it takes none.
+  std::size_t (*body_limit)(const Limits& limits) = nullptr;
 };
 
-/// One request on its way through a handler.
-struct Call {
-  Application& application;
-  const httplib::Request& request;
-  Exchange& exchange;
-  std::string argument;  ///< the part of the path that the route's {..} stands for
+std::span<const Route> routes();
 
-  const Engine& engine() const { return application.engine; }
-  std::string header(const char* name) const { return request.get_header_value(name); }
-};
-
-/// The longest body that an address takes: files have a limit of their own.
-std::size_t body_limit(std::string_view method, std::string_view target, const Limits& limits);
+/// By its head alone: how long the body of a request may be, or the answer if it is refused.
+std::variant<std::size_t, Reply> admit(const Application& application, const RequestHead& head,
+                                       const Exchange& exchange);
 
 /// Finds the handler and lets it answer. Never throws: what a handler lets escape is our bug and becomes a bare 500.
-Reply answer(Application& application, const httplib::Request& request, Exchange& exchange);
+void answer(Application& application, const std::shared_ptr<Call>& call);
+
+/// Runs a step of answering; whatever escapes becomes an answer.
+void answer_with(const Context& context, const std::function<Reply()>& step);
 
 }  // namespace dini::server

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <spdlog/spdlog.h>
+#include <system_error>
 #include <thread>
+#include <unistd.h>
 
-#include "server/guard.h"
+#include "server/connections.h"
 #include "server/routes.h"
 #include "server/text.h"
 
@@ -14,12 +16,19 @@ namespace {
 /// What stopped requests get to send their last answer.
 constexpr std::chrono::seconds farewell{2};
 
-std::size_t slots(const Settings& settings) {
-  return settings.compute_slots != 0 ? settings.compute_slots : std::max(1u, std::thread::hardware_concurrency());
+std::size_t cores() { return std::max(1u, std::thread::hardware_concurrency()); }
+
+std::size_t physical_memory() {
+  return static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-std::size_t queue(const Settings& settings) {
-  return settings.compute_queue != 0 ? settings.compute_queue : 16 * slots(settings);
+/// The settings with what is left open decided for this machine.
+Settings decided(Settings settings) {
+  if (settings.answer_threads == 0) settings.answer_threads = std::max<std::size_t>(4, 2 * cores());
+  if (settings.compute_slots == 0) settings.compute_slots = cores();
+  if (settings.compute_queue == 0) settings.compute_queue = 16 * settings.compute_slots;
+  if (settings.compute_bytes == 0) settings.compute_bytes = physical_memory() / 2;
+  return settings;
 }
 
 void log_access(const Access& access, const Exchange& exchange) {
@@ -29,41 +38,57 @@ void log_access(const Access& access, const Exchange& exchange) {
 
 }  // namespace
 
+/// Members are destroyed from the last one up: first what computes, then what writes answers, then the connections.
 struct Server::State {
   State(const Engine& engine, const Settings& chosen, Page page, Examples examples)
-      : settings(chosen),
-        application{engine, settings, std::move(page), std::move(examples), Gate(slots(settings), queue(settings)), {},
-                    {},     {}},
-        guard(
-            settings,
-            [&limits = engine.limits()](std::string_view method, std::string_view target) {
-              return body_limit(method, target, limits);
-            },
-            [this](const httplib::Request& request, Exchange& exchange) {
-              return answer(application, request, exchange);
-            },
-            log_access) {}
+      : settings(decided(chosen)),
+        connections(
+            settings, threads,
+            [this](const RequestHead& head, const Exchange& exchange) { return admit(application, head, exchange); },
+            [this](const std::shared_ptr<Call>& call) { answer(application, call); }, log_access),
+        threads(settings.answer_threads),
+        flights(queue, alarms),
+        application{.engine = engine,
+                    .settings = settings,
+                    .page = std::move(page),
+                    .examples = std::move(examples),
+                    .threads = threads,
+                    .flights = flights,
+                    .known = Cache(settings.known_bytes),
+                    .catalogue = static_answer(dump(engine.catalogue())),
+                    .example_list = {}},
+        queue({settings.compute_slots, settings.compute_queue, settings.compute_bytes}) {
+    application.example_list = static_answer(application.examples.list().dump());
+  }
 
   const Settings settings;
+  Connections connections;
+  jobs::Alarms alarms;
+  AnswerThreads threads;
+  jobs::Flights flights;
   Application application;
-  Guard guard;
+  jobs::ComputeQueue queue;
   int port = 0;
-  std::thread acceptor;
+  bool stopped = false;
 };
 
-Result<std::unique_ptr<Server>> Server::start(const Engine& engine, const Settings& settings) {
+Result<std::unique_ptr<Server>> Server::start(const Engine& engine, const Settings& settings) try {
   Result<Page> page = settings.web.empty() ? Page() : Page::load(settings.web);
   if (!page) return page.problems();
   Result<Examples> examples = settings.examples.empty() ? Examples() : Examples::load(settings.examples, engine);
   if (!examples) return examples.problems();
   auto state = std::make_unique<State>(engine, settings, *std::move(page), *std::move(examples));
-  state->port = state->guard.bind();
+  state->port = state->connections.listen();
   if (state->port == 0) {
     return Problem{.code = "address",
                    .detail = "Cannot listen on " + settings.host + " port " + std::to_string(settings.port) + "."};
   }
-  state->acceptor = std::thread([guard = &state->guard] { guard->run(); });
+  state->connections.start();
   return std::unique_ptr<Server>(new Server(std::move(state)));
+} catch (const std::bad_alloc&) {
+  return Problem{.code = "out-of-memory", .detail = "There is not enough memory to start."};
+} catch (const std::system_error& error) {
+  return Problem{.code = "out-of-memory", .detail = std::string("The machine gives no threads: ") + error.what()};
 }
 
 Server::Server(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -73,14 +98,16 @@ Server::~Server() { stop(); }
 int Server::port() const { return state_->port; }
 
 void Server::stop() {
-  if (!state_->acceptor.joinable()) return;
-  state_->guard.stop_accepting();
-  state_->acceptor.join();
-  const auto drained = std::chrono::steady_clock::now() + state_->settings.drain_deadline;
-  if (state_->guard.wait_closed(drained)) return;
-  state_->application.running.stop_all(StopReason::shutting_down);
-  if (state_->guard.wait_closed(std::chrono::steady_clock::now() + farewell)) return;
-  state_->guard.cut_connections();
+  if (std::exchange(state_->stopped, true)) return;
+  using Clock = Connections::Clock;
+  state_->connections.drain();
+  if (!state_->connections.wait_closed(Clock::now() + state_->settings.drain_deadline)) {
+    state_->flights.stop_all(StopReason::shutting_down);
+    state_->connections.wait_closed(Clock::now() + farewell);
+  }
+  state_->connections.cut();
+  state_->flights.stop_all(StopReason::shutting_down);
+  state_->threads.finish();
 }
 
 }  // namespace dini::server

@@ -3,65 +3,42 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <poll.h>
 #include <sys/socket.h>
+#include <sys/uio.h>
 #include <unistd.h>
 
 namespace dini::server {
 namespace {
 
-constexpr std::chrono::milliseconds linger_time{500};
-
-/// Milliseconds to a deadline for poll(): rounded up, so that a wait never ends just before it.
-int remaining(Socket::Clock::time_point deadline) {
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Socket::Clock::now()).count();
-  return static_cast<int>(std::clamp<decltype(left)>(left, 0, 60'000));
+Socket::Moved moved(ssize_t count) {
+  if (count > 0) return {Socket::Outcome::moved, static_cast<std::size_t>(count)};
+  const bool waits = count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
+  return {waits ? Socket::Outcome::would_wait : Socket::Outcome::ended, 0};
 }
 
 }  // namespace
 
-Socket::~Socket() { ::close(descriptor_); }
+void Socket::close() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  descriptor_ = -1;
+}
 
-Socket::Wait Socket::wait_readable(Clock::time_point deadline, int interrupt) const {
-  std::array<pollfd, 2> waits = {pollfd{descriptor_, POLLIN, 0}, pollfd{interrupt, POLLIN, 0}};
-  while (true) {
-    const int count = ::poll(waits.data(), interrupt < 0 ? 1 : 2, remaining(deadline));
-    if (count < 0 && errno != EINTR) return Wait::late;
-    if (count > 0) return waits[0].revents != 0 ? Wait::ready : Wait::interrupted;
-    if (Clock::now() >= deadline) return Wait::late;
+Socket::Moved Socket::read(std::span<char> into) const {
+  return moved(::recv(descriptor_, into.data(), into.size(), 0));
+}
+
+Socket::Moved Socket::write(std::span<const std::string_view> pieces) const {
+  std::array<iovec, 16> vectors{};
+  const std::size_t count = std::min(pieces.size(), vectors.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    vectors[i] = {const_cast<char*>(pieces[i].data()), pieces[i].size()};  // only ever read
   }
+  msghdr message{};
+  message.msg_iov = vectors.data();
+  message.msg_iovlen = count;
+  return moved(::sendmsg(descriptor_, &message, MSG_NOSIGNAL));
 }
 
-std::size_t Socket::read(char* into, std::size_t size, Clock::time_point deadline) const {
-  while (true) {
-    const ssize_t count = ::recv(descriptor_, into, size, 0);
-    if (count >= 0) return static_cast<std::size_t>(count);
-    if (errno == EINTR) continue;
-    if (errno != EAGAIN && errno != EWOULDBLOCK) return 0;
-    if (wait_readable(deadline) != Wait::ready) return 0;
-  }
-}
-
-bool Socket::write(std::string_view bytes, Clock::time_point deadline) const {
-  while (!bytes.empty()) {
-    const ssize_t count = ::send(descriptor_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-    if (count > 0) {
-      bytes.remove_prefix(static_cast<std::size_t>(count));
-      continue;
-    }
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0 && errno != EAGAIN && errno != EWOULDBLOCK) return false;
-    pollfd wait{descriptor_, POLLOUT, 0};
-    if (Clock::now() >= deadline || (::poll(&wait, 1, remaining(deadline)) < 0 && errno != EINTR)) return false;
-  }
-  return true;
-}
-
-void Socket::linger() const {
-  ::shutdown(descriptor_, SHUT_WR);
-  const auto deadline = Clock::now() + linger_time;
-  std::array<char, 4096> swallowed{};
-  while (Clock::now() < deadline && read(swallowed.data(), swallowed.size(), deadline) > 0) continue;
-}
+void Socket::finish_writing() const { ::shutdown(descriptor_, SHUT_WR); }
 
 }  // namespace dini::server

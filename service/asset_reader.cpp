@@ -5,7 +5,7 @@
 #include "geometry/obj_reader.h"
 #include "geometry/ply_reader.h"
 #include "gltf/glb_import.h"
-#include "graph/evaluate.h"
+#include "graph/stopped.h"
 
 namespace dini {
 

@@ -1,10 +1,9 @@
 #pragma once
 
-// The engine: one request answered, whoever asks. The server and the command line are two thin faces over this class,
-// so a graph gives the same bytes and the same problems through both.
+// The engine: one request answered, whoever asks. The server and the command line are thin faces over it, so a graph
+// gives the same bytes and the same problems through both.
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -17,6 +16,7 @@
 #include "graph/json_reader.h"
 #include "graph/limits.h"
 #include "graph/problem.h"
+#include "service/file.h"
 
 namespace dini {
 
@@ -26,7 +26,7 @@ struct EvaluateRequest {
   Json parameters = Json::object();
   /// Empty: nothing when something is previewed, else the only export node of the graph; several are a problem that
   /// lists them.
-  std::string output;
+  std::string output = {};
   Quality quality = Quality::final;
   /// About how many triangles a draft has, 100 to 10 million; refused for a final answer.
   std::optional<std::int64_t> triangle_budget = {};
@@ -52,59 +52,82 @@ struct AssetSummary {
   std::size_t triangles = 0;
 };
 
-/// A checked request: everything that is known before anything is computed.
-class Prepared;
+/// A checked request: everything that is known before anything is computed. Each engine has its own kind.
+class Prepared {
+ public:
+  virtual ~Prepared() = default;
 
-/// A finished evaluation.
-struct Evaluated {
-  std::shared_ptr<const std::string> glb;      ///< the finished file, extras included; null without an output
-  std::shared_ptr<const std::string> preview;  ///< the previewed nodes as a file; null when none were asked for
-  std::map<std::string, double> milliseconds;  ///< by step: prepare, evaluate, encode, preview
-  std::function<Json()> report;                ///< writes times, sizes, checks, warnings per node; see docs/http.md
+  /// What the files depend on. Requests of equal content have equal files, whatever their nodes are called, and what
+  /// was computed for one answers the other.
+  Digest content{};
+  std::string model_tag;   ///< strong entity tag of the files, with its quotes
+  std::string report_tag;  ///< entity tag of everything that a report tells besides times, with its quotes
+  std::string output;      ///< the export node; empty without one
+  std::size_t bytes = 0;   ///< predicted memory of the evaluation
+  std::size_t held = 0;    ///< memory that this itself holds, about
 };
+
+/// A finished computation, shared by all whose requests have its content. Each engine has its own kind.
+class Computed {
+ public:
+  virtual ~Computed() = default;
+
+  SharedFile model;                            ///< null without an output
+  SharedFile preview;                          ///< null when nothing is previewed
+  std::map<std::string, double> milliseconds;  ///< by step: evaluate, encode, preview; 0 for what was known
+};
+
+using SharedPrepared = std::shared_ptr<const Prepared>;
+using SharedComputed = std::shared_ptr<const Computed>;
 
 class Engine {
  public:
-  explicit Engine(Limits limits = {});
-  ~Engine();
+  virtual ~Engine() = default;
 
-  const Limits& limits() const;
+  virtual const Limits& limits() const = 0;
 
   /// The cards of every node type and wire type: the body of `GET /v1/nodes`.
-  const Json& catalogue() const;
+  virtual const Json& catalogue() const = 0;
 
   /// Reads a mesh file (OBJ, PLY or GLB, told by its content) and keeps the mesh for graphs that name it by its hash.
   /// With a `name` it is kept for ever and graphs may use the name too (letters, digits, `_`, `-`, `.`); without one it
   /// goes when `asset_store_bytes` are full and others were used later. Problems: `invalid-asset` for what is no such
-  /// file, `limit-exceeded`, `usage` for a name that cannot be one, and those of `evaluate` when `cancel` stops it.
-  Result<AssetSummary> add_asset(std::string_view bytes, const std::string& name = "", const Cancel& cancel = {}) const;
+  /// file, `limit-exceeded`, `usage` for a name that cannot be one, and those of `compute` when `cancel` stops it.
+  virtual Result<AssetSummary> add_asset(std::string_view bytes, const std::string& name,
+                                         const Cancel& cancel) const = 0;
 
-  /// Every static problem at once, inferred types and axes per wire, predicted sizes. Never evaluates, never fails.
-  /// {"valid": bool, "errors": [...], "wires": {...}, "cost": {...}}
-  Json validate(const Json& graph, const Json& parameters) const;
+  /// Every static problem at once, inferred types and axes per wire, predicted sizes. Never evaluates; fails only when
+  /// `cancel` stops it. {"valid": bool, "errors": [...], "wires": {...}, "cost": {...}}
+  virtual Result<Json> validate(const Json& graph, const Json& parameters, const Cancel& cancel) const = 0;
 
   /// Reads and checks what the output and the previews depend on; nothing is computed. Problems of other nodes never
-  /// stand in the way: the report lists them as warnings, and a check that cannot run as not passed. The entity tag
-  /// depends on everything that can influence the bytes.
-  Result<std::shared_ptr<const Prepared>> prepare(const EvaluateRequest& request) const;
+  /// stand in the way: the report lists them as warnings. But a check that cannot run fails the request
+  /// (`check-failed`), as one that does not hold would.
+  virtual Result<SharedPrepared> prepare(const EvaluateRequest& request, const Cancel& cancel) const = 0;
   /// Of a request that cannot be prepared: the nodes that are well in themselves but stand behind the ones to blame.
-  std::vector<std::string> blocked(const EvaluateRequest& request) const;
+  virtual std::vector<std::string> blocked(const EvaluateRequest& request, const Cancel& cancel) const = 0;
 
-  static const std::string& entity_tag(const Prepared& prepared);
+  /// The files, if nothing has to be computed for them; else null. With `for_report`, also what a report needs.
+  virtual SharedComputed find(const Prepared& prepared, bool for_report) const = 0;
 
-  /// Evaluates and encodes. Identical concurrent calls compute once. Problems with the codes `deadline`, `superseded`
-  /// and `client-gone` mean that `cancel` stopped the work.
-  Result<Evaluated> evaluate(const Prepared& prepared, const Cancel& cancel) const;
+  /// Evaluates and encodes. Problems with the codes of `stopped_problem` mean that `cancel` stopped the work.
+  virtual Result<SharedComputed> compute(const Prepared& prepared, const Cancel& cancel) const = 0;
 
-  /// The value on any wire, in full double precision.
-  Result<Json> inspect(const InspectRequest& request, const Cancel& cancel) const;
+  /// Times, sizes, checks and warnings per node: see docs/http.md. `computed` is for the same content, and was not
+  /// found without what a report needs.
+  virtual Json report(const Prepared& prepared, const Computed& computed) const = 0;
 
- private:
-  struct State;
-  std::unique_ptr<State> state_;
+  /// The value on any wire, in full double precision, as JSON text.
+  virtual Result<SharedBytes> inspect(const InspectRequest& request, const Cancel& cancel) const = 0;
 };
+
+/// The engine over the whole catalogue of nodes.
+std::unique_ptr<Engine> make_engine(const Limits& limits = {});
 
 /// A problem list as JSON: [{"code", "detail", "node", "port", "pointer", "fix"}], absent members left out.
 Json to_json(const Problems& problems);
+
+/// JSON as text; bytes that are not UTF-8 are replaced.
+std::string dump(const Json& json);
 
 }  // namespace dini

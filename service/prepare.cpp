@@ -5,6 +5,7 @@
 #include "graph/check.h"
 #include "graph/nearest.h"
 #include "graph/parameters.h"
+#include "graph/stopped.h"
 #include "service/places.h"
 #include "service/preview.h"
 #include "service/report.h"
@@ -89,30 +90,67 @@ Result<std::string> find_output(const Registry& registry, const Document& docume
 std::string reason_of(const Problems& problems, const std::string& node) {
   const auto own =
       std::find_if(problems.begin(), problems.end(), [&](const Problem& problem) { return problem.node == node; });
-  return own == problems.end() ? "the check stands behind a broken node, so it did not run" : own->detail;
+  return own == problems.end() ? "it stands behind a node that has a problem" : own->detail;
 }
 
-std::vector<BrokenCheck> broken_checks(const Registry& registry, const Document& document, const CheckReport& report) {
-  std::vector<BrokenCheck> broken;
+/// The checks that cannot run. A check that did not run has not passed, so they fail the request.
+Problems broken_checks(const Registry& registry, const Document& document, const CheckReport& report) {
+  ProblemCollector broken;
   for (const auto& [id, node] : document.nodes) {
     const NodeType* type = registry.find(node.type);
     if (type == nullptr || !type->always_evaluated || node.bypass) continue;
     const auto planned = report.plan.index.find(id);
     if (planned != report.plan.index.end() && !report.plan.nodes[planned->second].doubtful) continue;
-    broken.push_back({id, reason_of(report.elsewhere, id)});
+    broken.add([&, &check = id] {
+      return Problem{"check-failed", "the check cannot run: " + reason_of(report.elsewhere, check), check, "",
+                     "/graph/nodes/" + check};
+    });
   }
-  return broken;
+  return std::move(broken).take();
 }
 
-/// What the bytes of an answer depend on: the output's content, the checks that must pass, the parameters written into
-/// the file, what is drawn, and the engine.
-Digest entity_digest(const Prepared& prepared) {
+/// What the bytes of the file depend on: the output's content and what is written into the file about it.
+Digest file_digest(const PreparedGraph& prepared) {
   DigestBuilder digest;
-  digest.text(engine_version);
+  digest.text("file").text(engine_version).digest(prepared.plan.nodes[*prepared.export_node].fingerprint);
+  return digest.text(prepared.extras.dump()).finish();
+}
+
+/// What the files of an answer depend on, and whether there are any: the checks that must hold count too.
+Digest content_digest(const PreparedGraph& prepared) {
+  DigestBuilder digest;
+  digest.text("content").text(engine_version).digest(prepared.file_digest).digest(prepared.preview_digest);
   for (const std::size_t target : prepared.targets) digest.digest(prepared.plan.nodes[target].fingerprint);
-  digest.text(prepared.extras.dump());
-  if (!prepared.previews.empty()) digest.text("preview").digest(prepared.preview_digest);
   return digest.finish();
+}
+
+/// Everything that a report tells besides times: the content, and the graph with its names, types and other problems.
+Digest report_digest(const PreparedGraph& prepared) {
+  DigestBuilder digest;
+  digest.text("report").digest(prepared.content);
+  Document document = prepared.document;
+  document.meta = nullptr;
+  document.ui = nullptr;
+  digest.text(write_document(document).dump()).text(prepared.output);
+  for (const auto& [name, value] : prepared.plan.parameters) digest.text(name).text(value.dump());
+  for (const Preview& preview : prepared.previews) digest.text(prepared.plan.nodes[preview.node].id);
+  digest.text(prepared.plan.detail.quality == Quality::draft ? "draft" : "final");
+  digest.text(to_json(prepared.elsewhere).dump());
+  return digest.finish();
+}
+
+std::string tag_of(const Digest& digest) { return "\"" + to_hex(digest) + "\""; }
+
+/// About how much memory a plan holds, its document included.
+std::size_t memory_of(const PreparedGraph& prepared) {
+  constexpr std::size_t per_node = 4096, per_item = 1024, per_parameter = 1024;
+  std::size_t total = per_parameter * prepared.plan.parameters.size();
+  for (const PlannedNode& node : prepared.plan.nodes) {
+    total += per_node;
+    for (const PlannedInput& input : node.inputs) total += per_item * (1 + input.items.size());
+  }
+  for (const auto& [name, value] : prepared.plan.parameters) total += 2 * value.dump().size();
+  return total + 2 * (prepared.document.meta.dump().size() + prepared.document.ui.dump().size());
 }
 
 /// A request with everything that the check says about it; whether that is good is not yet looked at.
@@ -123,13 +161,14 @@ struct CheckedRequest {
   CheckReport report;
 };
 
-Result<CheckedRequest> check_request(const Environment& environment, const EvaluateRequest& request) {
+Result<CheckedRequest> check_request(const Environment& environment, const EvaluateRequest& request,
+                                     const Cancel& cancel) {
   const Result<Detail> detail = detail_of(request);
   if (!detail) return detail.problems();
   Result<ReadGraph> read = read_graph(environment, request.graph, request.parameters);
   if (!read) return read.problems();
   CheckedRequest checked{std::move(read->document), {}, {}, {}};
-  CheckScope scope;
+  CheckScope scope{.cancel = &cancel};
   scope.guards = request.preview.empty() || !request.output.empty();
   if (scope.guards) {
     Result<std::string> output = find_output(environment.registry, checked.document, request.output);
@@ -144,50 +183,65 @@ Result<CheckedRequest> check_request(const Environment& environment, const Evalu
   for (const auto& [node, outputs] : checked.previews) scope.targets.push_back(node);
   checked.report = check(environment.registry, checked.document, read->values, *detail, environment.limits,
                          environment.find_asset, scope);
+  if (cancel.stopped()) return stopped_problem(cancel.reason());
   return checked;
 }
 
 }  // namespace
 
-std::vector<std::string> blocked_nodes(const Environment& environment, const EvaluateRequest& request) {
-  const Result<CheckedRequest> checked = check_request(environment, request);
+std::vector<std::string> blocked_nodes(const Environment& environment, const EvaluateRequest& request,
+                                       const Cancel& cancel) {
+  const Result<CheckedRequest> checked = check_request(environment, request, cancel);
   return checked ? checked->report.blocked : std::vector<std::string>{};
 }
 
-Result<std::shared_ptr<Prepared>> prepare_evaluation(const Environment& environment, const EvaluateRequest& request) {
+Result<std::shared_ptr<const PreparedGraph>> prepare_evaluation(const Environment& environment,
+                                                                const EvaluateRequest& request, const Cancel& cancel) {
   const auto begin = std::chrono::steady_clock::now();
-  Result<CheckedRequest> checked = check_request(environment, request);
+  Result<CheckedRequest> checked = check_request(environment, request, cancel);
   if (!checked) return checked.problems();
   CheckReport& report = checked->report;
   if (!report.problems.empty()) return report.problems;
-  auto prepared = std::make_shared<Prepared>();
+  auto prepared = std::make_shared<PreparedGraph>();
   if (!checked->output.empty()) {
-    prepared->output = report.plan.index.at(checked->output);
-    prepared->targets.push_back(*prepared->output);
+    Problems broken = broken_checks(environment.registry, checked->document, report);
+    if (!broken.empty()) return broken;
+    prepared->output = checked->output;
+    prepared->export_node = report.plan.index.at(checked->output);
+    prepared->targets.push_back(*prepared->export_node);
     prepared->targets.insert(prepared->targets.end(), report.guards.begin(), report.guards.end());
-    prepared->broken_checks = broken_checks(environment.registry, checked->document, report);
-    prepared->extras = file_extras(report.plan, *prepared->output);
   }
   prepared->elsewhere = std::move(report.elsewhere);
   prepared->plan = std::move(report.plan);
+  prepared->document = std::move(checked->document);
   Result<std::vector<Preview>> previews = plan_previews(prepared->plan, checked->previews, environment.limits);
   if (!previews) return previews.problems();
   prepared->previews = *std::move(previews);
-  prepared->preview_digest = preview_digest(prepared->plan, prepared->previews, environment.limits);
-  prepared->document = std::move(checked->document);
-  prepared->entity_tag = "\"" + to_hex(entity_digest(*prepared)) + "\"";
+  if (prepared->export_node) {
+    prepared->extras = file_extras(prepared->plan, *prepared->export_node);
+    prepared->file_digest = file_digest(*prepared);
+  }
+  if (!prepared->previews.empty()) {
+    prepared->preview_digest = preview_digest(prepared->plan, prepared->previews, environment.limits);
+  }
+  prepared->content = content_digest(*prepared);
+  prepared->model_tag = tag_of(prepared->content);
+  prepared->report_tag = tag_of(report_digest(*prepared));
+  prepared->bytes = prepared->plan.cost.bytes;
+  prepared->held = memory_of(*prepared);
   prepared->milliseconds = milliseconds_since(begin);
-  return prepared;
+  return std::shared_ptr<const PreparedGraph>(std::move(prepared));
 }
 
-Result<Plan> prepare_inspection(const Environment& environment, const InspectRequest& request) {
+Result<Plan> prepare_inspection(const Environment& environment, const InspectRequest& request, const Cancel& cancel) {
   Result<ReadGraph> read = read_graph(environment, request.graph, request.parameters);
   if (!read) return read.problems();
   if (!read->document.nodes.contains(request.node)) {
     return unknown_node(read->document, request.node, "/node");
   }
   CheckReport report = check(environment.registry, read->document, read->values, Quality::final, environment.limits,
-                             environment.find_asset, {{request.node}, false});
+                             environment.find_asset, {{request.node}, false, &cancel});
+  if (cancel.stopped()) return stopped_problem(cancel.reason());
   if (!report.problems.empty()) return report.problems;
   return std::move(report.plan);
 }

@@ -17,12 +17,14 @@ struct Environment {
 };
 
 /// Reads and checks an evaluation: its output, its previews, and what those depend on.
-Result<std::shared_ptr<Prepared>> prepare_evaluation(const Environment& environment, const EvaluateRequest& request);
+Result<std::shared_ptr<const PreparedGraph>> prepare_evaluation(const Environment& environment,
+                                                                const EvaluateRequest& request, const Cancel& cancel);
 
 /// The nodes that stand behind those that keep a request from being prepared; empty when it is the request itself.
-std::vector<std::string> blocked_nodes(const Environment& environment, const EvaluateRequest& request);
+std::vector<std::string> blocked_nodes(const Environment& environment, const EvaluateRequest& request,
+                                       const Cancel& cancel);
 
 /// The plan of everything that one node depends on. The node is in it unless there are problems.
-Result<Plan> prepare_inspection(const Environment& environment, const InspectRequest& request);
+Result<Plan> prepare_inspection(const Environment& environment, const InspectRequest& request, const Cancel& cancel);
 
 }  // namespace dini

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "graph/plan.h"
+#include "service/engine.h"
 
 namespace dini {
 
@@ -16,25 +17,18 @@ struct Preview {
   std::vector<std::size_t> outputs;
 };
 
-/// A check that cannot run, and why.
-struct BrokenCheck {
-  std::string node;
-  std::string reason;
-};
-
-/// A checked request: everything that is known before anything is computed.
-class Prepared : public std::enable_shared_from_this<Prepared> {
+/// What the engine over the catalogue knows of a checked request.
+class PreparedGraph final : public Prepared {
  public:
   Document document;
   Plan plan;
-  std::optional<std::size_t> output;       ///< the export node, by index into the plan
+  std::optional<std::size_t> export_node;  ///< by index into the plan
   std::vector<std::size_t> targets;        ///< the export node and everything that always runs with it
   std::vector<Preview> previews;           ///< by the ids of their nodes
+  Digest file_digest{};                    ///< of everything that the finished file depends on
   Digest preview_digest{};                 ///< of everything that the drawn previews depend on
   Problems elsewhere;                      ///< of nodes that are not needed
-  std::vector<BrokenCheck> broken_checks;  ///< that should have run with the output
   Json extras;                             ///< what is written into the file's asset.extras
-  std::string entity_tag;                  ///< quoted
   double milliseconds = 0;                 ///< that preparing took
 };
 

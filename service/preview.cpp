@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "gltf/glb_groups.h"
+#include "graph/stopped.h"
 #include "service/places.h"
 #include "service/preview_parts.h"
+#include "service/version.h"
 
 namespace dini {
 
@@ -123,7 +125,7 @@ Result<std::vector<Preview>> plan_previews(const Plan& plan, const PreviewNames&
 
 Digest preview_digest(const Plan& plan, const std::vector<Preview>& previews, const Limits& limits) {
   DigestBuilder digest;
-  digest.text("preview").integer(limits.preview_elements).integer(limits.preview_points);
+  digest.text("preview").text(engine_version).integer(limits.preview_elements).integer(limits.preview_points);
   for (const Preview& preview : previews) {
     const PlannedNode& node = plan.nodes[preview.node];
     digest.text(node.id).text(node.type->id).integer(preview.outputs.size());

@@ -25,7 +25,7 @@ Json node_json(const PlannedNode& node, const NodeRun* run, bool needed) {
 }
 
 /// Everything that had to run, or stands behind what is cached.
-std::set<std::string> needed_nodes(const Prepared& prepared) {
+std::set<std::string> needed_nodes(const PreparedGraph& prepared) {
   std::vector<std::string> ids;
   for (const std::size_t target : prepared.targets) ids.push_back(prepared.plan.nodes[target].id);
   for (const Preview& preview : prepared.previews) {
@@ -34,67 +34,82 @@ std::set<std::string> needed_nodes(const Prepared& prepared) {
   return needed_for(prepared.document, ids);
 }
 
-void add_warnings(Json& warnings, const PlannedNode& node, const NodeResult& result) {
-  for (const Warning& warning : result.warnings) {
+/// What every node of the evaluation said, by what it computes.
+std::map<Digest, std::shared_ptr<const NodeWarnings>> warnings_of(const Evaluation& evaluation) {
+  std::map<Digest, std::shared_ptr<const NodeWarnings>> said;
+  for (const auto& [fingerprint, run] : evaluation.runs) {
+    for (const auto& warnings : run.result->warnings) said.emplace(warnings->fingerprint, warnings);
+  }
+  return said;
+}
+
+void add_warnings(Json& list, const PlannedNode& node, const NodeWarnings& said) {
+  for (const Warning& warning : said.warnings) {
     Json entry = {{"code", warning.code}, {"node", node.id}, {"detail", warning.detail}};
     if (!warning.port.empty()) entry["port"] = warning.port;
-    warnings.push_back(std::move(entry));
+    list.push_back(std::move(entry));
   }
 }
 
 }  // namespace
 
 Json file_extras(const Plan& plan, std::size_t output) {
-  const PlannedNode& node = plan.nodes[output];
   Json parameters = Json::object();
-  for (const std::string& parameter : node.parameters) parameters[parameter] = plan.parameters.at(parameter);
-  return {{"engine", engine_version}, {"graph", to_hex(node.fingerprint)}, {"parameters", std::move(parameters)}};
+  for (const std::string& parameter : parameters_behind(plan, output)) {
+    parameters[parameter] = plan.parameters.at(parameter);
+  }
+  return {{"engine", engine_version},
+          {"graph", to_hex(plan.nodes[output].fingerprint)},
+          {"parameters", std::move(parameters)}};
 }
 
-Json evaluation_report(const Prepared& prepared, const Evaluation& evaluation, const AnswerFiles& files,
-                       const std::map<std::string, double>& milliseconds) {
+Json evaluation_report(const PreparedGraph& prepared, const ComputedGraph& computed) {
   const Plan& plan = prepared.plan;
   const std::set<std::string> needed = needed_nodes(prepared);
+  const std::map<Digest, std::shared_ptr<const NodeWarnings>> said = warnings_of(computed.evaluation);
   Json nodes = Json::object();
   Json warnings = Json::array();
   Json checks = Json::array();
   for (std::size_t index = 0; index < plan.nodes.size(); ++index) {
     const PlannedNode& node = plan.nodes[index];
-    const auto found = evaluation.runs.find(index);
-    const NodeRun* run = found == evaluation.runs.end() ? nullptr : &found->second;
-    nodes[node.id] = node_json(node, run, needed.contains(node.id));
-    if (run == nullptr) continue;
-    add_warnings(warnings, node, *run->result);
-    if (node.type->always_evaluated) {
-      const Value value = evaluation.value(plan, index, 0);
+    const bool is_needed = needed.contains(node.id);
+    const NodeRun* run = is_needed ? computed.evaluation.run(node) : nullptr;
+    nodes[node.id] = node_json(node, run, is_needed);
+    if (!is_needed || node.bypass) continue;
+    if (const auto found = said.find(node.fingerprint); found != said.end()) {
+      add_warnings(warnings, node, *found->second);
+    }
+    if (run != nullptr && node.type->always_evaluated) {
+      const Value value = computed.evaluation.value(plan, index, 0);
       checks.push_back({{"node", node.id}, {"passed", true}, {"values", to_json(value)["values"]}});
     }
   }
-  for (const BrokenCheck& broken : prepared.broken_checks) {
-    checks.push_back({{"node", broken.node}, {"passed", false}, {"message", broken.reason}});
-  }
   for (Json& problem : to_json(prepared.elsewhere)) warnings.push_back(std::move(problem));
+  std::map<std::string, double> milliseconds = computed.milliseconds;
+  milliseconds.emplace("prepare", prepared.milliseconds);
   Json report = {{"engine", engine_version},
-                 {"etag", prepared.entity_tag},
+                 {"etag", prepared.model_tag},
                  {"quality", plan.detail.quality == Quality::draft ? "draft" : "final"},
                  {"milliseconds", milliseconds},
                  {"nodes", std::move(nodes)},
                  {"checks", std::move(checks)},
                  {"warnings", std::move(warnings)}};
-  if (files.model != nullptr) {
-    report["fingerprint"] = to_hex(plan.nodes[*prepared.output].fingerprint);
-    report["output"] = plan.nodes[*prepared.output].id;
-    report["model"] = {{"bytes", files.glb->size()},
-                       {"vertices", files.model->vertices},
-                       {"triangles", files.model->triangles},
-                       {"position_error", files.model->position_error},
-                       {"sha256", to_hex(sha256(*files.glb))}};
+  if (computed.model_file != nullptr) {
+    const ModelFile& model = *computed.model_file;
+    report["fingerprint"] = to_hex(plan.nodes[*prepared.export_node].fingerprint);
+    report["output"] = prepared.output;
+    report["model"] = {{"bytes", model.file->bytes->size()},
+                       {"vertices", model.vertices},
+                       {"triangles", model.triangles},
+                       {"position_error", model.position_error},
+                       {"sha256", to_hex(model.file->sha256)}};
   }
-  if (files.preview != nullptr) {
+  if (computed.preview != nullptr) {
     Json shown = Json::array();
     for (const Preview& preview : prepared.previews) shown.push_back(plan.nodes[preview.node].id);
-    report["preview"] = {
-        {"bytes", files.preview->size()}, {"nodes", std::move(shown)}, {"sha256", to_hex(sha256(*files.preview))}};
+    report["preview"] = {{"bytes", computed.preview->bytes->size()},
+                         {"nodes", std::move(shown)},
+                         {"sha256", to_hex(computed.preview->sha256)}};
   }
   return report;
 }

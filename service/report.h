@@ -9,17 +9,24 @@ namespace dini {
 /// What every file says about itself: engine, content hash of the graph, and the parameters that shaped it.
 Json file_extras(const Plan& plan, std::size_t output);
 
-/// The files of an answer; null where there is none.
-struct AnswerFiles {
-  const Asset* model = nullptr;  ///< as the export node made it
-  const std::string* glb = nullptr;
-  const std::string* preview = nullptr;
+/// A finished file of a model, and what was told when it was made.
+struct ModelFile {
+  SharedFile file;
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  double position_error = 0;
+};
+
+/// What the engine over the catalogue computes.
+class ComputedGraph final : public Computed {
+ public:
+  Evaluation evaluation;
+  std::shared_ptr<const ModelFile> model_file;  ///< null without an output
 };
 
 /// The report of an evaluation: times, what was cached, types and axes, the file, checks and warnings; see
 /// docs/http.md.
-Json evaluation_report(const Prepared& prepared, const Evaluation& evaluation, const AnswerFiles& files,
-                       const std::map<std::string, double>& milliseconds);
+Json evaluation_report(const PreparedGraph& prepared, const ComputedGraph& computed);
 
 /// The answer of a validation: whether the graph is well, its problems, its wires and its cost.
 Json validation_report(const CheckReport& report, const Problems& problems);

@@ -2,7 +2,8 @@
 
 namespace dini {
 
-/// The version of the engine. It is part of every entity tag and of every file, so raise it when any result changes.
-constexpr const char* engine_version = "0.1.0";
+/// The version of the engine, as the project's CMakeLists.txt says it. It is part of every entity tag and of every
+/// file, so it is raised whenever any result changes.
+extern const char* const engine_version;
 
 }  // namespace dini

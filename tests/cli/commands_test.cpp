@@ -36,10 +36,14 @@ TEST_CASE("Wrong use is exit 2 and says how") {
            {"eval", "-", "--threads", "0"},
            {"eval", "-", "--set", "reach"},
            {"eval", "-", "-o", "-", "--report", "-"},
+           {"eval", "-", "-o", ""},
+           {"eval", "-", "--report", ""},
            {"eval", "-", "--instruction-set", "ABACUS"},
            {"nodes", "--json", "--markdown"},
            {"serve", "--port", "70000"},
            {"serve", "--host", "0.0.0.0", "--port", "0"},
+           {"serve", "--host", "127.evil.example", "--port", "0"},
+           {"serve", "--host", "localhost.evil.example", "--port", "0"},
        }) {
     const auto outcome = run_dini(words, graph({}));
     CAPTURE(outcome.err);
@@ -47,7 +51,7 @@ TEST_CASE("Wrong use is exit 2 and says how") {
     CHECK_FALSE(outcome.err.empty());
     CHECK(outcome.out.empty());
   }
-  CHECK(run_dini({"eval", "-", "--instruction-set", "ABACUS"}, graph({})).err.find("WIDE NARROW") != std::string::npos);
+  CHECK(run_dini({"eval", "-", "--instruction-set", "ABACUS"}, graph({})).err.find("SCALAR") != std::string::npos);
   CHECK(run_dini({"--help"}).code == 0);
   CHECK(run_dini({"--version"}).code == 0);
 }
@@ -111,20 +115,28 @@ TEST_CASE("Outputs replace files whole, go through links and into pipes, and nev
 
   const auto over = run_dini({"eval", path("graph.json"), "-o", path("graph.json")});
   CHECK(over.code == 2);
-  CHECK(over.err.find("written over") != std::string::npos);
+  CHECK(over.err == "error[usage]: -o would write over " + path("graph.json") + ", which is read\n");
+  std::ofstream(path("mesh.obj")) << "v 0 0 0";
+  for (const auto* option : {"-o", "--report"}) {
+    const auto asset =
+        run_dini({"eval", path("graph.json"), "--asset", "m=" + path("mesh.obj"), option, path("mesh.obj")});
+    CHECK(asset.code == 2);
+    CHECK(asset.err.find("which is read") != std::string::npos);
+  }
+  CHECK(fs::file_size(path("mesh.obj")) == 7);
   CHECK(run_dini({"eval", path("graph.json"), "-o", path("a"), "--report", path("a")}).code == 2);
   CHECK(run_dini({"eval", path("graph.json"), "-o", folder.string()}).err ==
         "error[io]: " + folder.string() + ": Is a directory\n");
   CHECK(run_dini({"eval", path("graph.json"), "--report", path("none/r.json")}).code == 6);
   CHECK(run_dini({"eval", path("graph.json"), "-o", path("graph.json/x.glb")}).code == 6);
   CHECK(Json::parse(std::ifstream(path("graph.json")))["format"] == 1);
-  CHECK(std::distance(fs::directory_iterator(folder), fs::directory_iterator()) == 4);
+  CHECK(std::distance(fs::directory_iterator(folder), fs::directory_iterator()) == 5);
   fs::remove_all(folder);
 }
 
 TEST_CASE("A model goes to standard output or to a file, the report beside it") {
   const auto outcome =
-      run_dini({"eval", "-", "-o", "-", "--threads", "1", "--instruction-set", "NARROW"}, graph({{"bytes", 3}}));
+      run_dini({"eval", "-", "-o", "-", "--threads", "1", "--instruction-set", "SCALAR"}, graph({{"bytes", 3}}));
   CHECK(outcome.code == 0);
   CHECK(outcome.out == "ggg");
 
@@ -136,6 +148,37 @@ TEST_CASE("A model goes to standard output or to a file, the report beside it") 
   CHECK(reported.code == 0);
   CHECK(Json::parse(reported.out)["model"]["bytes"] == 4);
   CHECK(std::filesystem::file_size(file) == 4);
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("A report is written however the run ends, and says how") {
+  const auto file = std::filesystem::temp_directory_path() / ("dini-report-" + std::to_string(::getpid()));
+  const auto report_of = [&](const std::string& document, int code, const std::vector<std::string>& more = {}) {
+    std::ofstream(file) << R"({"succeeded": true, "of": "an earlier run"})";
+    std::vector<std::string> words = {"eval", "-", "--report", file.string()};
+    words.insert(words.end(), more.begin(), more.end());
+    CHECK(run_dini(words, document).code == code);
+    const Json report = Json::parse(std::ifstream(file), nullptr, false);
+    CHECK_FALSE(report.contains("of"));
+    return report;
+  };
+  CHECK(report_of(graph({{"bytes", 3}}), 0)["succeeded"] == true);
+  CHECK(report_of(graph({{"bytes", 3}}), 0)["errors"].empty());
+  for (const auto& [inputs, code, name] :
+       std::vector<std::tuple<Json, int, std::string>>{{{{"problem", "check-failed"}}, 1, "check-failed"},
+                                                       {{{"invalid", "out-of-range"}}, 3, "out-of-range"},
+                                                       {{{"problem", "degenerate"}}, 4, "degenerate"},
+                                                       {{{"memory", true}}, 5, "out-of-memory"},
+                                                       {{{"throws", true}}, 70, "internal"}}) {
+    const Json report = report_of(graph(inputs), code);
+    CHECK(report["succeeded"] == false);
+    REQUIRE(report["errors"].size() == 1);
+    CHECK(report["errors"][0]["code"] == name);
+    CHECK_FALSE(report.contains("model"));
+  }
+  CHECK(report_of("{", 3)["errors"][0]["code"] == "not-json");
+  CHECK(report_of(graph({{"milliseconds", 60'000}}), 5, {"--deadline-ms", "20"})["errors"][0]["code"] == "deadline");
+  CHECK(report_of(graph({{"bytes", 3}}), 6, {"-o", "/dev/full"})["succeeded"] == false);
   std::filesystem::remove(file);
 }
 

@@ -54,7 +54,7 @@ TEST_CASE("eval writes the bytes of the engine, whatever the threads and instruc
   const std::string path = example("fig11_patch").string();
   const Json graph = examples().at("fig11_patch");
   const std::string expected = file_of(
-      Engine(),
+      *make_engine(),
       {.graph = graph, .parameters = {{"strength", 0.3}, {"rule", "paper"}}, .output = "", .quality = Quality::final});
   const Outcome outcome =
       run({"eval", path, "--set", "strength=0.3", "--set", "rule=paper", "-o", file.path.string(), "--threads", "1"});
@@ -134,7 +134,8 @@ TEST_CASE("inspect prints what the engine shows") {
   REQUIRE(outcome.code == 0);
   const Json shown = Json::parse(outcome.out);
   CHECK(shown["type"] == "circle");
-  CHECK(shown["values"] == inspected(Engine(), examples().at("fig04_boosted_ring"), "boosted.shape", {{"reach", 0.5}}));
+  CHECK(shown["values"] ==
+        inspected(*make_engine(), examples().at("fig04_boosted_ring"), "boosted.shape", {{"reach", 0.5}}));
   CHECK(run({"inspect", example("fig04_boosted_ring").string(), "boostd"}).code != 0);
 }
 

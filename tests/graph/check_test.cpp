@@ -98,8 +98,7 @@ TEST_CASE("parameters stand for literals of their type") {
   CHECK(support::numbers(registry, graph, "s") == std::vector<double>{12.5});
   CHECK(support::numbers(registry, graph, "r").size() == 4);
   const CheckReport report = checked(registry, graph, {{"p", 3}});
-  const PlannedNode& node = report.plan.nodes[report.plan.index.at("s")];
-  CHECK(node.parameters == std::set<std::string>{"p"});
+  CHECK(parameters_behind(report.plan, report.plan.index.at("s")) == std::set<std::string>{"p"});
 
   const Result<Document> read = read_document(graph, {});
   const auto refused = [&](const Json& given) { return codes(resolve_parameters(*read, given).problems()); };
@@ -118,4 +117,46 @@ TEST_CASE("a bypassed node passes its first input on") {
   graph["nodes"]["s"]["bypass"] = true;
   CHECK(support::numbers(registry, graph, "t") == std::vector<double>{1, 2, 3});
   CHECK(support::numbers(registry, graph, "s") == std::vector<double>{0, 1, 2});
+}
+
+TEST_CASE("all parameters before a node can change it, also through nodes that are bypassed") {
+  Json graph = document({{"a", toy_node("sum", {{"a", {{"parameter", "p"}}}})},
+                         {"b", toy_node("sum", {{"a", from("a")}, {"b", {{"parameter", "q"}}}})},
+                         {"c", toy_node("sum", {{"a", from("b")}})},
+                         {"other", toy_node("sum", {{"a", {{"parameter", "r"}}}})}});
+  for (const auto* name : {"p", "q", "r"}) graph["parameters"][name] = {{"type", "number"}, {"default", 1}};
+  graph["nodes"]["b"]["bypass"] = true;
+  const CheckReport report = checked(registry, graph);
+  CHECK(parameters_behind(report.plan, report.plan.index.at("c")) == std::set<std::string>{"p"});
+  graph["nodes"]["b"]["bypass"] = false;
+  const CheckReport whole = checked(registry, graph);
+  CHECK(parameters_behind(whole.plan, whole.plan.index.at("c")) == std::set<std::string>{"p", "q"});
+}
+
+TEST_CASE("a list of problems is bounded and says how many there are besides") {
+  Json inputs = Json::object();
+  for (int i = 0; i < 5000; ++i) inputs["m" + std::to_string(i)] = 0;
+  const CheckReport report = checked(registry, document({{"s", toy_node("sum", inputs)}}));
+  REQUIRE(report.problems.size() == 101);
+  CHECK(report.problems.front().code == "unknown-port");
+  CHECK(report.problems.back().code == "more-problems");
+  CHECK(report.problems.back().detail == "there are 4900 more problems of this graph");
+}
+
+TEST_CASE("a link to a node that is not there is mended with the nearest name that is") {
+  const CheckReport report = checked(
+      registry, document({{"ring", toy_node("sum", {{"a", 1}})}, {"s", toy_node("sum", {{"a", from("rong.value")}})}}));
+  REQUIRE(report.problems.size() == 1);
+  CHECK(report.problems[0].fix ==
+        Json{{{"op", "replace"}, {"path", "/graph/nodes/s/inputs/a/from"}, {"value", "ring.value"}}});
+}
+
+TEST_CASE("a check that is stopped ends at once") {
+  const Cancel cancel;
+  cancel.stop(StopReason::client_gone);
+  Json nodes = Json::object();
+  for (int i = 0; i < 100; ++i) nodes["n" + std::to_string(i)] = toy_node("sum", {{"a", 1}});
+  const Result<Document> read = read_document(document(nodes), {});
+  const CheckReport report = check(registry, *read, {}, Quality::final, {}, {}, {.cancel = &cancel});
+  CHECK(report.plan.nodes.empty());
 }

@@ -99,18 +99,83 @@ TEST_CASE("a cancelled evaluation ends with the reason") {
   CHECK(evaluate(report.plan, {0}, cache, late).problems().front().code == "deadline");
 }
 
+TEST_CASE("a node that fails by an exception spoils nobody else's result") {
+  // The ramps are large, so that they are in the middle of their loops when the other node throws.
+  Json nodes = Json::object();
+  for (int i = 0; i < 8; ++i) {
+    const std::string n = std::to_string(i);
+    nodes["r" + n] = {{"type", "ramp"}, {"inputs", {{"count", 200'000 + i}}}};
+    nodes["s" + n] = {{"type", "slow_sum"}, {"inputs", {{"a", from("r" + n)}, {"b", i}}}};
+  }
+  for (const auto& [type, code] : {std::pair{"no_memory", "out-of-memory"}, {"throws", "internal"}}) {
+    CAPTURE(type);
+    nodes["bad"] = value_node(type, 1);
+    const CheckReport report = support::checked(registry, document(nodes));
+    REQUIRE(report.problems.empty());
+    std::vector<std::size_t> targets;
+    for (const auto& [id, index] : report.plan.index) targets.push_back(index);
+    Cache cache(1 << 28);
+    const Cancel cancel;
+    const Result<Evaluation> evaluation = evaluate(report.plan, targets, cache, cancel);
+    REQUIRE_FALSE(evaluation.has_value());
+    CHECK(evaluation.problems().front().code == code);
+    for (int i = 0; i < 8; ++i) {
+      const PlannedNode& node = report.plan.nodes[report.plan.index.at("s" + std::to_string(i))];
+      const auto kept = cache.find<NodeResult>(node.fingerprint);
+      if (kept == nullptr) continue;
+      const Column<double>& column = *std::get<SharedColumn<double>>(kept->columns.front());
+      REQUIRE(column.size() == 200'000 + static_cast<std::size_t>(i));
+      for (std::size_t k = 0; k < column.size(); ++k) REQUIRE(column[k] == static_cast<double>(k) + i);
+    }
+    CHECK(cache.find<NodeResult>(report.plan.nodes[report.plan.index.at("bad")].fingerprint) == nullptr);
+  }
+}
+
+TEST_CASE("warnings of the nodes before it stay with a result that comes from the cache") {
+  const Json graph = document({{"w", value_node("warns", 3)}, {"c", value_node("constant", from("w"))}});
+  const CheckReport report = support::checked(registry, graph);
+  const std::size_t last = report.plan.index.at("c");
+  Cache cache(1 << 20);
+  const Cancel cancel;
+  CHECK_FALSE(find_evaluation(report.plan, {last}, cache));
+  REQUIRE(evaluate(report.plan, {last}, cache, cancel));
+  const std::optional<Evaluation> found = find_evaluation(report.plan, {last}, cache);
+  REQUIRE(found);
+  CHECK(found->runs.size() == 1);
+  const NodeRun* run = found->run(report.plan.nodes[last]);
+  REQUIRE(run != nullptr);
+  CHECK(run->cached);
+  REQUIRE(run->result->warnings.size() == 1);
+  CHECK(run->result->warnings[0]->fingerprint == report.plan.nodes[report.plan.index.at("w")].fingerprint);
+  CHECK(run->result->warnings[0]->warnings[0].code == "toy");
+}
+
+TEST_CASE("equal nodes of one graph are computed once") {
+  const Json graph = document({{"a", value_node("count_runs", 5)},
+                               {"b", value_node("count_runs", 5)},
+                               {"c", {{"type", "sum"}, {"inputs", {{"a", from("a")}, {"b", from("b")}}}}}});
+  const int before = toy::runs;
+  CHECK(support::numbers(registry, graph, "c") == std::vector<double>{12});
+  CHECK(toy::runs == before + 1);
+}
+
 TEST_CASE("the cache forgets the least recently used results first and stays within its budget") {
   Cache cache(1500);
-  const auto result = [] { return std::make_shared<NodeResult>(NodeResult{{single_column(1.0)}, {}}); };
-  for (std::uint8_t i = 0; i < 5; ++i) cache.insert({i}, result());
-  CHECK(cache.find({0}) != nullptr);
-  cache.insert({5}, result());
-  CHECK(cache.find({0}) != nullptr);
-  CHECK(cache.find({1}) == nullptr);
+  const auto insert = [&](std::uint8_t key, std::size_t bytes) {
+    cache.insert<int>({key}, std::make_shared<const int>(key), bytes);
+  };
+  const auto find = [&](std::uint8_t key) { return cache.find<int>({key}); };
+  for (std::uint8_t i = 0; i < 5; ++i) insert(i, 8);
+  CHECK(find(0) != nullptr);
+  insert(5, 8);
+  REQUIRE(find(0) != nullptr);
+  CHECK(*find(0) == 0);
+  CHECK(find(1) == nullptr);
   CHECK(cache.bytes() <= 1500);
-  const auto large =
-      std::make_shared<NodeResult>(NodeResult{{SharedColumn<double>(std::make_shared<Column<double>>(1000))}, {}});
-  cache.insert({9}, large);
-  CHECK(cache.find({9}) == nullptr);
-  CHECK(cache.find({0}) != nullptr);
+  CHECK(cache.evictions() == 1);
+  insert(9, 8000);
+  CHECK(find(9) == nullptr);
+  CHECK(find(0) != nullptr);
+  insert(0, 8);
+  CHECK(cache.size() == 5);
 }

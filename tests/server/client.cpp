@@ -38,6 +38,8 @@ void Client::close() {
   descriptor_ = -1;
 }
 
+void Client::finish_sending() const { ::shutdown(descriptor_, SHUT_WR); }
+
 bool Client::send(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::send(descriptor_, bytes.data(), bytes.size(), MSG_NOSIGNAL);

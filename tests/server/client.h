@@ -50,6 +50,9 @@ class Client {
 
   void close();
 
+  /// Sends no more, but goes on reading.
+  void finish_sending() const;
+
  private:
   bool readable(std::chrono::milliseconds wait) const;
   bool read_more();

@@ -34,7 +34,8 @@ TEST_CASE("Accept chooses the model, the report, or both in one answer") {
   const auto report = post(server.port(), "/v1/evaluate", body, "Accept: application/json\r\n");
   REQUIRE(report);
   CHECK(report->json()["model"]["bytes"] == 3);
-  CHECK("W/" + report->json()["etag"].get<std::string>() == report->header("etag"));
+  CHECK(report->header("etag").starts_with("W/\"toy-"));
+  CHECK(report->json()["etag"] == post(server.port(), "/v1/evaluate", body)->header("etag"));
 
   const auto both = post(server.port(), "/v1/evaluate", body, "Accept: text/plain, multipart/form-data;q=0.9\r\n");
   REQUIRE(both);
@@ -56,16 +57,120 @@ TEST_CASE("A client that has the result gets 304 and nothing is evaluated") {
   const std::string body = toy_body({{"bytes", 6}});
   const std::string tag = post(server.port(), "/v1/evaluate", body)->header("etag");
   const std::size_t before = counters().started;
-  for (const std::string& known : {tag, "\"other\", " + tag, "W/" + tag, std::string("*")}) {
+  for (const std::string& known : {tag, "\"other\", " + tag, "W/" + tag}) {
     const auto answer = post(server.port(), "/v1/evaluate", body, "If-None-Match: " + known + "\r\n");
     REQUIRE(answer);
     CHECK(answer->status == 304);
     CHECK(answer->body.empty());
     CHECK(answer->header("etag") == tag);
   }
-  CHECK(counters().started == before);
   CHECK(post(server.port(), "/v1/evaluate", body, "If-None-Match: \"other\"\r\n")->status == 200);
+  CHECK(counters().started == before);
+  // On a POST a star says nothing about a result.
+  CHECK(post(server.port(), "/v1/evaluate", body, "If-None-Match: *\r\n")->status == 200);
+  CHECK(post(server.port(), "/v1/evaluate", toy_body({{"problem", "check-failed"}}), "If-None-Match: *\r\n")->status ==
+        422);
+}
+
+TEST_CASE("Everybody gets a report of their own, with a tag of its own, though the result is shared") {
+  const Running server;
+  const std::string accept = "Accept: application/json\r\n";
+  const auto body = [](const std::string& id, int milliseconds) {
+    const Json out = {{"type", "toy"}, {"inputs", {{"bytes", 77}, {"milliseconds", milliseconds}}}};
+    return Json{{"graph", {{"format", 1}, {"nodes", {{"out", out}, {id, {{"type", "toy"}}}}}}}}.dump();
+  };
+  const std::size_t before = counters().started;
+  auto first =
+      std::async(std::launch::async, [&] { return post(server.port(), "/v1/evaluate", body("first", 300), accept); });
+  REQUIRE(eventually([&] { return counters().started > before; }));
+  const auto second = post(server.port(), "/v1/evaluate", body("second", 300), accept);
+  const auto third = post(server.port(), "/v1/evaluate", body("third", 0), accept);
+  const auto answer = first.get();
+  REQUIRE((answer && second && third));
   CHECK(counters().started == before + 1);
+  CHECK(answer->json()["nodes"].contains("first"));
+  CHECK(second->json()["nodes"].contains("second"));
+  CHECK(third->json()["nodes"].contains("third"));
+  CHECK(second->json()["nodes"].size() == 2);
+  CHECK(second->json()["etag"] == third->json()["etag"]);
+  CHECK(second->header("etag") != third->header("etag"));
+  const std::string tag = third->header("etag");
+  CHECK(post(server.port(), "/v1/evaluate", body("third", 0), accept + "If-None-Match: " + tag + "\r\n")->status ==
+        304);
+  CHECK(post(server.port(), "/v1/evaluate", body("fourth", 0), accept + "If-None-Match: " + tag + "\r\n")->status ==
+        200);
+}
+
+TEST_CASE("A hundred identical requests are one evaluation in one place") {
+  const Running server;  // one slot, one place in the queue
+  const std::size_t before = counters().started;
+  const std::string bytes = post_text("/v1/evaluate", toy_body({{"milliseconds", 300}, {"bytes", 9}}));
+  std::vector<std::unique_ptr<Client>> clients;
+  for (int i = 0; i < 100; ++i) {
+    clients.push_back(std::make_unique<Client>(server.port()));
+    clients.back()->send(bytes);
+  }
+  for (const auto& client : clients) {
+    const auto answer = client->receive();
+    REQUIRE(answer);
+    CHECK(answer->status == 200);
+    CHECK(answer->body == "ggggggggg");
+  }
+  CHECK(counters().started == before + 1);
+}
+
+TEST_CASE("What is known is answered while every place is taken") {
+  const Running server;
+  const std::string known = toy_body({{"bytes", 5}});
+  REQUIRE(post(server.port(), "/v1/evaluate", known)->status == 200);
+  const std::size_t before = counters().started;
+  Client running(server.port()), waiting(server.port());
+  running.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 60'000}, {"bytes", 1}})));
+  waiting.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 60'000}, {"bytes", 2}})));
+  REQUIRE(eventually([&] { return counters().started > before; }));
+  REQUIRE(eventually([&] {
+    return post(server.port(), "/v1/evaluate", toy_body({{"milliseconds", 60'000}, {"bytes", 3}, {"deadline", 1}}))
+               ->status == 503;
+  }));
+  for (int i = 0; i < 20; ++i) {
+    CHECK(post(server.port(), "/v1/evaluate", known)->status == 200);
+    CHECK(post(server.port(), "/v1/validate", known)->status == 200);
+  }
+}
+
+TEST_CASE("A newer request that is turned away leaves the older one alone, a wrong one does not") {
+  const Running server;
+  const std::size_t before = counters().started;
+  const std::string key = "Supersede-Key: slider\r\n";
+  Client running(server.port()), older(server.port()), newer(server.port());
+  running.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 60'000}, {"bytes", 1}})));
+  REQUIRE(eventually([&] { return counters().started > before; }));
+  older.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 1}, {"bytes", 2}}), key));
+  // The one place in the queue is taken once others are refused.
+  REQUIRE(eventually([&] {
+    return post(server.port(), "/v1/evaluate", toy_body({{"milliseconds", 60'000}, {"bytes", 3}}))->status == 503;
+  }));
+  CHECK(post(server.port(), "/v1/evaluate", toy_body({{"bytes", 4}}), key)->status == 503);
+  running.close();
+  const auto answer = older.receive();
+  REQUIRE(answer);
+  CHECK(answer->status == 200);
+
+  const std::size_t again = counters().started;
+  newer.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 60'000}, {"bytes", 5}}), key));
+  REQUIRE(eventually([&] { return counters().started > again; }));
+  CHECK(post(server.port(), "/v1/evaluate", toy_body({{"invalid", "out-of-range"}}), key)->status == 422);
+  CHECK(newer.receive()->status == 409);
+}
+
+TEST_CASE("Want of memory is told and passes") {
+  const Running server;
+  const auto answer = post(server.port(), "/v1/evaluate", toy_body({{"memory", true}}));
+  REQUIRE(answer);
+  CHECK(answer->status == 503);
+  CHECK(answer->code() == "out-of-memory");
+  CHECK(answer->header("retry-after") == "1");
+  CHECK(post(server.port(), "/v1/evaluate", toy_body({{"bytes", 1}}))->status == 200);
 }
 
 TEST_CASE("Every error has the same form") {
@@ -128,6 +233,7 @@ TEST_CASE("A deadline ends an evaluation with 504") {
   REQUIRE(answer);
   CHECK(answer->status == 504);
   CHECK(answer->code() == "deadline");
+  CHECK(answer->json()["detail"].get<std::string>().find("deadline of 50 ms; ") != std::string::npos);
   CHECK(eventually(all_finished));
 }
 
@@ -151,22 +257,43 @@ TEST_CASE("Evaluations beyond slots and queue are refused at once") {
   Client running(server.port());
   running.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 60'000}})));
   REQUIRE(eventually([&] { return counters().started > before; }));
-  std::vector<std::unique_ptr<Client>> more;
-  std::optional<Answer> refused;
+  std::vector<std::future<std::optional<Answer>>> more;
   for (int i = 0; i < 2; ++i) {
-    more.push_back(std::make_unique<Client>(server.port()));
-    more.back()->send(post_text("/v1/inspect", R"({"graph":{"nodes":{}},"node":"out"})"));
-    if (i == 0) std::this_thread::sleep_for(std::chrono::milliseconds(200));  // the first is to be in the queue
+    more.push_back(std::async(std::launch::async, [&server, i] {
+      return post(server.port(), "/v1/inspect", R"({"graph":{"nodes":{}},"node":"out"})" + std::string(i, ' '));
+    }));
   }
-  refused = more.back()->receive();
-  REQUIRE(refused);
-  CHECK(refused->status == 503);
-  CHECK(refused->header("retry-after") == "1");
+  // One of the two finds the place in the queue, the other one is told so before the first is done.
+  std::size_t refused = more.size();
+  REQUIRE(eventually([&] {
+    for (std::size_t i = 0; i < more.size(); ++i) {
+      if (more[i].wait_for(std::chrono::seconds(0)) == std::future_status::ready) refused = i;
+    }
+    return refused < more.size();
+  }));
+  const auto answer = more[refused].get();
+  REQUIRE(answer);
+  CHECK(answer->status == 503);
+  CHECK(answer->header("retry-after") == "1");
   CHECK(get(server.port(), "/healthz")->status == 200);
   running.close();  // frees the slot for the one that waits
-  const auto waited = more.front()->receive();
+  const auto waited = more[1 - refused].get();
   REQUIRE(waited);
   CHECK(waited->status == 200);
+}
+
+TEST_CASE("A client that has only finished sending still gets its answer") {
+  const Running server;
+  for (const int milliseconds : {0, 150}) {
+    Client client(server.port());
+    client.send(post_text("/v1/evaluate", toy_body({{"milliseconds", milliseconds}, {"bytes", 40 + milliseconds}})));
+    client.finish_sending();
+    const auto answer = client.receive();
+    REQUIRE(answer);
+    CHECK(answer->status == 200);
+    CHECK(answer->body == std::string(static_cast<std::size_t>(40 + milliseconds), 'g'));
+    CHECK(client.closed());
+  }
 }
 
 TEST_CASE("A client that leaves stops its evaluation") {

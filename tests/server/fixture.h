@@ -4,14 +4,13 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/sinks/base_sink.h>
 #include <spdlog/spdlog.h>
-#include <sstream>
-#include <thread>
 #include <unistd.h>
 
 #include "server/server.h"
 #include "tests/server/client.h"
+#include "tests/support/eventually.h"
 #include "tests/support/toy_engine.h"
 
 namespace dini::testing {
@@ -27,31 +26,62 @@ inline server::Settings quick_settings() {
   return settings;
 }
 
-/// A server on a free port over the toy engine; its log is kept for the tests.
-class Running {
+/// Keeps the lines of a log.
+class LogKeeper final : public spdlog::sinks::base_sink<std::mutex> {
  public:
-  explicit Running(const server::Settings& settings = quick_settings(), Limits limits = {}) : engine_(limits) {
+  std::string text() {
+    const std::lock_guard lock(mutex_);
+    return text_;
+  }
+
+ private:
+  void sink_it_(const spdlog::details::log_msg& message) override {
+    spdlog::memory_buf_t line;
+    formatter_->format(message, line);
+    text_.append(line.data(), line.size());
+  }
+  void flush_() override {}
+
+  std::string text_;
+};
+
+/// A server on a free port; its log is kept for the tests.
+class RunningOver {
+ public:
+  RunningOver(std::unique_ptr<Engine> engine, const server::Settings& settings) : engine_(std::move(engine)) {
     spdlog::drop_all();
-    spdlog::set_default_logger(
-        std::make_shared<spdlog::logger>("test", std::make_shared<spdlog::sinks::ostream_sink_mt>(log_, true)));
-    auto started = server::Server::start(engine_, settings);
+    spdlog::set_default_logger(std::make_shared<spdlog::logger>("test", log_));
+    auto started = server::Server::start(*engine_, settings);
     REQUIRE(started);
     server_ = *std::move(started);
   }
-  ~Running() { stop(); }
+  ~RunningOver() { stop(); }
 
   int port() const { return server_->port(); }
   void stop() {
     server_.reset();
     spdlog::set_default_logger(std::make_shared<spdlog::logger>("none"));
   }
-  /// After `stop` only.
-  std::string log() const { return log_.str(); }
+  std::string log() const { return log_->text(); }
 
  private:
-  std::ostringstream log_;
-  Engine engine_;
+  std::shared_ptr<LogKeeper> log_ = std::make_shared<LogKeeper>();
+  std::unique_ptr<Engine> engine_;
   std::unique_ptr<server::Server> server_;
+};
+
+/// A server over the toy engine.
+class Running : public RunningOver {
+ public:
+  explicit Running(const server::Settings& settings = quick_settings(), const Limits& limits = {})
+      : RunningOver(std::make_unique<toy::ToyEngine>(limits), settings) {}
+};
+
+/// A server over the real engine.
+class RunningReal : public RunningOver {
+ public:
+  explicit RunningReal(const server::Settings& settings = quick_settings(), const Limits& limits = {})
+      : RunningOver(make_engine(limits), settings) {}
 };
 
 /// A folder that is gone at the end.
@@ -73,23 +103,18 @@ class Folder {
   std::filesystem::path path_;
 };
 
-/// Waits up to fifteen seconds for something that another thread brings about.
-inline bool eventually(const std::function<bool()>& holds) {
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(15);
-  while (!holds()) {
-    if (std::chrono::steady_clock::now() > deadline) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return true;
-}
-
-/// The memory this process holds now, in KiB.
-inline long resident_kib() {
+/// A number that the system tells about this process.
+inline long process_status(const std::string& name) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
-    if (line.starts_with("VmRSS:")) return std::stol(line.substr(6));
+    if (line.starts_with(name + ":")) return std::stol(line.substr(name.size() + 1));
   }
   return 0;
 }
+
+/// The memory this process holds now, in KiB.
+inline long resident_kib() { return process_status("VmRSS"); }
+
+inline std::size_t thread_count() { return static_cast<std::size_t>(process_status("Threads")); }
 
 }  // namespace dini::testing

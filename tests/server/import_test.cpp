@@ -28,7 +28,7 @@ std::string body_with(const std::string& asset) { return Json{{"graph", graph_wi
 }  // namespace
 
 TEST_CASE("A file of every format is uploaded, named by its hash, and evaluated") {
-  const Running server;
+  const RunningReal server;
   for (const auto& [bytes, format] : std::vector<std::pair<std::string, std::string>>{
            {std::string(quad_obj), "obj"}, {std::string(quad_ply), "ply"}, {quad_glb(), "glb"}}) {
     CAPTURE(format);
@@ -58,7 +58,7 @@ TEST_CASE("A file that takes too long to read is left at the deadline, and the s
   limits.interactive_milliseconds = 20;
   auto settings = quick_settings();
   settings.body_deadline = std::chrono::seconds(5);
-  const Running server(settings, limits);
+  const RunningReal server(settings, limits);
   std::string text;
   while (text.size() < (std::size_t{8} << 20)) text += "v 0.123456789 0.25 1e-7\n";
   const auto answer = upload(server.port(), text);
@@ -69,7 +69,7 @@ TEST_CASE("A file that takes too long to read is left at the deadline, and the s
 }
 
 TEST_CASE("A graph that names a file that is not there blames the node") {
-  const Running server;
+  const RunningReal server;
   const auto answer = post(server.port(), "/v1/evaluate", body_with("shell"));
   REQUIRE(answer);
   CHECK(answer->status == 422);
@@ -82,7 +82,7 @@ TEST_CASE("A graph that names a file that is not there blames the node") {
 }
 
 TEST_CASE("Hostile files are refused, and the server stays as it was") {
-  const Running server;
+  const RunningReal server;
   const std::string huge_ply =
       "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\n"
       "property float z\nend_header\n";
@@ -106,7 +106,7 @@ TEST_CASE("Hostile files are refused, and the server stays as it was") {
 TEST_CASE("Uploaded files make room for later ones, the least used first") {
   dini::Limits limits;
   limits.asset_store_bytes = 5'000;
-  const Running server(quick_settings(), limits);
+  const RunningReal server(quick_settings(), limits);
   const auto file = [](int n) { return "# " + std::to_string(n) + "\n" + std::string(quad_obj); };
   std::vector<std::string> hashes;
   for (int n = 0; n < 20; ++n) {
@@ -121,7 +121,7 @@ TEST_CASE("Uploaded files make room for later ones, the least used first") {
 TEST_CASE("The example with a mesh is served with its file") {
   auto settings = quick_settings();
   settings.examples = DINI_EXAMPLES;
-  const Running server(settings);
+  const RunningReal server(settings);
   const Json graph = get(server.port(), "/v1/examples/fig12_imported_mesh")->json();
   REQUIRE(graph.is_object());
   CHECK(post(server.port(), "/v1/evaluate", Json{{"graph", graph}}.dump())->status == 200);

@@ -1,10 +1,8 @@
 #include <array>
 #include <catch2/catch.hpp>
 
-#include "server/gate.h"
 #include "server/negotiation.h"
 #include "server/page.h"
-#include "server/supersede.h"
 #include "server/text.h"
 
 namespace {
@@ -38,52 +36,6 @@ TEST_CASE("Tags are compared as a whole") {
   CHECK_FALSE(names_tag("", "\"a\""));
   CHECK_FALSE(names_tag("a", "\"a\""));
   CHECK_FALSE(names_tag("\"aa\"", "\"a\""));
-}
-
-TEST_CASE("A gate gives its slots, then its queue, then refuses") {
-  Gate gate(1, 0);
-  const Cancel cancel;
-  {
-    const auto pass = gate.enter(cancel);
-    REQUIRE(pass);
-    CHECK(gate.enter(cancel).problems().front().code == "busy");
-  }
-  CHECK(gate.enter(cancel));
-}
-
-TEST_CASE("Waiting at a gate ends when the request is stopped") {
-  Gate gate(1, 4);
-  const Cancel running;
-  const auto pass = gate.enter(running);
-  const Cancel late(Cancel::Clock::now());
-  CHECK(gate.enter(late).problems().front().code == "deadline");
-  const Cancel gone;
-  gone.stop(StopReason::client_gone);
-  CHECK(gate.enter(gone).problems().front().code == "client-gone");
-}
-
-TEST_CASE("Only the same key supersedes, and only while the older one runs") {
-  Supersede registry;
-  const Cancel first;
-  const Cancel other;
-  const Cancel second;
-  const Cancel anonymous;
-  {
-    const Supersede::Entry a(registry, "k", first);
-    const Supersede::Entry b(registry, "other", other);
-    const Supersede::Entry c(registry, "", anonymous);
-    {
-      const Supersede::Entry d(registry, "k", second);
-      CHECK(first.reason() == StopReason::superseded);
-    }
-    const Supersede::Entry e(registry, "", second);
-  }
-  CHECK(second.reason() == StopReason::none);
-  CHECK(other.reason() == StopReason::none);
-  CHECK(anonymous.reason() == StopReason::none);
-  const Cancel third;
-  const Supersede::Entry f(registry, "k", third);
-  CHECK(second.reason() == StopReason::none);
 }
 
 TEST_CASE("Hashed names are told from plain ones") {

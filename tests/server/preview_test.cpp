@@ -33,7 +33,7 @@ std::string part_of(const Answer& answer, const std::string& name) {
 }  // namespace
 
 TEST_CASE("A model, its report and a preview come in one answer, each as it comes alone") {
-  const Running server;
+  const RunningReal server;
   const auto both = post(server.port(), "/v1/evaluate", body_with({{"output", "out"}, {"preview", {"ring", "tau"}}}),
                          "Accept: multipart/form-data\r\n");
   REQUIRE(both);
@@ -54,7 +54,7 @@ TEST_CASE("A model, its report and a preview come in one answer, each as it come
 }
 
 TEST_CASE("Wrong previews and budgets are problems at their place, and their limits have names") {
-  const Running server;
+  const RunningReal server;
   const auto refused = [&](const Json& more) {
     const auto answer = post(server.port(), "/v1/evaluate", body_with(more));
     REQUIRE(answer);
@@ -72,7 +72,7 @@ TEST_CASE("Wrong previews and budgets are problems at their place, and their lim
 }
 
 TEST_CASE("Only nodes behind the ones to blame are blocked") {
-  const Running server;
+  const RunningReal server;
   Json broken = graph;
   broken["nodes"]["ring"]["inputs"]["radius"] = -1;
   broken["nodes"]["lost"] = make("translate", {{"shape", from("loose")}});
@@ -83,7 +83,7 @@ TEST_CASE("Only nodes behind the ones to blame are blocked") {
 }
 
 TEST_CASE("Validation tells every wire it can, and fixes") {
-  const Running server;
+  const RunningReal server;
   Json broken = graph;
   broken["nodes"]["ring"]["inputs"]["radius"] = -1;
   const Json verdict = post(server.port(), "/v1/validate", Json{{"graph", broken}}.dump())->json();
@@ -96,7 +96,7 @@ TEST_CASE("Validation tells every wire it can, and fixes") {
 }
 
 TEST_CASE("The catalogue tells handles and what singular inputs do") {
-  const Running server;
+  const RunningReal server;
   const Json catalogue = get(server.port(), "/v1/nodes")->json();
   for (const Json& node : catalogue["nodes"]) {
     if (node["id"] != "circle") continue;

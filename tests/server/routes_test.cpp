@@ -132,7 +132,7 @@ TEST_CASE("The page is served from memory with the right types and lifetimes") {
 
 TEST_CASE("A page with a link out of it, or without an index, is not served") {
   const Folder folder;
-  const dini::Engine engine;
+  const dini::toy::ToyEngine engine;
   auto settings = quick_settings();
   settings.web = folder.path();
   CHECK(dini::server::Server::start(engine, settings).problems().front().code == "io");
@@ -160,7 +160,7 @@ TEST_CASE("Examples are listed and given, and a wrong one keeps the server from 
     CHECK(get(server.port(), "/v1/examples/c")->status == 404);
   }
   folder.write("c.json", "{");
-  const dini::Engine engine;
+  const dini::toy::ToyEngine engine;
   const auto failed = dini::server::Server::start(engine, settings);
   REQUIRE_FALSE(failed);
   CHECK(failed.problems().front().detail.find("c.json") != std::string::npos);
@@ -202,6 +202,6 @@ TEST_CASE("A port that is taken is a problem, not a shared port") {
   const Running server;
   auto settings = quick_settings();
   settings.port = server.port();
-  const dini::Engine engine;
+  const dini::toy::ToyEngine engine;
   CHECK(dini::server::Server::start(engine, settings).problems().front().code == "address");
 }

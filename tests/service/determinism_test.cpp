@@ -1,7 +1,6 @@
 // The same request gives the same bytes, however it is computed.
 
 #include <catch2/catch.hpp>
-#include <latch>
 #include <set>
 #include <tbb/global_control.h>
 #include <thread>
@@ -20,7 +19,7 @@ EvaluateRequest request_for(const Json& graph, Json parameters = Json::object(),
 }
 
 /// The file from an engine that has computed nothing before.
-std::string fresh_file(const Json& graph) { return file_of(ExampleEngine(), request_for(graph)); }
+std::string fresh_file(const Json& graph) { return file_of(*example_engine(), request_for(graph)); }
 
 /// Puts the choice of instruction set back.
 struct RestoreInstructionSet {
@@ -79,7 +78,7 @@ TEST_CASE("previews of every node of the examples can be drawn and are the same 
     for (const char* set : {"", lowest}) {
       REQUIRE(kernels::force_instruction_set(set));
       const tbb::global_control control(tbb::global_control::max_allowed_parallelism, set == lowest ? 1 : 4);
-      const Result<Evaluated> answer = answered(ExampleEngine(), request);
+      const Result<Answered> answer = answered(*example_engine(), request);
       require_none(answer ? Problems{} : answer.problems());
       files.insert(*answer->preview);
     }
@@ -90,7 +89,8 @@ TEST_CASE("previews of every node of the examples can be drawn and are the same 
 TEST_CASE("files are the same from a cold cache, a warm one, and one that knows only parts") {
   for (const auto& [id, graph] : examples()) {
     CAPTURE(id);
-    const ExampleEngine engine;
+    const std::unique_ptr<Engine> engine_owner = example_engine();
+    const Engine& engine = *engine_owner;
     const auto parameter = graph["parameters"].items().begin();
     const Json other =
         parameter.value().contains("max") ? parameter.value()["max"] : parameter.value()["choices"].back();
@@ -102,10 +102,11 @@ TEST_CASE("files are the same from a cold cache, a warm one, and one that knows 
 }
 
 TEST_CASE("a warm cache is used") {
-  const ExampleEngine engine;
+  const std::unique_ptr<Engine> engine_owner = example_engine();
+  const Engine& engine = *engine_owner;
   const Json graph = small_graph();
   const auto cached = [&](const Json& amount) {
-    const Result<Evaluated> answer = answered(engine, request_for(graph, {{"amount", amount}}));
+    const Result<Answered> answer = answered(engine, request_for(graph, {{"amount", amount}}));
     require_none(answer ? Problems{} : answer.problems());
     std::set<std::string> nodes;
     const Json report = answer->report();
@@ -119,37 +120,9 @@ TEST_CASE("a warm cache is used") {
   CHECK(cached(0.2) == std::set<std::string>{"ball", "pair"});
 }
 
-TEST_CASE("eight identical requests at once are computed once and all answered") {
-  const ExampleEngine engine;
-  const Json graph = small_graph();
-  constexpr int callers = 8;
-  std::latch together(callers);
-  std::vector<std::shared_ptr<const std::string>> files(callers);
-  std::vector<Json> reports(callers);
-  {
-    std::vector<std::jthread> threads;
-    for (std::size_t i = 0; i < callers; ++i) {
-      threads.emplace_back([&, i] {
-        together.arrive_and_wait();
-        const Result<Evaluated> answer = answered(engine, request_for(graph));
-        if (!answer) return;
-        files[i] = answer->glb;
-        reports[i] = answer->report();
-      });
-    }
-  }
-  // Callers that shared a flight share its file; those that came after it found everything cached.
-  std::set<const std::string*> computed;
-  for (std::size_t i = 0; i < callers; ++i) {
-    REQUIRE(files[i]);
-    CHECK(*files[i] == *files[0]);
-    if (reports[i]["nodes"]["moved"]["cached"] == false) computed.insert(files[i].get());
-  }
-  CHECK(computed.size() == 1);
-}
-
 TEST_CASE("different requests at once do not disturb one another") {
-  const ExampleEngine engine;
+  const std::unique_ptr<Engine> engine_owner = example_engine();
+  const Engine& engine = *engine_owner;
   const Json graph = small_graph();
   constexpr int callers = 8;
   std::vector<std::string> files(callers);
@@ -157,7 +130,7 @@ TEST_CASE("different requests at once do not disturb one another") {
     std::vector<std::jthread> threads;
     for (std::size_t i = 0; i < callers; ++i) {
       threads.emplace_back([&, i] {
-        const Result<Evaluated> answer =
+        const Result<Answered> answer =
             answered(engine, request_for(graph, {{"amount", 0.1 * static_cast<double>(i)}}));
         if (answer) files[i] = *answer->glb;
       });
@@ -165,6 +138,6 @@ TEST_CASE("different requests at once do not disturb one another") {
   }
   CHECK(std::set<std::string>(files.begin(), files.end()).size() == callers);
   for (std::size_t i = 0; i < callers; ++i) {
-    CHECK(files[i] == file_of(ExampleEngine(), request_for(graph, {{"amount", 0.1 * static_cast<double>(i)}})));
+    CHECK(files[i] == file_of(*example_engine(), request_for(graph, {{"amount", 0.1 * static_cast<double>(i)}})));
   }
 }

@@ -10,8 +10,8 @@ using namespace dini::support;
 namespace {
 
 const Engine& engine() {
-  static const Engine one;
-  return one;
+  static const std::unique_ptr<Engine> one = make_engine();
+  return *one;
 }
 
 /// Meshes of every kind that a draft may thin, on one export.
@@ -41,7 +41,7 @@ EvaluateRequest draft_of(Json graph, std::optional<std::int64_t> budget) {
 }
 
 std::size_t triangles_of(const EvaluateRequest& request) {
-  const Result<Evaluated> answer = answered(engine(), request);
+  const Result<Answered> answer = answered(engine(), request);
   require_none(answer ? Problems{} : answer.problems());
   return answer->report()["model"]["triangles"];
 }
@@ -79,7 +79,7 @@ TEST_CASE("a draft that fits its budget is as fine as the final answer") {
 
 TEST_CASE("a budget outside its bounds, or for a final answer, is refused") {
   const auto refused = [](const EvaluateRequest& request) {
-    const auto prepared = engine().prepare(request);
+    const auto prepared = engine().prepare(request, Cancel());
     REQUIRE_FALSE(prepared);
     CHECK(prepared.problems().front().code == "out-of-range");
     CHECK(prepared.problems().front().pointer == "/triangle_budget");
@@ -94,7 +94,7 @@ TEST_CASE("a budget outside its bounds, or for a final answer, is refused") {
 }
 
 TEST_CASE("the tag of a draft depends on its budget where that thins something") {
-  const auto tag = [](const EvaluateRequest& request) { return Engine::entity_tag(**engine().prepare(request)); };
+  const auto tag = [](const EvaluateRequest& request) { return (*engine().prepare(request, Cancel()))->model_tag; };
   CHECK(tag(draft_of(large_graph(), 1000)) != tag(draft_of(large_graph(), 2000)));
   CHECK(tag(draft_of(large_graph(), 1000)) == tag(draft_of(large_graph(), 1000)));
 }

@@ -14,8 +14,8 @@ using namespace dini::support;
 namespace {
 
 const Engine& engine() {
-  static const ExampleEngine one;
-  return one;
+  static const std::unique_ptr<Engine> one = example_engine();
+  return *one;
 }
 
 /// The ends of a graph parameter's range, or all its words.
@@ -32,9 +32,9 @@ Json another(const Json& parameter) {
 }
 
 std::string tag(const Engine& asked, const EvaluateRequest& request) {
-  const auto prepared = asked.prepare(request);
+  const auto prepared = asked.prepare(request, Cancel());
   require_none(prepared ? Problems{} : prepared.problems());
-  return Engine::entity_tag(**prepared);
+  return (*prepared)->model_tag;
 }
 
 Json extras_of(const std::string& file) {
@@ -59,7 +59,7 @@ TEST_CASE("every example is titled, has parameters with labels and bounds, and i
       CHECK(parameter["description"].get<std::string>().ends_with('.'));
       CHECK((parameter["type"] == "choice" || (parameter.contains("min") && parameter.contains("max"))));
     }
-    const Json verdict = engine().validate(graph, Json::object());
+    const Json verdict = *engine().validate(graph, Json::object(), Cancel());
     CHECK(verdict["valid"] == true);
     CHECK(verdict["errors"] == Json::array());
     CHECK(verdict["blocked"] == Json::array());
@@ -74,7 +74,7 @@ TEST_CASE("every example is drawn, the draft no finer than the final answer, wit
     CAPTURE(id);
     std::size_t triangles[2] = {0, 0};
     for (const Quality quality : {Quality::draft, Quality::final}) {
-      const Result<Evaluated> answer =
+      const Result<Answered> answer =
           answered(engine(), {.graph = graph, .parameters = Json::object(), .output = "", .quality = quality});
       require_none(answer ? Problems{} : answer.problems());
       CHECK(answer->report()["warnings"] == Json::array());
@@ -92,13 +92,13 @@ TEST_CASE("every parameter of every example works at its bounds and says so beyo
     for (const auto& [name, parameter] : graph["parameters"].items()) {
       for (const Json& value : extremes(parameter)) {
         CAPTURE(id, name, value);
-        const Result<Evaluated> answer = answered(
+        const Result<Answered> answer = answered(
             engine(), {.graph = graph, .parameters = {{name, value}}, .output = "", .quality = Quality::draft});
         require_none(answer ? Problems{} : answer.problems());
       }
       const Json beyond = parameter.contains("max") ? Json(parameter["max"].get<double>() + 1) : Json("none of them");
-      const auto refused =
-          engine().prepare({.graph = graph, .parameters = {{name, beyond}}, .output = "", .quality = Quality::draft});
+      const auto refused = engine().prepare(
+          {.graph = graph, .parameters = {{name, beyond}}, .output = "", .quality = Quality::draft}, Cancel());
       CAPTURE(id, name);
       REQUIRE_FALSE(refused);
       CHECK(refused.problems().front().pointer == "/parameters/" + name);
@@ -107,7 +107,8 @@ TEST_CASE("every parameter of every example works at its bounds and says so beyo
 }
 
 TEST_CASE("an entity tag is the same for the same request and another for any other parameter") {
-  const ExampleEngine other;
+  const std::unique_ptr<Engine> other_owner = example_engine();
+  const Engine& other = *other_owner;
   for (const auto& [id, graph] : examples()) {
     CAPTURE(id);
     const EvaluateRequest request{
@@ -157,7 +158,7 @@ TEST_CASE("every parameter of every example changes the file, and the file tells
 TEST_CASE("the boosted ring of figure 4 lies on its horn torus within the announced bound") {
   const Json graph = examples().at("fig04_boosted_ring");
   for (const double height : {0.5, 1.5}) {
-    const Result<Evaluated> answer = answered(
+    const Result<Answered> answer = answered(
         engine(), {.graph = graph, .parameters = {{"height", height}}, .output = "", .quality = Quality::final});
     require_none(answer ? Problems{} : answer.problems());
     const double bound = answer->report()["model"]["position_error"];

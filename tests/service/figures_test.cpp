@@ -13,8 +13,8 @@ using namespace dini::support;
 namespace {
 
 const Engine& engine() {
-  static const Engine one;
-  return one;
+  static const std::unique_ptr<Engine> one = make_engine();
+  return *one;
 }
 
 Vector vector_of(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }

@@ -26,7 +26,7 @@ std::set<std::string> types_of(const Json& graph) {
 
 TEST_CASE("every node has an example in examples/nodes, and every example there has its node") {
   std::set<std::string> nodes, names;
-  const Json catalogue = Engine().catalogue();
+  const Json catalogue = make_engine()->catalogue();
   for (const Json& node : catalogue["nodes"]) nodes.insert(node["id"].get<std::string>());
   for (const auto& [id, graph] : node_examples()) names.insert(id);
   CHECK(names == nodes);
@@ -47,10 +47,11 @@ TEST_CASE("every example of a node says what it shows, is small, and has its nod
 }
 
 TEST_CASE("every example of a node is drawn by all of its nodes, without warnings") {
-  const ExampleEngine engine;
+  const std::unique_ptr<Engine> engine_owner = example_engine();
+  const Engine& engine = *engine_owner;
   for (const auto& [id, graph] : node_examples()) {
     CAPTURE(id);
-    const Result<Evaluated> answer =
+    const Result<Answered> answer =
         answered(engine, {.graph = graph, .parameters = Json::object(), .output = "", .quality = Quality::final});
     require_none(answer ? Problems{} : answer.problems());
     const Json report = answer->report();

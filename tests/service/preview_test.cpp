@@ -12,8 +12,8 @@ using namespace dini::support;
 namespace {
 
 const Engine& engine() {
-  static const Engine one;
-  return one;
+  static const std::unique_ptr<Engine> one = make_engine();
+  return *one;
 }
 
 EvaluateRequest showing(Json nodes, std::vector<std::string> preview) {
@@ -24,7 +24,7 @@ EvaluateRequest showing(Json nodes, std::vector<std::string> preview) {
 }
 
 std::string preview_of(const EvaluateRequest& request) {
-  const Result<Evaluated> answer = answered(engine(), request);
+  const Result<Answered> answer = answered(engine(), request);
   require_none(answer ? Problems{} : answer.problems());
   REQUIRE(answer->preview);
   return *answer->preview;
@@ -64,7 +64,7 @@ double extent_of(const Json& json) {
 }
 
 Problems refused(const EvaluateRequest& request) {
-  const auto prepared = engine().prepare(request);
+  const auto prepared = engine().prepare(request, Cancel());
   REQUIRE_FALSE(prepared);
   return prepared.problems();
 }
@@ -207,12 +207,12 @@ TEST_CASE("a line crosses everything that is shown with it, wherever it runs") {
 
 TEST_CASE("an evaluation gives the model, the preview, or both, and says so in its report") {
   EvaluateRequest request = showing(ring_graph, {});
-  const Result<Evaluated> model = answered(engine(), request);
+  const Result<Answered> model = answered(engine(), request);
   REQUIRE(model);
   CHECK_FALSE(model->preview);
   CHECK_FALSE(model->report().contains("preview"));
   request.preview = {"ring"};
-  const Result<Evaluated> preview = answered(engine(), request);
+  const Result<Answered> preview = answered(engine(), request);
   REQUIRE(preview);
   CHECK_FALSE(preview->glb);
   const Json report = preview->report();
@@ -220,7 +220,7 @@ TEST_CASE("an evaluation gives the model, the preview, or both, and says so in i
   CHECK(report["preview"]["nodes"] == Json::array({"ring"}));
   CHECK(report["preview"]["bytes"] == preview->preview->size());
   request.output = "out";
-  const Result<Evaluated> both = answered(engine(), request);
+  const Result<Answered> both = answered(engine(), request);
   REQUIRE(both);
   CHECK(*both->glb == *model->glb);
   CHECK(*both->preview == *preview->preview);
@@ -229,9 +229,9 @@ TEST_CASE("an evaluation gives the model, the preview, or both, and says so in i
 
 TEST_CASE("the tag of an answer depends on what is drawn, and equal previews are equal bytes") {
   const auto tag = [](const EvaluateRequest& request) {
-    const auto prepared = engine().prepare(request);
+    const auto prepared = engine().prepare(request, Cancel());
     require_none(prepared ? Problems{} : prepared.problems());
-    return Engine::entity_tag(**prepared);
+    return (*prepared)->model_tag;
   };
   EvaluateRequest both = showing(ring_graph, {"ring"});
   both.output = "out";
@@ -242,8 +242,9 @@ TEST_CASE("the tag of an answer depends on what is drawn, and equal previews are
   for (const EvaluateRequest& request : requests) tags.insert(tag(request));
   CHECK(tags.size() == requests.size());
   CHECK(tag(showing(ring_graph, {"skin", "ring"})) == tag(showing(ring_graph, {"ring", "skin"})));
-  const Engine other;
-  const Result<Evaluated> again = answered(other, requests[3]);
+  const std::unique_ptr<Engine> other_owner = make_engine();
+  const Engine& other = *other_owner;
+  const Result<Answered> again = answered(other, requests[3]);
   REQUIRE(again);
   CHECK(*again->preview == preview_of(requests[3]));
   CHECK(*again->preview == *answered(other, requests[3])->preview);
@@ -253,7 +254,7 @@ TEST_CASE("a node with nothing to draw is not evaluated for its preview") {
   const Json nodes = {{"bad", make("expression", {{"formula", "1 / x"}})}, {"ring", make("circle")}};
   const Json json = json_of(preview_of(showing(nodes, {"bad", "ring"})));
   CHECK(json["nodes"][1]["extras"] == Json({{"id", "bad"}, {"type", "expression"}, {"drawable", false}}));
-  const Result<Evaluated> failed = answered(
+  const Result<Answered> failed = answered(
       engine(), showing({{"ring", make("circle", {{"radius", from("bad")}})}, {"bad", nodes["bad"]}}, {"ring"}));
   REQUIRE_FALSE(failed);
   CHECK(failed.problems().front().node == "bad");

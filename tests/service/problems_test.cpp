@@ -11,8 +11,8 @@ using namespace dini::support;
 namespace {
 
 const Engine& engine() {
-  static const Engine one;
-  return one;
+  static const std::unique_ptr<Engine> one = make_engine();
+  return *one;
 }
 
 /// A graph without faults, to put one in.
@@ -92,7 +92,7 @@ std::vector<Fault> faults_elsewhere() {
 TEST_CASE("every fault has its stable code and the pointer to its place") {
   for (const Fault& fault : faults()) {
     CAPTURE(fault.code, fault.pointer);
-    const auto prepared = engine().prepare(request_for(fault.graph, fault.parameters));
+    const auto prepared = engine().prepare(request_for(fault.graph, fault.parameters), Cancel());
     REQUIRE_FALSE(prepared);
     CAPTURE(to_json(prepared.problems()).dump());
     REQUIRE(prepared.problems().size() == 1);
@@ -107,26 +107,27 @@ TEST_CASE("every fault has its stable code and the pointer to its place") {
 TEST_CASE("validation and evaluation find the same problems") {
   for (const Fault& fault : faults()) {
     CAPTURE(fault.code, fault.pointer);
-    const Json verdict = engine().validate(fault.graph, fault.parameters);
+    const Json verdict = *engine().validate(fault.graph, fault.parameters, Cancel());
     CHECK(verdict["valid"] == false);
-    CHECK(verdict["errors"] == to_json(engine().prepare(request_for(fault.graph, fault.parameters)).problems()));
+    CHECK(verdict["errors"] ==
+          to_json(engine().prepare(request_for(fault.graph, fault.parameters), Cancel()).problems()));
   }
-  CHECK(engine().validate(sound(), Json::object())["valid"] == true);
+  CHECK((*engine().validate(sound(), Json::object(), Cancel()))["valid"] == true);
 }
 
 TEST_CASE("a fault elsewhere is a warning of the evaluation and a problem of the validation") {
-  const Result<Evaluated> usual = answered(engine(), request_for(sound()));
+  const Result<Answered> usual = answered(engine(), request_for(sound()));
   REQUIRE(usual);
   for (const Fault& fault : faults_elsewhere()) {
     CAPTURE(fault.code, fault.pointer);
-    const Result<Evaluated> answer = answered(engine(), request_for(fault.graph));
+    const Result<Answered> answer = answered(engine(), request_for(fault.graph));
     require_none(answer ? Problems{} : answer.problems());
     CHECK(*answer->glb == *usual->glb);
     const Json warnings = answer->report()["warnings"];
     REQUIRE(warnings.size() == 1);
     CHECK(warnings[0]["code"] == fault.code);
     CHECK(warnings[0]["pointer"] == fault.pointer);
-    const Json verdict = engine().validate(fault.graph, Json::object());
+    const Json verdict = *engine().validate(fault.graph, Json::object(), Cancel());
     CHECK(verdict["errors"] == warnings);
     const auto seen = engine().inspect(
         {.graph = fault.graph, .parameters = Json::object(), .node = "ring", .output = "", .full = false}, Cancel());
@@ -134,22 +135,28 @@ TEST_CASE("a fault elsewhere is a warning of the evaluation and a problem of the
   }
 }
 
-TEST_CASE("a check that cannot run has not passed, but does not keep the model back") {
+TEST_CASE("a check that cannot run fails the answer, and says why") {
   Json graph = with("/nodes/limit", make("check", {{"value", from("size")}, {"maximum", 5}}));
   graph["nodes"]["size"] = make("expression", {{"formula", "x"}, {"y", from("nowhere")}});
-  const Result<Evaluated> answer = answered(engine(), request_for(graph));
-  require_none(answer ? Problems{} : answer.problems());
-  const Json report = answer->report();
-  REQUIRE(report["checks"].size() == 1);
-  CHECK(report["checks"][0]["node"] == "limit");
-  CHECK(report["checks"][0]["passed"] == false);
-  CHECK(report["checks"][0]["message"] == "the check stands behind a broken node, so it did not run");
+  graph["nodes"]["loose"] = make("check");
+  const auto refused = engine().prepare(request_for(graph), Cancel());
+  REQUIRE_FALSE(refused);
+  REQUIRE(refused.problems().size() == 2);
+  CHECK(refused.problems()[0].code == "check-failed");
+  CHECK(refused.problems()[0].node == "limit");
+  CHECK(refused.problems()[0].detail == "the check cannot run: it stands behind a node that has a problem");
+  CHECK(refused.problems()[0].pointer == "/graph/nodes/limit");
+  CHECK(refused.problems()[1].node == "loose");
+  CHECK(refused.problems()[1].detail.starts_with("the check cannot run: value is not given"));
+  graph["nodes"]["loose"]["bypass"] = true;
+  graph["nodes"]["limit"]["bypass"] = true;
+  CHECK(engine().prepare(request_for(graph), Cancel()));
 }
 
 TEST_CASE("outputs and nodes that are not there are named with what is") {
   EvaluateRequest request = request_for(sound());
   request.output = "skin";
-  const auto wrong_output = engine().prepare(request);
+  const auto wrong_output = engine().prepare(request, Cancel());
   REQUIRE_FALSE(wrong_output);
   CHECK(wrong_output.problems().front().code == "unknown-output");
   CHECK(wrong_output.problems().front().detail.find("out") != std::string::npos);
@@ -167,7 +174,7 @@ TEST_CASE("outputs and nodes that are not there are named with what is") {
 TEST_CASE("problems found while evaluating name node and place too") {
   Json graph = with("/nodes/ring/inputs/radius", from("bad"));
   graph["nodes"]["bad"] = make("expression", {{"formula", "1 / x"}});
-  const Result<Evaluated> answer = answered(engine(), request_for(graph));
+  const Result<Answered> answer = answered(engine(), request_for(graph));
   REQUIRE_FALSE(answer);
   CHECK(answer.problems().front().code == "non-finite");
   CHECK(answer.problems().front().node == "bad");
@@ -178,12 +185,12 @@ TEST_CASE("a check fails the answer although the output does not need it") {
   Json graph = sound();
   graph["nodes"]["size"] = make("measure", {{"model", from("skin")}});
   graph["nodes"]["limit"] = make("check", {{"value", from("size.area")}, {"maximum", 1}, {"message", "too large"}});
-  const Result<Evaluated> answer = answered(engine(), request_for(graph));
+  const Result<Answered> answer = answered(engine(), request_for(graph));
   REQUIRE_FALSE(answer);
   CHECK(answer.problems().front().code == "check-failed");
   CHECK(answer.problems().front().pointer == "/graph/nodes/limit/inputs/value");
   graph["nodes"]["limit"]["inputs"]["maximum"] = 100;
-  const Result<Evaluated> passed = answered(engine(), request_for(graph));
+  const Result<Answered> passed = answered(engine(), request_for(graph));
   require_none(passed ? Problems{} : passed.problems());
   CHECK(passed->report()["checks"][0]["node"] == "limit");
   CHECK(passed->report()["checks"][0]["passed"] == true);
@@ -197,12 +204,12 @@ TEST_CASE("graphs as large as the limit are answered, larger ones are refused") 
     graph["nodes"]["n" + std::to_string(i)] = make("number", std::move(inputs));
   }
   REQUIRE(graph["nodes"].size() == engine().limits().nodes);
-  const Result<Evaluated> answer = answered(engine(), request_for(graph));
+  const Result<Answered> answer = answered(engine(), request_for(graph));
   require_none(answer ? Problems{} : answer.problems());
   const std::string last = "n" + std::to_string(engine().limits().nodes - 1);
   CHECK(inspected(engine(), graph, last) == Json{1.0});
   graph["nodes"]["one_more"] = make("number");
-  const auto refused = engine().prepare(request_for(graph));
+  const auto refused = engine().prepare(request_for(graph), Cancel());
   REQUIRE_FALSE(refused);
   CHECK(refused.problems().front().code == "limit-exceeded");
   CHECK(refused.problems().front().pointer == "/graph/nodes");
@@ -222,7 +229,7 @@ TEST_CASE("a deadline and a stop end a large evaluation inside its kernels") {
   nodes["out"] = make("export", {{"model", from("skin")}});
   const Json graph = document(nodes);
   const auto problem_with = [&](const Cancel& cancel) {
-    const Result<Evaluated> answer = answered(engine(), request_for(graph), cancel);
+    const Result<Answered> answer = answered(engine(), request_for(graph), cancel);
     REQUIRE_FALSE(answer);
     REQUIRE(answer.problems().size() == 1);
     return answer.problems().front().code;
@@ -236,5 +243,5 @@ TEST_CASE("a deadline and a stop end a large evaluation inside its kernels") {
   CHECK(problem_with(superseded) == "superseded");
   // What was stopped leaves nothing half done behind.
   const Json small = with("/nodes/ring/inputs/center", {1, 2, 3});
-  CHECK(file_of(engine(), request_for(small)) == file_of(Engine(), request_for(small)));
+  CHECK(file_of(engine(), request_for(small)) == file_of(*make_engine(), request_for(small)));
 }

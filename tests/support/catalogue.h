@@ -59,7 +59,10 @@ class CatalogueGraph {
       FAIL(problem.code << " at " << problem.node << "." << problem.port << ": " << problem.detail);
     }
     const std::size_t index = plan().index.at(node);
-    warnings_ = evaluation->runs.at(index).result->warnings;
+    warnings_.clear();
+    for (const auto& said : evaluation->run(plan().nodes[index])->result->warnings) {
+      if (said->fingerprint == plan().nodes[index].fingerprint) warnings_ = said->warnings;
+    }
     return evaluation->value(plan(), index, output_index(node, place));
   }
 

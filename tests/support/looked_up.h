@@ -20,13 +20,13 @@ inline Json example(const std::string& name) {
 /// What `inspect` answers for "node" or "node.output"; a problem fails the test.
 inline Json looked_up(const Json& graph, const std::string& place, const Json& parameters = Json::object(),
                       bool full = false) {
-  static const ExampleEngine engine;
+  static const std::unique_ptr<Engine> engine = example_engine();
   const Cancel cancel;
   const std::size_t dot = place.find('.');
   const std::string output = dot == std::string::npos ? "" : place.substr(dot + 1);
-  const Result<Json> answer = engine.inspect({graph, parameters, place.substr(0, dot), output, full}, cancel);
+  const Result<SharedBytes> answer = engine->inspect({graph, parameters, place.substr(0, dot), output, full}, cancel);
   if (!answer) FAIL(to_json(answer.problems()).dump());
-  return *answer;
+  return Json::parse(**answer);
 }
 
 /// Numbers, triples and lists of them, to a tolerance relative to the expected size, at least one.

@@ -29,22 +29,36 @@ inline Json inspected(const Engine& engine, const Json& graph, const std::string
   const std::string output = dot == std::string::npos ? "" : place.substr(dot + 1);
   const InspectRequest request{
       .graph = graph, .parameters = parameters, .node = place.substr(0, dot), .output = output};
-  const Result<Json> answer = engine.inspect(request, Cancel());
+  const Result<SharedBytes> answer = engine.inspect(request, Cancel());
   require_none(answer ? Problems{} : answer.problems());
-  return answer->at("values");
+  return Json::parse(**answer).at("values");
 }
 
+/// An answer with what its request got.
+struct Answered {
+  SharedPrepared prepared;
+  SharedComputed computed;
+  SharedBytes glb;      ///< null without an output
+  SharedBytes preview;  ///< null when none were asked for
+  std::function<Json()> report;
+};
+
 /// A request from checking to the file; the problems of whichever stage has some.
-inline Result<Evaluated> answered(const Engine& engine, const EvaluateRequest& request,
-                                  const Cancel& cancel = Cancel()) {
-  const auto prepared = engine.prepare(request);
+inline Result<Answered> answered(const Engine& engine, const EvaluateRequest& request,
+                                 const Cancel& cancel = Cancel()) {
+  const auto prepared = engine.prepare(request, cancel);
   if (!prepared) return prepared.problems();
-  return engine.evaluate(**prepared, cancel);
+  const auto computed = engine.compute(**prepared, cancel);
+  if (!computed) return computed.problems();
+  const auto bytes_of = [](const SharedFile& file) { return file == nullptr ? nullptr : file->bytes; };
+  return Answered{
+      *prepared, *computed, bytes_of((*computed)->model), bytes_of((*computed)->preview),
+      [&engine, prepared = *prepared, computed = *computed] { return engine.report(*prepared, *computed); }};
 }
 
 /// The file of a request that must succeed.
 inline std::string file_of(const Engine& engine, const EvaluateRequest& request) {
-  const Result<Evaluated> answer = answered(engine, request);
+  const Result<Answered> answer = answered(engine, request);
   require_none(answer ? Problems{} : answer.problems());
   return *answer->glb;
 }

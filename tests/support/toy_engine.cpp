@@ -2,28 +2,23 @@
 
 #include <chrono>
 #include <functional>
+#include <new>
 #include <stdexcept>
 #include <string_view>
 #include <thread>
 
-#include "service/engine.h"
+#include "graph/stopped.h"
 
-namespace dini {
-
-struct Engine::State {
-  Limits limits;
-  Json catalogue;
-};
-
-class Prepared {
- public:
-  Json inputs;
-  std::string output;
-  std::vector<std::string> preview;
-  std::string tag;
-};
+namespace dini::toy {
 
 namespace {
+
+class ToyPrepared final : public Prepared {
+ public:
+  Json inputs;
+  Json nodes;
+  std::vector<std::string> preview;
+};
 
 Json inputs_of(const Json& graph) {
   const Json out = graph.value("nodes", Json::object()).value("out", Json::object());
@@ -53,53 +48,49 @@ Problems check(const Json& graph, const Json& parameters) {
   return problems;
 }
 
-Problem stopped(StopReason reason) {
-  toy::counters().canceled++;
-  switch (reason) {
-    case StopReason::superseded:
-      return problem_of("superseded");
-    case StopReason::client_gone:
-      return problem_of("client-gone");
-    case StopReason::shutting_down:
-      return problem_of("shutting-down");
-    default:
-      return problem_of("deadline");
+/// False when it was stopped before the time was over.
+bool spend(const Json& inputs, const Cancel& cancel) {
+  const auto until = Cancel::Clock::now() + std::chrono::milliseconds(inputs.value("milliseconds", 0));
+  while (Cancel::Clock::now() < until) {
+    if (cancel.stopped()) {
+      counters().canceled++;
+      return false;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
+  return true;
+}
+
+Json toy_catalogue() {
+  return {{"engine", "0.0.0-toy"},
+          {"types", Json::array({{{"name", "number"}}})},
+          {"families", Json::array({{{"name", "toys"}, {"title", "Toys"}}})},
+          {"nodes",
+           Json::array({{{"id", "toy"},
+                         {"title", "Toy"},
+                         {"family", "toys"},
+                         {"doc", "Waits for a while."},
+                         {"inputs", Json::array({{{"name", "milliseconds"}, {"types", {"integer"}}, {"default", 0}}})},
+                         {"outputs", Json::array({{{"name", "asset"}, {"types", {"asset"}}, {"doc", "Bytes."}}})}}})}};
+}
+
+SharedFile file_of(bool asked, std::size_t size, char letter) {
+  if (!asked) return nullptr;
+  std::string bytes(size, letter);
+  const Digest digest = sha256(bytes);
+  return std::make_shared<const File>(File{"model/gltf-binary", ".glb", share(std::move(bytes)), digest});
 }
 
 }  // namespace
-
-namespace toy {
 
 Counters& counters() {
   static Counters counters;
   return counters;
 }
 
-}  // namespace toy
+ToyEngine::ToyEngine(const Limits& limits) : limits_(limits), catalogue_(toy_catalogue()) {}
 
-Engine::Engine(Limits limits) : state_(std::make_unique<State>()) {
-  state_->limits = limits;
-  state_->catalogue = {
-      {"engine", "0.0.0-toy"},
-      {"types", Json::array({{{"name", "number"}}})},
-      {"families", Json::array({{{"name", "toys"}, {"title", "Toys"}}})},
-      {"nodes",
-       Json::array({{{"id", "toy"},
-                     {"title", "Toy"},
-                     {"family", "toys"},
-                     {"doc", "Waits for a while."},
-                     {"inputs", Json::array({{{"name", "milliseconds"}, {"types", {"integer"}}, {"default", 0}}})},
-                     {"outputs", Json::array({{{"name", "asset"}, {"types", {"asset"}}, {"doc", "Bytes."}}})}}})}};
-}
-
-Engine::~Engine() = default;
-
-const Limits& Engine::limits() const { return state_->limits; }
-
-const Json& Engine::catalogue() const { return state_->catalogue; }
-
-Result<AssetSummary> Engine::add_asset(std::string_view bytes, const std::string& name, const Cancel&) const {
+Result<AssetSummary> ToyEngine::add_asset(std::string_view bytes, const std::string& name, const Cancel&) const {
   if (name == "wrong name") return Problem{.code = "usage", .detail = "The toy does not like this name."};
   if (bytes.starts_with("broken"))
     return Problem{.code = "invalid-asset", .detail = "The toy was given a broken file."};
@@ -107,80 +98,76 @@ Result<AssetSummary> Engine::add_asset(std::string_view bytes, const std::string
   return AssetSummary{std::string(64, 'a'), bytes.size(), "obj", 3, 1};
 }
 
-Json Engine::validate(const Json& graph, const Json& parameters) const {
+Result<Json> ToyEngine::validate(const Json& graph, const Json& parameters, const Cancel&) const {
   const Problems problems = check(graph, parameters);
-  return {
+  return Json{
       {"valid", problems.empty()}, {"errors", to_json(problems)}, {"wires", Json::object()}, {"cost", {{"bytes", 8}}}};
 }
 
-Result<std::shared_ptr<const Prepared>> Engine::prepare(const EvaluateRequest& request) const {
+Result<SharedPrepared> ToyEngine::prepare(const EvaluateRequest& request, const Cancel&) const {
   Problems problems = check(request.graph, request.parameters);
   if (!problems.empty()) return problems;
-  auto prepared = std::make_shared<Prepared>();
+  auto prepared = std::make_shared<ToyPrepared>();
   prepared->inputs = inputs_of(request.graph);
+  prepared->nodes = request.graph["nodes"];
   prepared->preview = request.preview;
   prepared->output = request.output.empty() && request.preview.empty() ? "out" : request.output;
-  const std::string key = prepared->inputs.dump() + request.parameters.dump() + prepared->output +
-                          Json(prepared->preview).dump() + std::to_string(request.triangle_budget.value_or(0));
-  prepared->tag = "\"toy-" + std::to_string(std::hash<std::string>()(key)) + "\"";
-  return std::shared_ptr<const Prepared>(prepared);
+  Json content = prepared->inputs;
+  content.erase("milliseconds");
+  DigestBuilder digest;
+  digest.text(content.dump()).text(request.parameters.dump()).text(prepared->output).text(Json(request.preview).dump());
+  prepared->content = digest.integer(static_cast<std::uint64_t>(request.triangle_budget.value_or(0))).finish();
+  const Digest report = digest.text(prepared->nodes.dump()).finish();
+  prepared->model_tag = "\"toy-" + to_hex(prepared->content) + "\"";
+  prepared->report_tag = "\"toy-" + to_hex(report) + "\"";
+  return SharedPrepared(std::move(prepared));
 }
 
-std::vector<std::string> Engine::blocked(const EvaluateRequest&) const { return {"skin"}; }
+std::vector<std::string> ToyEngine::blocked(const EvaluateRequest&, const Cancel&) const { return {"skin"}; }
 
-const std::string& Engine::entity_tag(const Prepared& prepared) { return prepared.tag; }
+SharedComputed ToyEngine::find(const Prepared& prepared, bool) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = known_.find(prepared.content);
+  return found == known_.end() ? nullptr : found->second;
+}
 
-Result<Evaluated> Engine::evaluate(const Prepared& prepared, const Cancel& cancel) const {
-  toy::counters().started++;
+Result<SharedComputed> ToyEngine::compute(const Prepared& asked, const Cancel& cancel) const {
+  const auto& prepared = static_cast<const ToyPrepared&>(asked);
+  counters().started++;
   struct Finish {
-    ~Finish() { toy::counters().finished++; }
+    ~Finish() { counters().finished++; }
   } const finish;
-  const auto until = Cancel::Clock::now() + std::chrono::milliseconds(prepared.inputs.value("milliseconds", 0));
-  while (Cancel::Clock::now() < until) {
-    if (cancel.stopped()) return stopped(cancel.reason());
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+  if (!spend(prepared.inputs, cancel)) return stopped_problem(cancel.reason());
   if (prepared.inputs.value("throws", false)) throw std::runtime_error("a secret of the inside");
+  if (prepared.inputs.value("memory", false)) throw std::bad_alloc();
   if (prepared.inputs.contains("problem")) return problem_of(prepared.inputs.at("problem").get<std::string>());
   const std::size_t size = prepared.inputs.value("bytes", std::size_t{8});
-  const auto file = [size](bool asked, char letter) {
-    return asked ? std::make_shared<std::string>(size, letter) : nullptr;
-  };
-  return Evaluated{.glb = file(!prepared.output.empty(), 'g'),
-                   .preview = file(!prepared.preview.empty(), 'p'),
-                   .milliseconds = {{"evaluate", 1.5}, {"encode", 0.5}},
-                   .report = [tag = prepared.tag, output = prepared.output, size]() -> Json {
-                     return {{"etag", tag},
-                             {"output", output},
-                             {"milliseconds", {{"evaluate", 1.5}, {"encode", 0.5}}},
-                             {"model", {{"bytes", size}}},
-                             {"checks", Json::array()},
-                             {"warnings", Json::array()}};
-                   }};
+  auto computed = std::make_shared<Computed>();
+  computed->model = file_of(!prepared.output.empty(), size, 'g');
+  computed->preview = file_of(!prepared.preview.empty(), size, 'p');
+  computed->milliseconds = {{"evaluate", 1.5}, {"encode", 0.5}};
+  const std::lock_guard lock(mutex_);
+  known_[prepared.content] = computed;
+  return SharedComputed(std::move(computed));
 }
 
-Result<Json> Engine::inspect(const InspectRequest& request, const Cancel& cancel) const {
+Json ToyEngine::report(const Prepared& asked, const Computed& computed) const {
+  const auto& prepared = static_cast<const ToyPrepared&>(asked);
+  Json nodes = Json::object();
+  for (const auto& [id, node] : prepared.nodes.items()) nodes[id] = {{"type", "toy"}};
+  return {{"etag", prepared.model_tag},
+          {"output", prepared.output},
+          {"nodes", std::move(nodes)},
+          {"milliseconds", computed.milliseconds},
+          {"model", {{"bytes", prepared.inputs.value("bytes", std::size_t{8})}}},
+          {"checks", Json::array()},
+          {"warnings", Json::array()}};
+}
+
+Result<SharedBytes> ToyEngine::inspect(const InspectRequest& request, const Cancel& cancel) const {
   if (request.node != "out") return problem_of("unknown-node", request.node.c_str());
-  const auto until =
-      Cancel::Clock::now() + std::chrono::milliseconds(inputs_of(request.graph).value("milliseconds", 0));
-  while (Cancel::Clock::now() < until) {
-    if (cancel.stopped()) return stopped(cancel.reason());
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return Json{{"type", "number"}, {"axes", Json::array()}, {"values", {1}}};
+  if (!spend(inputs_of(request.graph), cancel)) return stopped_problem(cancel.reason());
+  return share(R"({"type":"number","axes":[],"values":[1]})");
 }
 
-Json to_json(const Problems& problems) {
-  Json list = Json::array();
-  for (const Problem& problem : problems) {
-    Json item = {{"code", problem.code}, {"detail", problem.detail}};
-    if (!problem.node.empty()) item["node"] = problem.node;
-    if (!problem.port.empty()) item["port"] = problem.port;
-    if (!problem.pointer.empty()) item["pointer"] = problem.pointer;
-    if (!problem.fix.is_null()) item["fix"] = problem.fix;
-    list.push_back(std::move(item));
-  }
-  return list;
-}
-
-}  // namespace dini
+}  // namespace dini::toy

@@ -1,7 +1,6 @@
 #pragma once
 
-// A stand-in for dini::Engine, so that the tests of the server and of the command line decide what evaluation does. A
-// program that compiles toy_engine.cpp in gets its members instead of the real ones.
+// A stand-in for the engine, so that the tests of the server and of the command line decide what evaluation does.
 //
 // Its graphs are {"format": 1, "nodes": {"out": {"inputs": {...}}}} with these inputs:
 //   milliseconds  how long an evaluation takes, while it looks at its Cancel
@@ -9,10 +8,16 @@
 //   problem       the code of the problem that the evaluation ends with
 //   invalid       the code of the problem that checking finds
 //   throws        true: an exception escapes, as if by a bug of ours
+//   memory        true: memory runs out
+// Everything but `milliseconds` is its content; what was computed once is known from then on, but for `throws`.
 // Its files are refused when they begin with "broken" (invalid-asset) or "large" (limit-exceeded).
 
 #include <atomic>
 #include <cstddef>
+#include <map>
+#include <mutex>
+
+#include "service/engine.h"
 
 namespace dini::toy {
 
@@ -22,6 +27,29 @@ struct Counters {
   std::atomic<std::size_t> canceled = 0;  ///< of these, stopped by their Cancel
 };
 
+/// Of all toy engines of the program.
 Counters& counters();
+
+class ToyEngine final : public Engine {
+ public:
+  explicit ToyEngine(const Limits& limits = {});
+
+  const Limits& limits() const override { return limits_; }
+  const Json& catalogue() const override { return catalogue_; }
+  Result<AssetSummary> add_asset(std::string_view bytes, const std::string& name, const Cancel& cancel) const override;
+  Result<Json> validate(const Json& graph, const Json& parameters, const Cancel& cancel) const override;
+  Result<SharedPrepared> prepare(const EvaluateRequest& request, const Cancel& cancel) const override;
+  std::vector<std::string> blocked(const EvaluateRequest& request, const Cancel& cancel) const override;
+  SharedComputed find(const Prepared& prepared, bool for_report) const override;
+  Result<SharedComputed> compute(const Prepared& prepared, const Cancel& cancel) const override;
+  Json report(const Prepared& prepared, const Computed& computed) const override;
+  Result<SharedBytes> inspect(const InspectRequest& request, const Cancel& cancel) const override;
+
+ private:
+  const Limits limits_;
+  const Json catalogue_;
+  mutable std::mutex mutex_;
+  mutable std::map<Digest, SharedComputed> known_;
+};
 
 }  // namespace dini::toy

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <atomic>
+#include <cmath>
+#include <new>
+#include <stdexcept>
 
 #include "graph/node_builder.h"
 #include "graph/registry.h"
@@ -64,6 +67,20 @@ inline void doubled(Batch<double> value, double offset, BatchOut<double> result)
   for (std::size_t i = 0; i < result.size; ++i) result.set(i, 2 * value[i] + offset);
 }
 
+inline double slow_sum(double a, double b) {
+  double same = a;
+  for (int i = 0; i < 50; ++i) same = std::sqrt(same * same);
+  return same + b;
+}
+
+inline double no_memory(double) { throw std::bad_alloc(); }
+inline double throws(double) { throw std::runtime_error("a toy that is broken"); }
+
+inline double warns(const Context& context, double value) {
+  context.warn({"toy", "this toy always says so", "value"});
+  return value;
+}
+
 /// Waits until it is cancelled.
 inline double endless(const Context& context, double value) {
   while (!context.cancel().stopped()) {
@@ -87,6 +104,16 @@ inline Registry registry() {
   nodes.add(value_node(node("root", root)));
   nodes.add(value_node(node("reciprocal", reciprocal)));
   nodes.add(value_node(node("endless", endless)));
+  nodes.add(value_node(node("no_memory", no_memory)));
+  nodes.add(value_node(node("throws", throws)));
+  nodes.add(value_node(node("warns", warns)));
+  nodes.add(node("slow_sum", slow_sum)
+                .title("Slow sum")
+                .family("toys")
+                .doc("Adds, slowly.")
+                .input("a", "First.")
+                .input("b", "Second.", defaults(10))
+                .output("value", "The sum."));
   nodes.add(node("chooser", chosen)
                 .title("Chooser")
                 .family("toys")

@@ -1,0 +1,70 @@
+#include "jobs/compute_queue.h"
+
+namespace dini::jobs {
+
+ComputeQueue::ComputeQueue(const Size& size) : size_(size) {
+  threads_.reserve(size_.places);
+  for (std::size_t i = 0; i < size_.places; ++i) threads_.emplace_back([this] { work(); });
+}
+
+ComputeQueue::~ComputeQueue() {
+  {
+    const std::lock_guard lock(mutex_);
+    finished_ = true;
+  }
+  changed_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
+}
+
+bool ComputeQueue::add(const std::shared_ptr<Task>& task) {
+  {
+    const std::lock_guard lock(mutex_);
+    // A free place is never refused to anybody while whoever is to take it wakes up.
+    if (running_ + waiting_.size() >= size_.places + size_.waiting) return false;
+    task->place_ = waiting_.insert(waiting_.end(), task);
+    task->waits_ = true;
+  }
+  changed_.notify_one();
+  return true;
+}
+
+bool ComputeQueue::withdraw(const std::shared_ptr<Task>& task) {
+  std::list<std::shared_ptr<Task>> withdrawn;  // freed outside the lock
+  const std::lock_guard lock(mutex_);
+  if (!task->waits_) return false;
+  task->waits_ = false;
+  withdrawn.splice(withdrawn.begin(), waiting_, task->place_);
+  return true;
+}
+
+ComputeQueue::Load ComputeQueue::load() const {
+  const std::lock_guard lock(mutex_);
+  return {running_, waiting_.size(), bytes_};
+}
+
+bool ComputeQueue::may_start() const {
+  return !waiting_.empty() && (running_ == 0 || bytes_ + waiting_.front()->bytes_ <= size_.bytes);
+}
+
+void ComputeQueue::work() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    changed_.wait(lock, [this] { return may_start() || (finished_ && waiting_.empty()); });
+    if (waiting_.empty()) return;
+    std::list<std::shared_ptr<Task>> taken;
+    taken.splice(taken.begin(), waiting_, waiting_.begin());
+    const std::size_t bytes = taken.front()->bytes_;
+    taken.front()->waits_ = false;
+    ++running_;
+    bytes_ += bytes;
+    lock.unlock();
+    taken.front()->run_();
+    taken.clear();
+    lock.lock();
+    --running_;
+    bytes_ -= bytes;
+    changed_.notify_all();  // memory that has become free may let others start
+  }
+}
+
+}  // namespace dini::jobs

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <functional>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace dini::jobs {
+
+/// Computes a few things at once, each on a thread of its own, and lets a bounded number wait: connections are cheap and
+/// computations are not. First come, first served; but nothing starts before there is room for the memory that it says
+/// it will hold.
+class ComputeQueue {
+ public:
+  struct Size {
+    std::size_t places = 1;   ///< computations at once, at least one
+    std::size_t waiting = 0;  ///< further ones that may wait
+    std::size_t bytes = 0;    ///< memory of all that run, together
+  };
+
+  explicit ComputeQueue(const Size& size);
+  /// Runs what waits, then ends.
+  ~ComputeQueue();
+  ComputeQueue(const ComputeQueue&) = delete;
+  ComputeQueue& operator=(const ComputeQueue&) = delete;
+
+  /// One computation, from being let in to its end.
+  class Task {
+   public:
+    /// `run` must not throw.
+    Task(std::size_t bytes, std::function<void()> run) : bytes_(bytes), run_(std::move(run)) {}
+
+   private:
+    friend class ComputeQueue;
+    const std::size_t bytes_;
+    const std::function<void()> run_;
+    std::list<std::shared_ptr<Task>>::iterator place_;
+    bool waits_ = false;
+  };
+
+  /// Lets a task in; false at once when all places and the whole queue are taken. One that needs more memory than there
+  /// is for all runs when nothing else does.
+  bool add(const std::shared_ptr<Task>& task);
+
+  /// Takes back a task that has not begun; false when it has. What is taken back never runs.
+  bool withdraw(const std::shared_ptr<Task>& task);
+
+  struct Load {
+    std::size_t running = 0;
+    std::size_t waiting = 0;
+    std::size_t bytes = 0;  ///< promised to what runs
+  };
+  Load load() const;
+  const Size& size() const { return size_; }
+
+ private:
+  void work();
+  bool may_start() const;
+
+  const Size size_;
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::list<std::shared_ptr<Task>> waiting_;
+  std::size_t running_ = 0;
+  std::size_t bytes_ = 0;
+  bool finished_ = false;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace dini::jobs

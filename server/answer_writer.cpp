@@ -1,0 +1,75 @@
+#include "server/answer_writer.h"
+
+#include <array>
+#include <cstdio>
+#include <ctime>
+
+#include "server/responses.h"
+
+namespace dini::server {
+namespace {
+
+/// Draco's decoder is WebAssembly in a worker made from a blob; without these two permissions the page hangs silently.
+constexpr std::string_view content_security_policy =
+    "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src blob:; style-src 'self'; "
+    "img-src 'self' data: blob:; connect-src 'self'; object-src 'none'; base-uri 'none'; frame-ancestors 'none'";
+
+void add(std::string& text, std::string_view name, std::string_view value) {
+  text.append(name).append(": ").append(value).append("\r\n");
+}
+
+void add_timings(std::string& text, const Reply& reply, const Exchange& exchange) {
+  std::array<char, 64> number{};
+  text += "Server-Timing: ";
+  for (const auto& [name, milliseconds] : reply.timings) {
+    std::snprintf(number.data(), number.size(), ";dur=%.3f, ", milliseconds);
+    text.append(name).append(number.data());
+  }
+  std::snprintf(number.data(), number.size(), "total;dur=%.3f\r\n", exchange.milliseconds());
+  text += number.data();
+}
+
+void add_date(std::string& text) {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  std::array<char, 64> date{};
+  ::gmtime_r(&now, &parts);
+  text.append("Date: ").append(date.data(),
+                               std::strftime(date.data(), date.size(), "%a, %d %b %Y %H:%M:%S GMT\r\n", &parts));
+}
+
+bool has_body(int status) { return status >= 200 && status != 204 && status != 304; }
+
+}  // namespace
+
+std::string answer_head(const Reply& reply, const Exchange& exchange, const AnswerForm& form) {
+  std::string text;
+  text.reserve(1536);
+  text.append(answer_beginning).append(std::to_string(reply.status)).append(" ").append(reason_of(reply.status));
+  text += "\r\n";
+  add_date(text);
+  for (const auto& [name, value] : reply.headers) add(text, name, value);
+  if (!reply.type.empty()) add(text, "Content-Type", reply.type);
+  // A 304 has no length: it would be that of the full answer.
+  if (has_body(reply.status)) add(text, "Content-Length", std::to_string(reply.size()));
+  add(text, "Connection", form.close ? "close" : "keep-alive");
+  add(text, "X-Request-Id", exchange.id);
+  add_timings(text, reply, exchange);
+  add(text, "Content-Security-Policy", content_security_policy);
+  add(text, "X-Content-Type-Options", "nosniff");
+  add(text, "Referrer-Policy", "no-referrer");
+  add(text, "Cross-Origin-Opener-Policy", "same-origin");
+  add(text, "Cross-Origin-Resource-Policy", "same-origin");
+  return text += "\r\n";
+}
+
+std::string_view last_resort() {
+  static constexpr std::string_view answer =
+      "HTTP/1.1 503 Service Unavailable\r\nContent-Type: application/problem+json\r\nContent-Length: 214\r\n"
+      "Cache-Control: no-store\r\nRetry-After: 1\r\nX-Content-Type-Options: nosniff\r\nConnection: close\r\n\r\n"
+      R"({"type":"/problems/out-of-memory","title":"The server is busy","status":503,)"
+      R"("detail":"there is not enough memory for this now","errors":[{"code":"out-of-memory","detail":"there is not enough memory for this now"}]})";
+  return answer;
+}
+
+}  // namespace dini::server

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "jobs/flights.h"
+#include "server/reply.h"
+#include "server/request.h"
+
+namespace dini::server {
+
+/// Where the answer to one request goes: the connection that it came on.
+class Asker {
+ public:
+  virtual ~Asker() = default;
+
+  /// Takes the answer; null when there was no memory to make one. Any thread, once.
+  virtual void deliver(std::unique_ptr<Reply> reply) = 0;
+
+  /// From now on, the client leaving stops this interest; at once if it has left already.
+  virtual void watch(std::shared_ptr<jobs::Flights::Interest> interest) = 0;
+};
+
+/// One request on its way to its answer. Whoever holds it may answer from any thread and at any time. If the last one
+/// to hold it lets it go without an answer, because memory ran out or by a bug, the client is told that.
+class Call : public std::enable_shared_from_this<Call> {
+ public:
+  Call(std::shared_ptr<Asker> asker, Request incoming, Exchange known)
+      : request(std::move(incoming)), exchange(std::move(known)), asker_(std::move(asker)) {}
+  ~Call() {
+    if (asker_ != nullptr) asker_->deliver(nullptr);
+  }
+  Call(const Call&) = delete;
+  Call& operator=(const Call&) = delete;
+
+  const Request request;
+  const Exchange exchange;
+
+  /// Adds to the times that the answer tells: name and milliseconds. By whoever is about to answer.
+  void note_time(std::string name, double milliseconds) { timings_.emplace_back(std::move(name), milliseconds); }
+
+  /// Sends the answer; only the first one counts.
+  void reply(Reply reply) {
+    reply.timings = std::move(timings_);
+    auto answer = std::make_unique<Reply>(std::move(reply));
+    if (const auto asker = std::exchange(asker_, nullptr)) asker->deliver(std::move(answer));
+  }
+
+  void watch(std::shared_ptr<jobs::Flights::Interest> interest) {
+    if (asker_ != nullptr) asker_->watch(std::move(interest));
+  }
+
+ private:
+  std::shared_ptr<Asker> asker_;
+  std::vector<std::pair<std::string, double>> timings_;
+};
+
+}  // namespace dini::server

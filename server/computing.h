@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "server/application.h"
+
+namespace dini::server {
+
+/// When a request is to be answered at the latest: what its client allows, from its first byte on, but never past the
+/// limit.
+jobs::Flights::Clock::time_point deadline_of(const Context& context, std::optional<std::int64_t> milliseconds);
+
+/// What is said of a request whose deadline passed, with where its time went.
+Problem late_problem(const Context& context, jobs::Flights::Clock::time_point deadline, jobs::Flights::Begun begun);
+
+/// Answers that a request is not let in, or that what was asked of it cannot be had.
+void reply_problems(const Context& context, const Problems& problems);
+
+/// The newest request of the client's `Supersede-Key` is this one: see jobs::Supersede.
+void take_over(const Context& context, const std::shared_ptr<jobs::Flights::Interest>& interest = nullptr);
+
+/// Lets `work` be done by whoever does it first for that key, and `write` make an answer of its outcome. Problems are
+/// answered as such; nobody waits on this thread.
+template <class T>
+void compute(const Context& context, const jobs::Flights::Terms& terms,
+             std::function<Result<std::shared_ptr<const T>>(const Cancel&)> work,
+             std::function<Reply(const std::shared_ptr<const T>&)> write);
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Runs a step of answering on one of the threads for answers.
+void continue_with(const Context& context, std::function<Reply()> step);
+/// Adds how long the work waited for a place to the times of the answer.
+void note_queue(const Context& context, jobs::Flights::Clock::time_point asked, jobs::Flights::Begun begun);
+void refuse_busy(const Context& context);
+Reply problems_reply(const Context& context, const Problems& problems);
+
+template <class T>
+void compute(const Context& context, const jobs::Flights::Terms& terms,
+             std::function<Result<std::shared_ptr<const T>>(const Cancel&)> work,
+             std::function<Reply(const std::shared_ptr<const T>&)> write) {
+  using Outcome = Result<std::shared_ptr<const T>>;
+  const auto asked = jobs::Flights::Clock::now();
+  const auto interest =
+      context.application.flights.ask<T>(terms, std::move(work),
+                                         [context, asked, deadline = terms.deadline, write = std::move(write)](
+                                             const Outcome& outcome, jobs::Flights::Begun begun) {
+                                           continue_with(context, [=] {
+                                             note_queue(context, asked, begun);
+                                             if (outcome) return write(*outcome);
+                                             if (outcome.problems().front().code != "deadline")
+                                               return problems_reply(context, outcome.problems());
+                                             return problems_reply(context, {late_problem(context, deadline, begun)});
+                                           });
+                                         });
+  if (interest == nullptr) return refuse_busy(context);
+  context.call->watch(interest);
+  take_over(context, interest);
+}
+
+}  // namespace dini::server

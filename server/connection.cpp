@@ -1,0 +1,333 @@
+#include "server/connection.h"
+
+#include <algorithm>
+#include <new>
+#include <vector>
+
+#include "server/responses.h"
+#include "server/text.h"
+
+namespace dini::server {
+namespace {
+
+constexpr std::size_t read_bytes_per_second = 1024 * 1024;
+/// How long a peer may go on sending before a connection is closed whose answer it should read. Closing a socket with
+/// unread bytes would reset the connection and take the answer just given with it.
+constexpr std::chrono::milliseconds linger_time{500};
+/// What an idle connection gets for a request that is on its way when the server stops.
+constexpr std::chrono::milliseconds farewell_time{300};
+constexpr std::string_view head_end = "\r\n\r\n";
+
+/// For the log: what can be said about a request that was refused before it was understood.
+Access access_of(std::string_view input) {
+  const std::string_view line = input.substr(0, std::min(input.find('\r'), input.size()));
+  const auto space = line.find(' ');
+  if (space == std::string_view::npos) return {.path = std::string(line.substr(0, 256))};
+  std::string_view target = line.substr(space + 1);
+  target = target.substr(0, std::min<std::size_t>(target.rfind(' '), 256));
+  return {.method = std::string(line.substr(0, space)), .path = std::string(target)};
+}
+
+bool accepts_gzip(std::string_view encodings) {
+  const std::string lower = to_lower(encodings);
+  return lower.find("gzip") != std::string::npos && lower.find("gzip;q=0") == std::string::npos;
+}
+
+}  // namespace
+
+Connection::Connection(Home& home, int descriptor)
+    : home_(home),
+      descriptor_(descriptor),
+      socket_(descriptor),
+      since_(Clock::now()),
+      deadline_(since_ + home.settings().head_deadline) {}
+
+Connection::~Connection() { close(); }
+
+void Connection::deliver(std::unique_ptr<Reply> reply) {
+  {
+    const std::lock_guard lock(mutex_);
+    delivered_ = std::move(reply);
+    has_delivered_ = true;
+    interest_ = nullptr;
+  }
+  home_.wake(shared_from_this());
+}
+
+void Connection::watch(std::shared_ptr<jobs::Flights::Interest> interest) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (has_delivered_) return;
+    if (!client_gone_) {
+      interest_ = std::move(interest);
+      return;
+    }
+  }
+  interest->stop(StopReason::client_gone);
+}
+
+void Connection::close() {
+  if (state_ == State::closed) return;
+  if (state_ == State::writing) write_log();  // what was not taken is in the log too
+  state_ = State::closed;
+  home_.give_incoming(std::exchange(held_incoming_, 0));
+  home_.give_unsent(std::exchange(held_unsent_, 0));
+  std::shared_ptr<jobs::Flights::Interest> interest;
+  {
+    const std::lock_guard lock(mutex_);
+    client_gone_ = true;
+    interest = std::move(interest_);
+  }
+  if (interest) interest->stop(StopReason::client_gone);
+}
+
+void Connection::on_ready(const Ready& ready, std::span<char> buffer) {
+  readable_ = readable_ || ready.read;
+  half_closed_ = half_closed_ || ready.half_closed;
+  if (ready.broken) return close();
+  if (state_ == State::answering && half_closed_) notice_half_close();
+  if (state_ == State::writing && ready.write) write();
+  read(buffer);
+}
+
+void Connection::on_woken(std::span<char> buffer) {
+  std::unique_ptr<Reply> reply;
+  bool has_reply = false;
+  {
+    const std::lock_guard lock(mutex_);
+    has_reply = std::exchange(has_delivered_, false);
+    reply = std::move(delivered_);
+  }
+  if (has_reply && state_ == State::answering) begin_answer(std::move(reply));
+  read(buffer);
+}
+
+/// A peer that sends no more has either left for good or waits for its answer; the two look alike until something is
+/// sent, to which only the one that has left replies with a reset. Every answer begins with the same bytes, so these
+/// are sent ahead.
+void Connection::notice_half_close() {
+  last_ = true;
+  if (probed_) return;
+  probed_ = true;
+  const std::array pieces = {answer_beginning};
+  const Socket::Moved sent = socket_.write(pieces);
+  if (sent.outcome != Socket::Outcome::moved || sent.bytes != answer_beginning.size()) close();
+}
+
+void Connection::read(std::span<char> buffer) {
+  constexpr int most_reads = 8;  // then it is the turn of others
+  const auto wants_more = [this] { return readable_ && (state_ == State::reading || state_ == State::lingering); };
+  for (int i = 0; i < most_reads && wants_more(); ++i) {
+    const Socket::Moved got = socket_.read(buffer);
+    if (got.outcome == Socket::Outcome::ended) return close();
+    // Less than there was room for means that there is no more; whatever comes is told anew.
+    readable_ = got.bytes == buffer.size();
+    if (got.bytes > 0 && state_ == State::reading) take({buffer.data(), got.bytes});
+  }
+  if (wants_more()) home_.wake(shared_from_this());
+  if (state_ == State::answering && half_closed_) notice_half_close();
+}
+
+void Connection::take(std::string_view bytes) {
+  if (head_) return take_body(bytes);
+  if (is_idle()) {
+    // Some clients send an empty line after a body (RFC 9112, 2.2).
+    while (bytes.starts_with("\r\n")) bytes.remove_prefix(2);
+    if (bytes.empty()) return;
+    since_ = Clock::now();
+    deadline_ = since_ + home_.settings().head_deadline;
+    exchange_ = Exchange{.id = home_.next_id(), .started = since_};
+    access_ = {};
+  }
+  input_.append(bytes);
+  take_head();
+}
+
+void Connection::take_head() {
+  const auto end = input_.find(head_end);
+  if (end == std::string::npos) {
+    if (auto problem = check_unfinished_head(input_, home_.settings())) refuse(*problem);
+    return;
+  }
+  const std::size_t size = end + head_end.size();
+  access_ = access_of(input_);
+  if (size > home_.settings().head_bytes) {
+    return refuse({.code = "headers-too-large",
+                   .detail = "The headers are larger than " + std::to_string(home_.settings().head_bytes) + " bytes."});
+  }
+  auto head = parse_head(std::string_view(input_).substr(0, size), home_.settings());
+  if (!head) return refuse(head.problems().front());
+  auto admission = home_.admit(*head, *exchange_);
+  if (auto* refused = std::get_if<Reply>(&admission)) return refuse(std::move(*refused));
+  const std::size_t limit = std::get<std::size_t>(admission);
+  if (head->content_length > limit) {
+    return refuse({.code = "body-too-large",
+                   .detail = "The body has " + std::to_string(head->content_length) + " bytes; at most " +
+                             std::to_string(limit) + " are accepted."});
+  }
+  head_ = *std::move(head);
+  const std::string rest = input_.substr(size);
+  input_.clear();
+  deadline_ = Clock::now() + home_.settings().body_deadline +
+              std::chrono::seconds(head_->content_length / read_bytes_per_second);
+  if (head_->expects_continue && rest.empty() && head_->content_length > 0) {
+    constexpr std::array<std::string_view, 1> go_on = {"HTTP/1.1 100 Continue\r\n\r\n"};
+    if (socket_.write(go_on).bytes != go_on[0].size()) return close();
+  }
+  take_body(rest);
+}
+
+void Connection::take_body(std::string_view bytes) {
+  const std::size_t missing = head_->content_length - body_.size();
+  const std::string_view own = bytes.substr(0, missing);
+  if (!home_.take_incoming(own.size())) {
+    return refuse({.code = "busy", .detail = "Too many large bodies arrive at once; try again in a moment."});
+  }
+  held_incoming_ += own.size();
+  body_.append(own);
+  if (bytes.size() > own.size()) {
+    // Bytes past the request would be a pipelined one, or one smuggled through a proxy that counts differently: no
+    // telling.
+    last_ = true;
+  }
+  if (body_.size() == head_->content_length) finish_request();
+}
+
+void Connection::finish_request() {
+  state_ = State::answering;
+  since_ = Clock::now();
+  deadline_ = Clock::time_point::max();
+  last_ = last_ || head_->close || home_.is_draining();
+  exchange_->accepts_gzip = accepts_gzip(head_->request.header("Accept-Encoding"));
+  head_->request.body = std::move(body_);
+  body_.clear();
+  try {
+    home_.answer(std::make_shared<Call>(shared_from_this(), std::move(head_->request), *exchange_));
+  } catch (const std::bad_alloc&) {
+    begin_answer(nullptr);
+  }
+}
+
+void Connection::refuse(const Problem& problem) { refuse(refusal(problem, *exchange_)); }
+
+void Connection::refuse(Reply reply) {
+  last_ = true;  // there may be more of it to come
+  begin_answer(std::make_unique<Reply>(std::move(reply)));
+}
+
+void Connection::begin_answer(std::unique_ptr<Reply> reply) {
+  home_.give_incoming(std::exchange(held_incoming_, 0));
+  last_ = last_ || home_.is_draining();
+  std::size_t held = 0;
+  for (std::size_t i = 0; reply != nullptr && i < reply->body.size(); ++i) {
+    if (reply->body[i].use_count() == 1) held += reply->body[i]->size();  // held for this answer alone
+  }
+  if (held > 0 && !home_.take_unsent(held)) {
+    *reply = refusal({.code = "busy", .detail = "Too many large answers wait to be taken; try again in a moment."},
+                     *exchange_);
+    held = 0;
+  }
+  held_unsent_ = held;
+  reply_ = std::move(reply);
+  const bool head_only = access_.method == "HEAD";
+  if (reply_ != nullptr) {
+    answer_head_ = answer_head(*reply_, *exchange_, {.head_only = head_only, .close = last_});
+    access_.status = reply_->status;
+    answer_size_ = answer_head_.size() + (head_only ? 0 : reply_->size());
+  } else {
+    last_ = true;
+    access_.status = 503;
+    answer_size_ = last_resort().size();
+  }
+  state_ = State::writing;
+  since_ = Clock::now();
+  deadline_ = since_ + home_.settings().write_deadline;
+  written_ = probed_ ? answer_beginning.size() : 0;
+  written_before_ = written_;
+  write();
+}
+
+void Connection::write() {
+  while (written_ < answer_size_) {
+    std::vector<std::string_view> pieces;
+    std::size_t skip = written_;
+    const auto add = [&](std::string_view piece) {
+      const std::size_t skipped = std::min(skip, piece.size());
+      skip -= skipped;
+      if (skipped < piece.size()) pieces.push_back(piece.substr(skipped));
+    };
+    if (reply_ == nullptr) {
+      add(last_resort());
+    } else {
+      add(answer_head_);
+      if (answer_size_ > answer_head_.size()) {
+        for (const SharedBytes& piece : reply_->body) add(*piece);
+      }
+    }
+    const Socket::Moved sent = socket_.write(pieces);
+    if (sent.outcome == Socket::Outcome::ended) return close();
+    if (sent.outcome == Socket::Outcome::would_wait) return;
+    written_ += sent.bytes;
+  }
+  finish_answer();
+}
+
+void Connection::write_log() {
+  access_.bytes = written_;
+  if (exchange_) home_.log(access_, *exchange_);
+}
+
+void Connection::finish_answer() {
+  write_log();
+  reply_ = nullptr;
+  answer_head_.clear();
+  home_.give_unsent(std::exchange(held_unsent_, 0));
+  last_ || half_closed_ ? linger() : expect_request();
+}
+
+void Connection::expect_request() {
+  state_ = State::reading;
+  since_ = Clock::now();
+  deadline_ = since_ + (home_.is_draining() ? farewell_time : home_.settings().idle_deadline);
+  head_.reset();
+  exchange_.reset();
+  probed_ = false;
+}
+
+void Connection::linger() {
+  socket_.finish_writing();
+  if (half_closed_) return close();
+  state_ = State::lingering;
+  deadline_ = Clock::now() + linger_time;
+  head_.reset();
+}
+
+void Connection::drain() {
+  if (is_idle()) deadline_ = std::min(deadline_, Clock::now() + farewell_time);
+}
+
+void Connection::on_time(Clock::time_point now) {
+  if (now < deadline_) return;
+  switch (state_) {
+    case State::reading:
+      if (is_idle()) return linger();
+      return refuse({.code = "request-timeout",
+                     .detail = head_ ? "The body did not arrive in time." : "The headers did not arrive in time."});
+    case State::writing: {
+      const double least =
+          static_cast<double>(home_.settings().write_rate) * std::chrono::duration<double>(now - since_).count();
+      if (static_cast<double>(written_ - written_before_) < least) return close();
+      written_before_ = written_;
+      since_ = now;
+      deadline_ = now + home_.settings().write_deadline;
+      return;
+    }
+    case State::lingering:
+      return close();
+    case State::answering:
+    case State::closed:
+      return;
+  }
+}
+
+}  // namespace dini::server

@@ -1,0 +1,227 @@
+#include "service/catalogue_engine.h"
+
+#include <chrono>
+
+#include "gltf/glb_container.h"
+#include "graph/card.h"
+#include "graph/check.h"
+#include "graph/evaluate.h"
+#include "graph/parameters.h"
+#include "graph/stopped.h"
+#include "graph/value_json.h"
+#include "nodes/all.h"
+#include "service/asset_reader.h"
+#include "service/places.h"
+#include "service/preview.h"
+#include "service/version.h"
+
+namespace dini {
+
+namespace {
+
+constexpr std::size_t inspected_values = 2'000'000;
+
+Json catalogue_of(const Registry& registry) {
+  Json nodes = Json::array();
+  for (const auto& [id, type] : registry.types()) nodes.push_back(card(type));
+  return {{"engine", engine_version},
+          {"types", wire_type_cards()},
+          {"families", family_titles()},
+          {"nodes", std::move(nodes)}};
+}
+
+/// Each engine is given its own kind of requests only.
+const PreparedGraph& own(const Prepared& prepared) { return static_cast<const PreparedGraph&>(prepared); }
+
+SharedFile glb_file(std::string glb) {
+  const Digest digest = sha256(glb);
+  return std::make_shared<const File>(File{"model/gltf-binary", ".glb", share(std::move(glb)), digest});
+}
+
+/// The nodes of the previews that have something to draw.
+std::vector<std::size_t> drawn_nodes(const PreparedGraph& prepared) {
+  std::vector<std::size_t> nodes;
+  for (const Preview& preview : prepared.previews) {
+    if (!preview.outputs.empty()) nodes.push_back(preview.node);
+  }
+  return nodes;
+}
+
+}  // namespace
+
+CatalogueEngine::CatalogueEngine(const Limits& limits)
+    : limits_(limits), cache_(limits.cache_bytes), assets_(limits.asset_store_bytes) {
+  add_all_nodes(registry_);
+  catalogue_ = catalogue_of(registry_);
+}
+
+Result<AssetSummary> CatalogueEngine::add_asset(std::string_view bytes, const std::string& name,
+                                                const Cancel& cancel) const {
+  if (!name.empty() && !AssetStore::is_name(name)) {
+    return Problem{"usage", "the name of a file has 1 to 64 letters, digits, '_', '-' and '.', and is no hash"};
+  }
+  Result<SharedAssetFile> read = read_asset(bytes, limits_, cancel);
+  if (!read) return read.problems();
+  const AssetFile& file = **read;
+  assets_.add(*read, name);
+  return AssetSummary{to_hex(file.sha256), file.bytes, std::string(name_of(file.content.format)),
+                      file.content.mesh.positions.size(), file.content.mesh.triangles.size()};
+}
+
+Result<Json> CatalogueEngine::validate(const Json& graph, const Json& parameters, const Cancel& cancel) const {
+  ProblemCollector problems;
+  CheckReport report;
+  if (Result<Document> document = read_document(graph, limits_); !document) {
+    problems.add(std::move(document).problems());
+  } else {
+    std::map<std::string, Json> values;
+    for (const auto& [name, parameter] : document->parameters) values[name] = parameter.default_value;
+    if (Result<std::map<std::string, Json>> given = resolve_parameters(*document, parameters); given) {
+      values = std::move(*given);
+    } else {
+      problems.add(std::move(given).problems());
+    }
+    report = check(registry_, *document, values, Quality::final, limits_, assets_.finder(), {.cancel = &cancel});
+    problems.add(report.problems);
+  }
+  if (cancel.stopped()) return stopped_problem(cancel.reason());
+  return validation_report(report, std::move(problems).take());
+}
+
+Result<SharedPrepared> CatalogueEngine::prepare(const EvaluateRequest& request, const Cancel& cancel) const {
+  Result<std::shared_ptr<const PreparedGraph>> prepared = prepare_evaluation(environment(), request, cancel);
+  if (!prepared) return std::move(prepared).problems();
+  return SharedPrepared(*std::move(prepared));
+}
+
+std::vector<std::string> CatalogueEngine::blocked(const EvaluateRequest& request, const Cancel& cancel) const {
+  return blocked_nodes(environment(), request, cancel);
+}
+
+SharedComputed CatalogueEngine::find(const Prepared& asked, bool for_report) const {
+  const PreparedGraph& prepared = own(asked);
+  auto found = std::make_shared<ComputedGraph>();
+  found->milliseconds["evaluate"] = 0;
+  if (prepared.export_node) {
+    found->milliseconds["encode"] = 0;
+    found->model_file = cache_.find<ModelFile>(prepared.file_digest);
+    if (found->model_file == nullptr) return nullptr;
+    found->model = found->model_file->file;
+  }
+  if (!prepared.previews.empty()) {
+    found->milliseconds["preview"] = 0;
+    found->preview = cache_.find<File>(prepared.preview_digest);
+    if (found->preview == nullptr) return nullptr;
+  }
+  // The checks beside the output must have held too, and a report tells their values.
+  std::vector<std::size_t> targets = prepared.targets;
+  if (!for_report && !targets.empty()) targets.erase(targets.begin());
+  std::optional<Evaluation> evaluation = find_evaluation(prepared.plan, targets, cache_);
+  if (!evaluation) return nullptr;
+  found->evaluation = *std::move(evaluation);
+  return found;
+}
+
+Result<std::shared_ptr<const ModelFile>> CatalogueEngine::model_file(const PreparedGraph& prepared,
+                                                                     const Evaluation& evaluation) const {
+  if (auto known = cache_.find<ModelFile>(prepared.file_digest)) return known;
+  const Value value = evaluation.value(prepared.plan, *prepared.export_node, 0);
+  if (value.column.index() != static_cast<std::size_t>(WireType::asset) || sample_count(value.axes) != 1) {
+    return Problem{"axis-mismatch", "the output must be one file, it has axes", prepared.output};
+  }
+  const SharedAsset asset = column_of<SharedAsset>(value)[0];
+  const auto made = std::make_shared<const ModelFile>(ModelFile{
+      glb_file(stamp_extras(asset->bytes, prepared.extras)), asset->vertices, asset->triangles, asset->position_error});
+  cache_.insert<ModelFile>(prepared.file_digest, made, sizeof(ModelFile) + sizeof(File) + made->file->bytes->size());
+  return made;
+}
+
+Result<SharedFile> CatalogueEngine::preview_file(const PreparedGraph& prepared, const Evaluation& evaluation,
+                                                 const Cancel& cancel) const {
+  if (SharedFile known = cache_.find<File>(prepared.preview_digest)) return known;
+  Result<std::string> drawn = draw_previews(prepared.plan, evaluation, prepared.previews, limits_, cancel);
+  if (!drawn) return drawn.problems();
+  const std::string digest = to_hex(prepared.preview_digest);
+  SharedFile made = glb_file(stamp_extras(*drawn, {{"engine", engine_version}, {"preview", digest}}));
+  cache_.insert<File>(prepared.preview_digest, made, sizeof(File) + made->bytes->size());
+  return made;
+}
+
+Result<SharedComputed> CatalogueEngine::compute(const Prepared& asked, const Cancel& cancel) const {
+  const PreparedGraph& prepared = own(asked);
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<std::size_t> targets = prepared.targets;
+  const bool draws = !prepared.previews.empty() && cache_.find<File>(prepared.preview_digest) == nullptr;
+  if (draws) {
+    const std::vector<std::size_t> drawn = drawn_nodes(prepared);
+    targets.insert(targets.end(), drawn.begin(), drawn.end());
+  }
+  Result<Evaluation> evaluation = dini::evaluate(prepared.plan, targets, cache_, cancel);
+  if (!evaluation) return evaluation.problems();
+  auto computed = std::make_shared<ComputedGraph>();
+  computed->milliseconds["evaluate"] = milliseconds_since(begin);
+  if (prepared.export_node) {
+    Result<std::shared_ptr<const ModelFile>> made = model_file(prepared, *evaluation);
+    if (!made) return made.problems();
+    computed->model_file = *std::move(made);
+    computed->model = computed->model_file->file;
+    const NodeRun* run = evaluation->run(prepared.plan.nodes[*prepared.export_node]);
+    computed->milliseconds["encode"] = run != nullptr ? run->milliseconds : 0;
+  }
+  if (!prepared.previews.empty()) {
+    const auto drawing = std::chrono::steady_clock::now();
+    Result<SharedFile> drawn = preview_file(prepared, *evaluation, cancel);
+    if (!drawn) return drawn.problems();
+    computed->preview = *std::move(drawn);
+    computed->milliseconds["preview"] = milliseconds_since(drawing);
+  }
+  computed->evaluation = *std::move(evaluation);
+  return SharedComputed(std::move(computed));
+}
+
+Json CatalogueEngine::report(const Prepared& prepared, const Computed& computed) const {
+  return evaluation_report(own(prepared), static_cast<const ComputedGraph&>(computed));
+}
+
+Result<SharedBytes> CatalogueEngine::inspect(const InspectRequest& request, const Cancel& cancel) const {
+  const Result<Plan> plan = prepare_inspection(environment(), request, cancel);
+  if (!plan) return plan.problems();
+  const std::size_t index = plan->index.at(request.node);
+  const PlannedNode& node = plan->nodes[index];
+  std::size_t output = 0;
+  if (!request.output.empty()) {
+    const OutputPort* port = node.type->find_output(request.output);
+    if (port == nullptr) return unknown_output(*node.type, request.node, request.output, "/output");
+    output = static_cast<std::size_t>(port - node.type->outputs.data());
+  }
+  if (output >= node.outputs.size()) return bypassed_output(request.node, request.output, "/output");
+  const std::size_t count = sample_count(node.outputs[output].axes);
+  if (count > inspected_values) {
+    return Problem{
+        "limit-exceeded",
+        "there are " + std::to_string(count) + " values, at most " + std::to_string(inspected_values) + " are shown",
+        request.node, request.output, "/output"};
+  }
+  const Result<Evaluation> evaluation = dini::evaluate(*plan, {index}, cache_, cancel);
+  if (!evaluation) return evaluation.problems();
+  return share(dump(to_json(evaluation->value(*plan, index, output), request.full)));
+}
+
+std::unique_ptr<Engine> make_engine(const Limits& limits) { return std::make_unique<CatalogueEngine>(limits); }
+
+Json to_json(const Problems& problems) {
+  Json list = Json::array();
+  for (const Problem& problem : problems) {
+    Json entry = {{"code", problem.code}, {"detail", problem.detail}};
+    if (!problem.node.empty()) entry["node"] = problem.node;
+    if (!problem.port.empty()) entry["port"] = problem.port;
+    if (!problem.pointer.empty()) entry["pointer"] = problem.pointer;
+    if (!problem.fix.is_null()) entry["fix"] = problem.fix;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+}  // namespace dini

@@ -1,0 +1,7 @@
+#include "service/version.h"
+
+namespace dini {
+
+const char* const engine_version = DINI_VERSION;
+
+}  // namespace dini

@@ -1,0 +1,76 @@
+#include "jobs/supersede.h"
+
+#include <catch2/catch.hpp>
+
+#include "tests/support/eventually.h"
+
+using namespace dini;
+using namespace dini::jobs;
+using namespace std::chrono_literals;
+using dini::testing::eventually;
+
+namespace {
+
+using Answer = Result<std::shared_ptr<const int>>;
+
+struct Field {
+  Alarms alarms;
+  ComputeQueue queue{{1, 16, 1000}};
+  Flights flights{queue, alarms};
+  Supersede registry;
+  std::atomic<bool> go = false;
+  Flights::Clock::time_point start = Flights::Clock::now();
+  std::uint8_t keys = 0;
+
+  ~Field() { go = true; }
+
+  std::shared_ptr<Flights::Interest> ask(std::string& code) {
+    return flights.ask<int>(
+        {.key = {++keys}},
+        [this](const Cancel& cancel) -> Answer {
+          while (!go && !cancel.stopped()) std::this_thread::sleep_for(1ms);
+          return std::make_shared<const int>(1);
+        },
+        [&code](const Answer& answer, Flights::Begun) { code = answer ? "done" : answer.problems().front().code; });
+  }
+};
+
+}  // namespace
+
+TEST_CASE("only the same key supersedes, and only what arrived before") {
+  std::string a, b, c, d;
+  Field field;
+  const auto first = field.ask(a), other = field.ask(b), anonymous = field.ask(c), second = field.ask(d);
+  field.registry.take_over("k", field.start, first);
+  field.registry.take_over("other", field.start, other);
+  field.registry.take_over("", field.start, anonymous);
+  field.registry.take_over("", field.start + 1ms, nullptr);
+  CHECK(a.empty());
+  field.registry.take_over("k", field.start + 1ms, second);
+  CHECK(a == "superseded");
+  CHECK(b.empty());
+  CHECK(c.empty());
+  CHECK(d.empty());
+  field.registry.take_over("k", field.start + 2ms, nullptr);
+  CHECK(d == "superseded");
+}
+
+TEST_CASE("a request that took longer to be read than a newer one is the superseded one") {
+  std::string newer, older;
+  Field field;
+  const auto quick = field.ask(newer), slow = field.ask(older);
+  field.registry.take_over("k", field.start + 1ms, quick);
+  field.registry.take_over("k", field.start, slow);
+  CHECK(newer.empty());
+  CHECK(older == "superseded");
+}
+
+TEST_CASE("many keys are not remembered for ever") {
+  std::string last;
+  Field field;
+  for (int i = 0; i < 5000; ++i) field.registry.take_over(std::to_string(i), field.start, nullptr);
+  const auto interest = field.ask(last);
+  field.registry.take_over("k", field.start, interest);
+  field.registry.take_over("k", field.start + 1ms, nullptr);
+  CHECK(last == "superseded");
+}
