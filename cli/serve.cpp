@@ -12,6 +12,7 @@
 #include "cli/folders.h"
 #include "cli/log_sink.h"
 #include "cli/terminal.h"
+#include "jobs/memory_reserve.h"
 #include "server/addresses.h"
 #include "server/server.h"
 
@@ -26,6 +27,9 @@ struct Options {
   std::string log_level = "info";
   Computing computing;
 };
+
+/// Enough to tell everybody that there is no more.
+constexpr std::size_t memory_reserve = std::size_t{8} << 20;
 
 /// What the server gets on top of its own deadlines to end before it is ended.
 constexpr std::chrono::seconds patience{5};
@@ -66,6 +70,7 @@ int run(Options& options, const EngineMaker& make_engine) {
   options.settings.web = find_folder(options.web, "../../web/dist", "../share/dini/web");
   options.settings.examples = find_examples(options.examples);
 
+  const jobs::MemoryReserve reserve(memory_reserve);
   const std::unique_ptr<Engine> engine = make_engine({});
   const auto server = server::Server::start(*engine, options.settings);
   if (!server) {

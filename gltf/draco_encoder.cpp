@@ -92,6 +92,8 @@ EncodeResult<EncodedTile> DracoEncoder::encode(const Tile& tile, const TileGrids
   if (tile.triangles.empty()) return EncodeError{EncodeError::Code::empty, "The mesh has no triangles.", ""};
   try {
     return encode_unguarded(tile, grids, options);
+  } catch (const std::bad_alloc&) {
+    throw;  // no fault of the scene's
   } catch (const std::exception& error) {
     return EncodeError{EncodeError::Code::encoder_failed, error.what(), ""};
   }

@@ -13,7 +13,7 @@ struct EncodeError {
     too_large,       ///< a coordinate beyond 1e18, or a file beyond what GLB can address
     empty,           ///< nothing in the scene can be drawn
     invalid_input,   ///< a mesh or an option breaks its own contract
-    encoder_failed,  ///< the compressor refused, or memory ran out
+    encoder_failed,  ///< the compressor refused
     cancelled,       ///< the caller's cancel flag was raised
   };
 
@@ -22,7 +22,7 @@ struct EncodeError {
   std::string part;
 };
 
-/// A value or the reason why there is none. Nothing in this layer throws.
+/// A value or the reason why there is none. Nothing in this layer throws but std::bad_alloc.
 template <class T>
 using EncodeResult = std::variant<T, EncodeError>;
 

@@ -219,6 +219,8 @@ EncodeResult<EncodedScene> encode_scene(const Scene& scene, const EncodeOptions&
   if (auto error = check_options(options)) return std::move(*error);
   try {
     return SceneEncoding(scene, options, cancel, encoder).run();
+  } catch (const std::bad_alloc&) {
+    throw;  // no fault of the scene's
   } catch (const std::exception& error) {
     return EncodeError{EncodeError::Code::encoder_failed, error.what(), ""};
   }

@@ -16,10 +16,20 @@ Json number(double value) {
   return static_cast<std::int64_t>(value);
 }
 
+/// "line 3, column 7" for the byte of that number, counted from 1. Columns count characters, not bytes.
+std::string place_text(std::string_view text, std::size_t position) {
+  const std::string_view before = text.substr(0, position == 0 ? 0 : position - 1);
+  const auto line_start = before.rfind('\n') + 1;  // 0 in the first line
+  const auto is_first_byte = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
+  const std::string_view line = before.substr(line_start);
+  return "line " + std::to_string(1 + std::count(before.begin(), before.end(), '\n')) + ", column " +
+         std::to_string(1 + std::count_if(line.begin(), line.end(), is_first_byte));
+}
+
 /// Builds the document while counting; stops at the first thing that is refused.
 class StrictReader : public nlohmann::json_sax<Json> {
  public:
-  explicit StrictReader(const Limits& limits) : limits_(limits) {}
+  StrictReader(std::string_view text, const Limits& limits) : text_(text), limits_(limits) {}
 
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
@@ -51,8 +61,8 @@ class StrictReader : public nlohmann::json_sax<Json> {
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) override {
     // Numbers beyond double arrive here too; the library's text repeats the whole token, so it is not passed on.
     const bool overflow = error.id == 406;
-    problem_ = {"not-json", (overflow ? "a number is too large, at byte " : "the text is not JSON, at byte ") +
-                                std::to_string(position)};
+    problem_ = {"not-json",
+                (overflow ? "a number is too large, at " : "the text is not JSON, at ") + place_text(text_, position)};
     return false;
   }
 
@@ -110,6 +120,7 @@ class StrictReader : public nlohmann::json_sax<Json> {
     return true;
   }
 
+  const std::string_view text_;
   const Limits& limits_;
   Json root_;
   std::vector<Json*> stack_;
@@ -126,7 +137,7 @@ Result<Json> parse_json(std::string_view text, const Limits& limits) {
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   // The library passes over a further one by itself.
   if (text.starts_with(byte_order_mark)) return Problem{"not-json", "the text starts with two byte order marks"};
-  StrictReader reader(limits);
+  StrictReader reader(text, limits);
   const bool read = Json::sax_parse(text, &reader);
   return std::move(reader).result(read);
 }

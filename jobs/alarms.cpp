@@ -53,7 +53,11 @@ void Alarms::work() {
     auto ringing = waiting_.extract(next);
     ringing_ = ringing.key();
     lock.unlock();
-    ringing.mapped()();
+    try {
+      ringing.mapped()();
+    } catch (...) {
+      // Nothing is to be done about it here, and the other alarms must ring.
+    }
     lock.lock();
     ringing_ = {};
     rung_.notify_all();

@@ -40,7 +40,7 @@ class Alarms {
     Key key_{};
   };
 
-  /// Calls `ring` once, at `time` or as soon after as can be. It must be quick and must not throw.
+  /// Calls `ring` once, at `time` or as soon after as can be. It must be quick; what it throws is lost.
   [[nodiscard]] Alarm at(Clock::time_point time, std::function<void()> ring);
 
  private:

@@ -1,5 +1,7 @@
 #include "jobs/compute_queue.h"
 
+#include "jobs/memory_reserve.h"
+
 namespace dini::jobs {
 
 ComputeQueue::ComputeQueue(const Size& size) : size_(size) {
@@ -58,6 +60,7 @@ void ComputeQueue::work() {
     ++running_;
     bytes_ += bytes;
     lock.unlock();
+    MemoryReserve::refill();
     taken.front()->run_();
     taken.clear();
     lock.lock();

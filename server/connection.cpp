@@ -66,7 +66,7 @@ void Connection::watch(std::shared_ptr<jobs::Flights::Interest> interest) {
   interest->stop(StopReason::client_gone);
 }
 
-void Connection::close() {
+void Connection::close() noexcept {
   if (state_ == State::closed) return;
   if (state_ == State::writing) write_log();  // what was not taken is in the log too
   state_ = State::closed;
@@ -272,7 +272,7 @@ void Connection::write() {
   finish_answer();
 }
 
-void Connection::write_log() {
+void Connection::write_log() noexcept {
   access_.bytes = written_;
   if (exchange_) home_.log(access_, *exchange_);
 }

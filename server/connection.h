@@ -41,7 +41,7 @@ class Home {
   virtual void wake(const std::shared_ptr<Connection>& connection) = 0;
   virtual std::string next_id() = 0;
   virtual bool is_draining() const = 0;
-  virtual void log(const Access& access, const Exchange& exchange) = 0;
+  virtual void log(const Access& access, const Exchange& exchange) noexcept = 0;
   /// Bytes of bodies that arrive and of answers that wait, over all connections; false when there are too many.
   virtual bool take_incoming(std::size_t bytes) = 0;
   virtual void give_incoming(std::size_t bytes) = 0;
@@ -89,7 +89,7 @@ class Connection final : public Asker, public std::enable_shared_from_this<Conne
   Clock::time_point deadline() const { return deadline_; }
 
   /// Ends it: whoever computes for it is told. Its descriptor stays open until `hang_up`.
-  void close();
+  void close() noexcept;
   void hang_up() { socket_.close(); }
 
   std::shared_ptr<Connection> next_woken;  ///< in the loop's list of those to be woken; belongs to the loop's lock
@@ -109,7 +109,7 @@ class Connection final : public Asker, public std::enable_shared_from_this<Conne
   void linger();
   void expect_request();
   void notice_half_close();
-  void write_log();
+  void write_log() noexcept;
 
   Home& home_;
   const int descriptor_;

@@ -159,32 +159,21 @@ void Connections::finish(const std::shared_ptr<Connection>& connection) {
   open_ = connections_.size();
 }
 
+void Connections::log(const Access& access, const Exchange& exchange) noexcept {
+  try {
+    log_(access, exchange);
+  } catch (...) {
+    // Without memory there is no log, but there are answers.
+  }
+}
+
 void Connections::run() {
-  std::array<epoll_event, 256> events{};
-  bool drained = false;
-  while (!cutting_ && !(drained && connections_.empty())) {
-    if (!accepting_ && !drained && Clock::now() >= accept_again_) begin_accepting();
-    const int count = ::epoll_wait(poller_, events.data(), static_cast<int>(events.size()),
-                                   milliseconds_until(std::min(next_sweep_, accept_again_)));
-    for (int i = 0; i < std::max(0, count); ++i) {
-      const epoll_event& event = events[static_cast<std::size_t>(i)];
-      if (event.data.fd == listener_.descriptor()) {
-        accept_all();
-      } else if (event.data.fd == bell_) {
-        std::uint64_t rings = 0;
-        [[maybe_unused]] const ssize_t heard = ::read(bell_, &rings, sizeof rings);
-      } else if (const auto found = connections_.find(event.data.fd); found != connections_.end()) {
-        const Connection::Ready ready{(event.events & EPOLLIN) != 0, (event.events & EPOLLOUT) != 0,
-                                      (event.events & EPOLLRDHUP) != 0, (event.events & (EPOLLERR | EPOLLHUP)) != 0};
-        guarded(std::shared_ptr(found->second), [&](Connection& connection) { connection.on_ready(ready, buffer_); });
-      }
+  while (!cutting_ && !(drained_ && connections_.empty())) {
+    try {
+      turn();
+    } catch (...) {
+      // Memory ran out outside of any one connection; whatever it was is done at the next turn.
     }
-    serve_woken();
-    if (draining_ && !drained) {
-      drained = true;
-      stop_listening();
-    }
-    if (Clock::now() >= next_sweep_) sweep();
   }
   while (!connections_.empty()) {
     guarded(std::shared_ptr(connections_.begin()->second), [](Connection& connection) { connection.close(); });
@@ -193,6 +182,33 @@ void Connections::run() {
   running_ = false;
   open_ = 0;
   closed_.notify_all();
+}
+
+/// Waits for something to happen and sees to it.
+void Connections::turn() {
+  std::array<epoll_event, 256> events{};
+  if (!accepting_ && !drained_ && Clock::now() >= accept_again_) begin_accepting();
+  const int count = ::epoll_wait(poller_, events.data(), static_cast<int>(events.size()),
+                                 milliseconds_until(std::min(next_sweep_, accept_again_)));
+  for (int i = 0; i < std::max(0, count); ++i) {
+    const epoll_event& event = events[static_cast<std::size_t>(i)];
+    if (event.data.fd == listener_.descriptor()) {
+      accept_all();
+    } else if (event.data.fd == bell_) {
+      std::uint64_t rings = 0;
+      [[maybe_unused]] const ssize_t heard = ::read(bell_, &rings, sizeof rings);
+    } else if (const auto found = connections_.find(event.data.fd); found != connections_.end()) {
+      const Connection::Ready ready{(event.events & EPOLLIN) != 0, (event.events & EPOLLOUT) != 0,
+                                    (event.events & EPOLLRDHUP) != 0, (event.events & (EPOLLERR | EPOLLHUP)) != 0};
+      guarded(std::shared_ptr(found->second), [&](Connection& connection) { connection.on_ready(ready, buffer_); });
+    }
+  }
+  serve_woken();
+  if (draining_ && !drained_) {
+    drained_ = true;
+    stop_listening();
+  }
+  if (Clock::now() >= next_sweep_) sweep();
 }
 
 void Connections::serve_woken() {
@@ -292,15 +308,8 @@ void Connections::stop_listening() {
 void Connections::sweep() {
   const Clock::time_point now = Clock::now();
   next_sweep_ = Clock::time_point::max();
-  std::vector<std::shared_ptr<Connection>> late;
-  for (const auto& [descriptor, connection] : connections_) {
-    if (connection->deadline() <= now) {
-      late.push_back(connection);
-    } else {
-      next_sweep_ = std::min(next_sweep_, connection->deadline());
-    }
-  }
-  for (const auto& connection : late) {
+  for (auto place = connections_.begin(); place != connections_.end();) {
+    const std::shared_ptr<Connection> connection = (place++)->second;  // it may be gone from here afterwards
     guarded(connection, [&](Connection& one) { one.on_time(now); });
   }
   // So that many deadlines one after the other do not mean many sweeps.

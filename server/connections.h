@@ -56,13 +56,14 @@ class Connections final : private Home {
   void wake(const std::shared_ptr<Connection>& connection) override;
   std::string next_id() override;
   bool is_draining() const override { return draining_.load(std::memory_order_relaxed); }
-  void log(const Access& access, const Exchange& exchange) override { log_(access, exchange); }
+  void log(const Access& access, const Exchange& exchange) noexcept override;
   bool take_incoming(std::size_t bytes) override;
   void give_incoming(std::size_t bytes) override { incoming_bytes_ -= bytes; }
   bool take_unsent(std::size_t bytes) override;
   void give_unsent(std::size_t bytes) override { unsent_bytes_ -= bytes; }
 
   void run();
+  void turn();
   void begin_accepting();
   void pause_accepting();
   void accept_all();
@@ -91,6 +92,7 @@ class Connections final : private Home {
   int poller_ = -1;
   int bell_ = -1;  ///< wakes the loop
   bool accepting_ = false;
+  bool drained_ = false;  ///< nothing is accepted any more
   Clock::time_point accept_again_ = Clock::time_point::min();  ///< while not accepting
   Clock::time_point next_sweep_ = Clock::time_point::max();
   std::vector<char> buffer_;

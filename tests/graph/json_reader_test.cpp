@@ -31,6 +31,15 @@ TEST_CASE("a number is the same however it is spelled") {
   CHECK(read("-123456789012345678901234567890").is_number_float());
 }
 
+TEST_CASE("what is no JSON is named by its line and column") {
+  const auto said = [](const std::string& text) { return parse_json(text, {}).problems().front().detail; };
+  CHECK(said("{\"a\": 1,\n  \"b\": x}") == "the text is not JSON, at line 2, column 8");
+  CHECK(said("[1, 1e999]") == "a number is too large, at line 1, column 9");
+  CHECK(said("{\"\xC3\xA9\": ?}") == "the text is not JSON, at line 1, column 7");
+  CHECK(said("\xEF\xBB\xBF[}") == "the text is not JSON, at line 1, column 2");
+  CHECK(said("") == "the text is not JSON, at line 1, column 1");
+}
+
 TEST_CASE("a byte order mark is passed over, once and at the beginning only") {
   const std::string mark = "\xEF\xBB\xBF";
   CHECK(read(mark + R"({"a": 1})")["a"] == 1);

@@ -63,8 +63,11 @@ std::span<const LayerRule> layer_rules() {
       {"graph", {"geometry/", "algebra/"}},
       {"nodes", {"graph/", "gltf/", "geometry/", "algebra/"}},
       {"service", {"nodes/", "graph/", "gltf/", "geometry/", "algebra/"}},
-      {"server", {"service/", "graph/problem.h", "graph/limits.h", "graph/nearest.h", "geometry/cancel.h"}},
-      {"cli", {"server/", "service/", "graph/", "geometry/cancel.h", "algebra/kernels.h"}},
+      {"jobs", {"service/", "graph/problem.h", "graph/digest.h", "graph/stopped.h", "geometry/cancel.h"}},
+      {"server",
+       {"jobs/", "service/", "graph/problem.h", "graph/limits.h", "graph/nearest.h", "graph/cache.h", "graph/digest.h",
+        "geometry/cancel.h"}},
+      {"cli", {"server/", "jobs/", "service/", "graph/", "geometry/cancel.h", "algebra/kernels.h"}},
   };
   return rules;
 }
