@@ -14,7 +14,8 @@ namespace {
 /// Writes the tubes of pieces one after another into one mesh that has room for all of them.
 class TubeWriter {
  public:
-  TubeWriter(double radius, std::size_t sides, std::size_t vertices) : radius_(radius), sides_(sides) {
+  TubeWriter(double radius, std::size_t sides, std::size_t vertices, const Cancel& cancel)
+      : radius_(radius), sides_(sides), cancel_(cancel) {
     mesh_.positions = Column<Point>(vertices);
     mesh_.normals = Column<Vector>(vertices);
     mesh_.uvs.reserve(vertices);
@@ -27,12 +28,15 @@ class TubeWriter {
     return piece.points.size() * sides + (piece.closed ? 0 : 2 * (sides + 1));
   }
 
-  void add(const CurvePiece& piece, const Cancel& cancel) {
+  void add(const CurvePiece& piece) {
     double total = 0;
-    const std::vector<Frame> frames = frames_along(piece, total);
+    const std::vector<Frame> frames = frames_along(piece, total, cancel_);
+    if (cancel_.stopped()) return;
     const std::size_t base = mesh_.uvs.size();
+    CancelEvery looks(cancel_);
     for (const Frame& frame : frames) {
       for (std::size_t side = 0; side < sides_; ++side) {
+        if (looks.stopped()) return;
         const Vector normal = direction(frame, side);
         add_vertex(frame.position + radius_ * normal, normal, frame.along / total, coordinate(side));
       }
@@ -53,7 +57,7 @@ class TubeWriter {
                     }
                     if (!piece.closed && row_end == steps && side_end == sides_) add_cap(frames.back(), 1);
                     mesh_.tile_ends.push_back(mesh_.triangles.size());
-                    return !cancel.stopped();
+                    return !cancel_.stopped();
                   });
   }
 
@@ -95,6 +99,7 @@ class TubeWriter {
 
   double radius_;
   std::size_t sides_;
+  const Cancel& cancel_;
   std::vector<SineCosine> around_;
   Mesh mesh_;
 };
@@ -104,12 +109,12 @@ class TubeWriter {
 Mesh tube(const Polyline& curve, const TubeOptions& options, const Cancel& cancel) {
   if (!(options.radius > 0 && options.radius <= largest_clip_radius)) return {};
   const std::size_t sides = std::max<std::size_t>(options.sides, 3);
-  const std::vector<CurvePiece> pieces = curve_pieces(curve, options.clip_radius);
+  const std::vector<CurvePiece> pieces = curve_pieces(curve, options.clip_radius, cancel);
   std::size_t vertices = 0;
   for (const CurvePiece& piece : pieces) vertices += TubeWriter::vertices_of(piece, sides);
-  TubeWriter writer(options.radius, sides, vertices);
+  TubeWriter writer(options.radius, sides, vertices, cancel);
   for (const CurvePiece& piece : pieces) {
-    writer.add(piece, cancel);
+    writer.add(piece);
     if (cancel.stopped()) return {};
   }
   return writer.take();

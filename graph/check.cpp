@@ -9,6 +9,7 @@
 #include "graph/literal.h"
 #include "graph/nearest.h"
 #include "graph/order.h"
+#include "graph/origins.h"
 #include "graph/resolve.h"
 #include "graph/thinning.h"
 
@@ -42,6 +43,7 @@ class Checker {
     find_blocked();
     find_guards();
     share_triangles(report_.plan, needed_);
+    find_origins(report_.plan, document_);
     for (PlannedNode& node : report_.plan.nodes) {
       if (!node.bypass && !node.doubtful) node.fingerprint = fingerprint(node, report_.plan);
     }

@@ -97,6 +97,9 @@ class LiftedFunction {
                                                   Outputs<std::conditional_t<batched, int, R>>>::Tuple;
   static constexpr std::size_t output_count = std::tuple_size_v<OutputTuple>;
 
+  /// A function that looks at the flag may take long for one run.
+  static constexpr bool looks_itself = ((ArgumentTraits<std::remove_cvref_t<A>>::kind == ArgumentKind::context) || ...);
+
   explicit LiftedFunction(Function function) : function_(function) {}
 
   LiftedResult operator()(const Call& call) const {
@@ -190,6 +193,7 @@ class LiftedFunction {
     } else {
       (std::get<I>(readers).begin_run(begin, end), ...);
       for (std::size_t index = begin; index < end; ++index) {
+        if (looks_itself && call.context.cancel().stopped()) return;
         store(function_(std::get<I>(readers).get(index)...), index, columns, first);
       }
     }
@@ -245,6 +249,10 @@ class LiftedFunction {
   template <class T>
   static void store_one(Made<T> made, std::size_t index, Column<T>& column) {
     const std::size_t size = made.values.size();
+    if (size == column.size()) {  // the only run
+      column = std::move(made.values);
+      return;
+    }
     for (std::size_t i = 0; i < size; ++i) column.set(index * size + i, made.values[i]);
   }
 

@@ -96,6 +96,8 @@ class NodeBuilder {
   /// The same for a node that refines the meshes it is given.
   NodeBuilder&& vertex_factor(VertexFactor factor) && { return set(type_.vertex_factor, std::move(factor)); }
   NodeBuilder&& depends_on_quality() && { return set(type_.depends_on_quality, true); }
+  NodeBuilder&& names_parts() && { return set(type_.names_parts, true); }
+  NodeBuilder&& passes_on() && { return set(type_.passes_on, true); }
   NodeBuilder&& makes_curves() && { return set(type_.makes_curves, true); }
   NodeBuilder&& always_evaluated() && { return set(type_.always_evaluated, true); }
 

@@ -74,6 +74,8 @@ struct NodeType {
   VertexRule vertices;
   VertexFactor vertex_factor;  ///< where there is no rule; 1 when absent
   bool depends_on_quality = false;
+  bool names_parts = false;       ///< its result holds the names of the nodes that its values come from
+  bool passes_on = false;         ///< gives on what it is given at its first input
   bool makes_curves = false;      ///< points along the axis that it makes belong to one curve
   bool always_evaluated = false;  ///< runs even when the asked output does not need it (checks)
 

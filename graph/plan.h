@@ -33,6 +33,7 @@ struct Source {
 struct PlannedItem {
   std::variant<Source, Argument> from;
   WireShape shape;
+  Origin origin = {};  ///< of a wire, for nodes that name parts
 };
 
 /// What reaches one port; no items when the port is left out. `list_axis` joins the items of a list.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "algebra/construct.h"
+#include "geometry/chunks.h"
 #include "geometry/sampling.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
@@ -67,9 +68,10 @@ Attempt<SharedMesh> curvature_patch(const Context& context, double u_a, double v
   const std::array<CurvatureSource, 4> corners = {
       {{corner(-1, -1), u_a, v_a}, {corner(1, -1), u_b, v_b}, {corner(-1, 1), u_c, v_c}, {corner(1, 1), u_d, v_d}}};
   const auto rows = static_cast<std::size_t>(count_u), columns = static_cast<std::size_t>(count_v);
-  const Column<double> us = spaced(0, 1, rows, false), vs = spaced(0, 1, columns, false);
+  const Column<double> us = spaced(0, 1, rows, false, context.cancel()),
+                       vs = spaced(0, 1, columns, false, context.cancel());
   Column<Point> points(rows * columns);
-  for_chunks(context, points.size(), [&](std::size_t begin, std::size_t end) {
+  for_chunks(context.cancel(), points.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const double u = us[i / columns], v = vs[i % columns];
       const bool smooth = method == CurvatureMethod::exact;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/copied.h"
 #include "geometry/validate.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
@@ -38,7 +39,7 @@ Attempt<SharedMesh> imported(const Context& context, const SharedAssetFile& asse
   const bool y_up = up == UpAxis::y || (up == UpAxis::format && asset->content.format == MeshFormat::glb);
   // The same memory: most graphs take the file as it is.
   if (!y_up && scale == 1 && !center) return SharedMesh(asset, &mesh);
-  auto copy = std::make_shared<Mesh>(mesh);
+  auto copy = std::make_shared<Mesh>(copied(mesh, context.cancel()));
   const Vector middle = center ? middle_of(mesh) : Vector{};
   CancelEvery steps(context.cancel());
   for (std::size_t i = 0; i < mesh.positions.size() && !steps.stopped(); ++i) {
@@ -48,7 +49,7 @@ Attempt<SharedMesh> imported(const Context& context, const SharedAssetFile& asse
     }
     copy->positions.set(i, to_point(place));
   }
-  for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+  for (std::size_t i = 0; i < mesh.normals.size() && !steps.stopped(); ++i) {
     copy->normals.set(i, turned_upright(mesh.normals[i], y_up));
   }
   return SharedMesh(std::move(copy));

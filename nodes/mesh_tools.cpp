@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/box.h"
+#include "geometry/copied.h"
 #include "geometry/curvature.h"
 #include "geometry/palette.h"
 #include "geometry/subdivide.h"
@@ -46,6 +47,7 @@ SharedMesh subdivided(const Context& context, const SharedMesh& shape, std::int6
     if (budget != 0 && triangles > budget) break;
     ++used;
   }
+  if (used == 0) return shape;
   return std::make_shared<const Mesh>(subdivide(*shape, used, context.cancel()));
 }
 
@@ -56,20 +58,23 @@ std::tuple<SharedMesh, double, double> colored_by_curvature(const Context& conte
   if (values.empty()) return {shape, 0.0, 0.0};
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   const double bound = range > 0 ? range : std::max(-*least, *most);
-  auto copy = std::make_shared<Mesh>(*shape);
-  copy->colors.clear();
-  for (const double value : values)
+  auto copy = std::make_shared<Mesh>(copied_without_colors(*shape, context.cancel()));
+  copy->colors.reserve(values.size());
+  CancelEvery steps(context.cancel());
+  for (const double value : values) {
+    if (steps.stopped()) break;
     copy->colors.push_back(palette_color(palette, bound > 0 ? 0.5 + 0.5 * value / bound : 0.5));
+  }
   return {copy, *least, *most};
 }
 
-SharedMesh colored_by_number(const SharedMesh& shape, double value, double minimum, double maximum, Palette palette) {
+SharedMesh colored_by_number(const Context& context, const SharedMesh& shape, double value, double minimum,
+                             double maximum, Palette palette) {
   double place = minimum == maximum ? 0.5 : (value - minimum) / (maximum - minimum);
   // Differences of numbers near the largest overflow; those of their quarters do not.
   if (!std::isfinite(place)) place = (value / 4 - minimum / 4) / (maximum / 4 - minimum / 4);
   const std::array<float, 4> color = palette_color(palette, place);
-  auto copy = std::make_shared<Mesh>(*shape);
-  copy->colors.clear();
+  auto copy = std::make_shared<Mesh>(copied_without_colors(*shape, context.cancel()));
   std::copy(color.begin(), color.end(), copy->color.begin());
   return copy;
 }

@@ -1,3 +1,4 @@
+#include "geometry/copied.h"
 #include "geometry/merge.h"
 #include "geometry/primitives.h"
 #include "graph/node_builder.h"
@@ -31,10 +32,9 @@ SharedMesh merged(const Context& context, const Several<WireType::mesh>& meshes)
   return std::make_shared<const Mesh>(merge(all, context.cancel()));
 }
 
-SharedMesh colored(const SharedMesh& shape, const Color& color) {
-  auto copy = std::make_shared<Mesh>(*shape);
+SharedMesh colored(const Context& context, const SharedMesh& shape, const Color& color) {
+  auto copy = std::make_shared<Mesh>(copied_without_colors(*shape, context.cancel()));
   copy->color = color;
-  copy->colors.clear();
   return copy;
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "algebra/extract.h"
+#include "geometry/chunks.h"
 #include "geometry/circle_grid.h"
 #include "geometry/sampling.h"
 #include "geometry/surface.h"
@@ -23,9 +24,9 @@ Attempt<SharedMesh> surface_of_points(const Context& context, const Block<Point,
   const std::size_t rows = shape.size(0);
   const std::size_t columns = shape.size(1);
   Column<Point> points(rows * columns);
-  for (std::size_t i = 0; i < rows; ++i) {
-    for (std::size_t j = 0; j < columns; ++j) points.set(i * columns + j, shape(i, j));
-  }
+  for_chunks(context.cancel(), points.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) points.set(k, shape(k / columns, k % columns));
+  });
   return finish_surface(context, {points, rows, columns, shape.axis(0).closed, shape.axis(1).closed}, at_infinity,
                         clip_radius, shape.axis(0));
 }
@@ -34,9 +35,10 @@ Attempt<SharedMesh> surface_of_circles(const Context& context, const Block<Circl
                                        AtInfinity at_infinity, double clip_radius, const std::string&,
                                        const std::string&) {
   std::vector<std::optional<CircleCoordinates>> circles;
-  for (std::size_t i = 0; i < shape.size(); ++i) circles.push_back(coordinates(shape(i)));
+  CancelEvery steps(context.cancel());
+  for (std::size_t i = 0; i < shape.size() && !steps.stopped(); ++i) circles.push_back(coordinates(shape(i)));
   const auto columns = static_cast<std::size_t>(segments);
-  const Column<Point> points = sample_circle_row(circles, columns, shape.axis().closed, clip_radius);
+  const Column<Point> points = sample_circle_row(circles, columns, shape.axis().closed, clip_radius, context.cancel());
   return finish_surface(context, {points, circles.size(), columns, shape.axis().closed, true}, at_infinity, clip_radius,
                         shape.axis());
 }
@@ -51,7 +53,8 @@ SharedMesh tube_along(const Context& context, const Polyline& curve, double radi
 SharedMesh tube_of_points(const Context& context, const Block<Point, 1>& shape, double radius, std::int64_t,
                           std::int64_t sides, double clip_radius, const std::string&) {
   Polyline curve{Column<Point>(shape.size()), shape.axis().closed};
-  for (std::size_t i = 0; i < shape.size(); ++i) curve.points.set(i, shape(i));
+  CancelEvery steps(context.cancel());
+  for (std::size_t i = 0; i < shape.size() && !steps.stopped(); ++i) curve.points.set(i, shape(i));
   return tube_along(context, curve, radius, sides, clip_radius);
 }
 
@@ -68,7 +71,7 @@ Attempt<SharedMesh> tube_of_circle(const Context& context, const Circle& shape, 
     curve.points.set(0, point_at(*found, -0.5, chord));
     curve.points.set(1, point_at(*found, 0.5, chord));
   } else {
-    curve.points = sample_circle_row({found}, used, false, clip_radius);
+    curve.points = sample_circle_row({found}, used, false, clip_radius, context.cancel());
   }
   return tube_along(context, curve, radius, sides, clip_radius);
 }
@@ -79,20 +82,22 @@ Attempt<SharedMesh> patch_mesh(const Context& context, const Generator& a, const
                                AtInfinity at_infinity, double clip_radius) {
   const auto rows = static_cast<std::size_t>(count_u);
   const auto columns = static_cast<std::size_t>(count_v);
-  const Column<double> u = spaced(0, 1, rows, false);
-  const Column<double> v = spaced(0, 1, columns, false);
+  const Column<double> u = spaced(0, 1, rows, false, context.cancel());
+  const Column<double> v = spaced(0, 1, columns, false, context.cancel());
   Column<Point> points(rows * columns);
   const kernels::BilinearCorners corners{a, b, c, d};
-  for (std::size_t i = 0; i < rows; ++i) {
-    if (context.cancel().stopped()) break;
-    for (std::size_t j = 0; j < columns; ++j) {
-      points.set(i * columns + j, to_point(to_vector(center) + (2 * u[i] - 1) * u_vector + (2 * v[j] - 1) * v_vector));
+  for_chunks(context.cancel(), rows, std::max<std::size_t>(1, usual_chunk / columns), [&](auto begin, auto end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      for (std::size_t j = 0; j < columns; ++j) {
+        points.set(i * columns + j,
+                   to_point(to_vector(center) + (2 * u[i] - 1) * u_vector + (2 * v[j] - 1) * v_vector));
+      }
+      const double along = u[i];
+      kernels::transform_points_bilinear(corners, {&along, true}, {v.component(0), false}, {&amount, true}, rule,
+                                         components(std::as_const(points), i * columns),
+                                         components(points, i * columns), columns);
     }
-    const double along = u[i];
-    kernels::transform_points_bilinear(corners, {&along, true}, {v.component(0), false}, {&amount, true}, rule,
-                                       components(std::as_const(points), i * columns), components(points, i * columns),
-                                       columns);
-  }
+  });
   return finish_surface(context, {points, rows, columns, false, false}, at_infinity, clip_radius, {"u", rows, false});
 }
 

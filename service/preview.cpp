@@ -146,7 +146,7 @@ Result<std::string> draw_previews(const Plan& plan, const Evaluation& evaluation
       values.push_back(of_node.back().value);
     }
   }
-  const PreviewFrame frame = frame_of(values, limits.preview_elements);
+  const PreviewFrame frame = frame_of(values, limits.preview_elements, cancel);
   const std::size_t points = std::min(most_line_points, line_points / std::max<std::size_t>(1, values.size()));
   std::vector<GlbGroup> groups;
   for (std::size_t k = 0; k < previews.size(); ++k) {
@@ -154,7 +154,8 @@ Result<std::string> draw_previews(const Plan& plan, const Evaluation& evaluation
     GlbGroup& group = groups.emplace_back(GlbGroup{node.id, {{"id", node.id}, {"type", node.type->id}}, {}});
     for (const PreviewedOutput& output : outputs[k]) {
       if (cancel.stopped()) break;
-      for (GlbChild& child : drawn_parts(output, frame, limits, points)) group.children.push_back(std::move(child));
+      for (GlbChild& child : drawn_parts(output, frame, limits, points, cancel))
+        group.children.push_back(std::move(child));
     }
   }
   EncodeResult<std::string> encoded = encode_groups(groups, {}, cancel);

@@ -21,8 +21,9 @@ constexpr Color generator_color = {0.85, 0.3, 0.42, 1};
 
 class Drawing {
  public:
-  Drawing(const PreviewedOutput& output, const PreviewFrame& frame, const Limits& limits, std::size_t points)
-      : output_(output), frame_(frame), limits_(limits), points_(points) {}
+  Drawing(const PreviewedOutput& output, const PreviewFrame& frame, const Limits& limits, std::size_t points,
+          const Cancel& cancel)
+      : output_(output), frame_(frame), limits_(limits), points_(points), cancel_(cancel) {}
 
   std::vector<GlbChild> run() {
     std::visit([this]<class T>(const std::shared_ptr<const Column<T>>& column) { draw(*column); },
@@ -48,9 +49,9 @@ class Drawing {
     for (const std::size_t i : chosen) {
       if (length(to_vector(points[i])) <= frame_.reach) shown.set(count++, points[i]);
     }
-    Column<Point> within(count);
-    for (std::size_t i = 0; i < count; ++i) within.set(i, shown[i]);
-    add_child("point", points.size(), count).parts.push_back({"", std::move(within), point_color});
+    auto within = std::make_shared<Column<Point>>(count);
+    for (std::size_t i = 0; i < count; ++i) within->set(i, shown[i]);
+    add_child("point", points.size(), count).parts.push_back({"", SharedColumn<Point>(within), point_color});
   }
 
   /// One line along the curve axis for every index of the others.
@@ -61,8 +62,9 @@ class Drawing {
     const std::size_t count = along.size == 0 ? 0 : points.size() / along.size;
     const std::vector<std::size_t> shown = spread_indices(count, limits_.preview_elements);
     const std::size_t each = std::max<std::size_t>(2, points_ / std::max<std::size_t>(1, shown.size()));
-    ControlLines lines(frame_);
+    ControlLines lines(frame_, cancel_);
     for (const std::size_t curve : shown) {
+      if (cancel_.stopped()) break;
       const std::size_t base = curve / stride * stride * along.size + curve % stride;
       const std::vector<std::size_t> kept = spread_indices(along.size, each);
       Polyline line{Column<Point>(kept.size()), along.closed};
@@ -119,7 +121,7 @@ class Drawing {
     std::map<GeneratorKind, std::vector<std::size_t>> kinds;
     for (const std::size_t i : shown) kinds[kind_of(generators[i])].push_back(i);
     for (const auto& [kind, members] : kinds) {
-      ControlLines lines(frame_);
+      ControlLines lines(frame_, cancel_);
       for (const std::size_t i : members) dini::draw(generators[i], kind, lines);
       add_lines("generator", generators.size(), members.size(), lines, generator_color);
       children_.back().extras["kind"] = word_for(kind);
@@ -129,7 +131,7 @@ class Drawing {
   template <class T, class Draw>
   void draw_each(const char* type, const Column<T>& column, const Color& color, const Draw& draw_one) {
     const std::vector<std::size_t> shown = spread_indices(column.size(), limits_.preview_elements);
-    ControlLines lines(frame_);
+    ControlLines lines(frame_, cancel_);
     for (const std::size_t i : shown) draw_one(column[i], lines);
     add_lines(type, column.size(), shown.size(), lines, color);
   }
@@ -148,14 +150,15 @@ class Drawing {
   const PreviewFrame& frame_;
   const Limits& limits_;
   const std::size_t points_;
+  const Cancel& cancel_;
   std::vector<GlbChild> children_;
 };
 
 }  // namespace
 
 std::vector<GlbChild> drawn_parts(const PreviewedOutput& output, const PreviewFrame& frame, const Limits& limits,
-                                  std::size_t points) {
-  return Drawing(output, frame, limits, points).run();
+                                  std::size_t points, const Cancel& cancel) {
+  return Drawing(output, frame, limits, points, cancel).run();
 }
 
 }  // namespace dini

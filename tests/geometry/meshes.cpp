@@ -64,21 +64,21 @@ TEST_CASE("angles match the library") {
 }
 
 TEST_CASE("spaced samples hit both ends exactly and leave the end of closed ranges out") {
-  const Column<double> open = spaced(0.1, 0.7, 7, false);
+  const Column<double> open = spaced(0.1, 0.7, 7, false, never_stopped);
   CHECK(open[0] == 0.1);
   CHECK(open[6] == 0.7);
   CHECK(open[3] == Approx(0.4));
-  const Column<double> closed = spaced(0, 1, 3, true);
+  const Column<double> closed = spaced(0, 1, 3, true, never_stopped);
   CHECK(closed[1] == 1.0 / 3);
   CHECK(closed[2] == 2.0 / 3);
-  const Column<double> whole = spaced(-5, 5, 11, false);
+  const Column<double> whole = spaced(-5, 5, 11, false, never_stopped);
   for (std::size_t i = 0; i < 11; ++i) CHECK(whole[i] == static_cast<double>(i) - 5);
-  CHECK(spaced(3, 4, 1, false)[0] == 3);
-  CHECK(spaced(3, 4, 1, true)[0] == 3);
-  CHECK(spaced(3, 4, 0, false).empty());
-  CHECK(spaced(3, 4, 0, true).empty());
-  const Column<double> same = spaced(0.1, 0.1, 50, false);
-  const Column<double> huge = spaced(-1.7e308, 1.7e308, 50, false);
+  CHECK(spaced(3, 4, 1, false, never_stopped)[0] == 3);
+  CHECK(spaced(3, 4, 1, true, never_stopped)[0] == 3);
+  CHECK(spaced(3, 4, 0, false, never_stopped).empty());
+  CHECK(spaced(3, 4, 0, true, never_stopped).empty());
+  const Column<double> same = spaced(0.1, 0.1, 50, false, never_stopped);
+  const Column<double> huge = spaced(-1.7e308, 1.7e308, 50, false, never_stopped);
   for (std::size_t i = 0; i < 50; ++i) {
     CHECK(same[i] == 0.1);
     CHECK(std::isfinite(huge[i]));
