@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "graph/cost.h"
 #include "graph/fingerprint.h"
 #include "graph/fixes.h"
 #include "graph/infer.h"
@@ -47,7 +48,10 @@ class Checker {
     for (PlannedNode& node : report_.plan.nodes) {
       if (!node.bypass && !node.doubtful) node.fingerprint = fingerprint(node, report_.plan);
     }
-    add_up();
+    if (std::optional<Problem> problem = add_up(report_.plan, counted(), limits_)) {
+      problem->pointer = input_pointer(problem->node, "");
+      report_.problems.push_back(*std::move(problem));
+    }
     return std::move(report_);
   }
 
@@ -210,31 +214,6 @@ class Checker {
     std::vector<std::string> ids(needed_.begin(), needed_.end());
     for (const std::size_t guard : report_.guards) ids.push_back(report_.plan.nodes[guard].id);
     return needed_for(document_, ids);
-  }
-
-  void add_up() {
-    Cost& cost = report_.plan.cost;
-    const std::set<std::string> running = counted();
-    for (const PlannedNode& node : report_.plan.nodes) {
-      if (node.bypass || node.doubtful || !running.contains(node.id)) continue;
-      for (const WireShape& shape : node.outputs) {
-        const std::size_t samples = sample_count(shape.axes);
-        constexpr std::size_t bytes_per_sample = 10 * sizeof(double);
-        constexpr std::size_t bytes_per_vertex = 8 * sizeof(double) + 2 * 3 * sizeof(std::uint32_t);
-        cost.samples += samples;
-        cost.bytes += samples * bytes_per_sample + shape.vertices * bytes_per_vertex;
-        if (shape.type == WireType::mesh) cost.vertices = std::max(cost.vertices, shape.vertices);
-      }
-      if (cost.bytes > limits_.request_bytes) {
-        report_.problems.push_back({"limit-exceeded",
-                                    "up to here the graph would need " + std::to_string(cost.bytes >> 20) +
-                                        " MiB, at most " + std::to_string(limits_.request_bytes >> 20) +
-                                        " MiB are accepted",
-                                    node.id, "", input_pointer(node.id, "")});
-        return;
-      }
-    }
-    cost.triangles = 2 * cost.vertices;
   }
 
   const Registry& registry_;

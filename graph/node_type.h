@@ -5,6 +5,7 @@
 // If a function consumes axes (Block parameters) it sees all values along them; every other axis of its inputs is
 // lifted.
 
+#include <array>
 #include <functional>
 #include <map>
 #include <string>
@@ -48,6 +49,28 @@ using VertexRule = std::function<std::size_t(const Literals&, const Axes& consum
 /// By how much a node multiplies the vertices of its mesh inputs, from its literals.
 using VertexFactor = std::function<std::size_t(const Literals&)>;
 
+/// What one run of a node is given and makes, known before anything is computed. Sizes are bounds.
+struct RunSize {
+  const Literals& literals;
+  const Axes& consumed;
+  std::array<double, 8> given;  ///< values by wire type, at inputs that keep them apart
+  double given_vertices;        ///< of all meshes that it is given
+  double values;                ///< that it makes, over all outputs
+  double vertices;              ///< of the meshes that it makes
+
+  double given_of(WireType type) const { return given[static_cast<std::size_t>(type)]; }
+};
+
+/// What one run of a node needs beyond the usual for its sizes: work in units of about a nanosecond of one processor
+/// (the usual is 40 for a value made and 100 for a vertex given or made), bytes while it runs, and bytes that it keeps
+/// beyond numbers and meshes.
+struct RunCost {
+  double work = 0;
+  double bytes = 0;
+  double kept_bytes = 0;
+};
+using CostRule = std::function<RunCost(const RunSize&)>;
+
 /// What a node does with one kind of singular input.
 struct Degenerate {
   std::string input;   ///< in words: "zero direction"
@@ -73,16 +96,16 @@ struct NodeType {
   AxisRule axes;
   VertexRule vertices;
   VertexFactor vertex_factor;  ///< where there is no rule; 1 when absent
+  CostRule cost;               ///< nothing beyond the usual when absent
   bool depends_on_quality = false;
+  std::size_t fewest_triangles = 0;  ///< of each mesh that a draft thins: fewer are none of it; 0 for other nodes
   bool names_parts = false;       ///< its result holds the names of the nodes that its values come from
   bool passes_on = false;         ///< gives on what it is given at its first input
   bool makes_curves = false;      ///< points along the axis that it makes belong to one curve
   bool always_evaluated = false;  ///< runs even when the asked output does not need it (checks)
 
   /// True for a node whose meshes a draft may thin.
-  bool makes_meshes_by_quality() const {
-    return depends_on_quality && !overloads.empty() && overloads.front().outputs.front() == WireType::mesh;
-  }
+  bool makes_meshes_by_quality() const { return fewest_triangles > 0; }
 
   const InputPort* find_input(std::string_view name) const;
   const OutputPort* find_output(std::string_view name) const;

@@ -66,7 +66,8 @@ struct Cost {
   std::size_t samples = 0;
   std::size_t vertices = 0;
   std::size_t triangles = 0;
-  std::size_t bytes = 0;
+  std::size_t bytes = 0;  ///< a bound of the memory
+  std::size_t work = 0;   ///< in units of about a nanosecond of one processor
 };
 
 struct Plan {

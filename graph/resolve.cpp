@@ -224,7 +224,7 @@ class Resolver {
     if (auto* wrong = std::get_if<LiteralProblem>(&outcome)) {
       const bool written_here = given.parameter == nullptr && !given.pointer.empty();
       resolved.problems.push_back(
-          problem(wrong->code, card.name, card.name + ": " + wrong->detail,
+          problem(wrong->code, card.name, card.name + driver_text(given) + ": " + wrong->detail,
                   written_here ? acceptable_literal(given.pointer, wrong->code, given.literal, card) : Json()));
       stand_in(port, wanted, resolved);
       return;
@@ -256,6 +256,15 @@ class Resolver {
     if (argument == nullptr) return;
     if (const auto* literal = std::get_if<Literal>(argument)) resolved.node.literals[card.name] = *literal;
     resolved.node.inputs[port].items.push_back({std::move(*argument), {wanted, {}, 0}});
+  }
+
+  /// ", given by the parameter reach (Reach)" for what a parameter drives.
+  std::string driver_text(const Given& given) const {
+    for (const auto& [name, known] : document_.parameters) {
+      if (&known != given.parameter) continue;
+      return ", given by the parameter " + name + (known.label ? " (" + *known.label + ")" : "");
+    }
+    return "";
   }
 
   void note_parameter(const Parameter* parameter, PlannedInput& input) const {

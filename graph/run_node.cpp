@@ -12,11 +12,11 @@ namespace dini {
 
 namespace {
 
-/// " at k = 3, v = 0" for the sample `index` of a family over `axes`.
+/// " at index 3 of axis k, index 0 of axis v" for the sample `index` of a family over `axes`.
 std::string place_text(const Axes& axes, std::size_t index) {
   std::string text;
   for (std::size_t k = axes.size(); k-- > 0;) {
-    const std::string one = axes[k].name + " = " + std::to_string(index % axes[k].size);
+    const std::string one = "index " + std::to_string(index % axes[k].size) + " of axis " + axes[k].name;
     text = text.empty() ? one : one + ", " + text;
     index /= axes[k].size;
   }
@@ -130,7 +130,7 @@ class NodeRunner {
         first_where(cancel(), column.size(), [&](std::size_t i) { return !(column[i] >= least && column[i] <= most); });
     if (!outside) return std::nullopt;
     return problem("out-of-range", card.name,
-                   card.name + ": got " + to_text(column[*outside]) + place_text(value->axes, *outside) +
+                   card.name + " of " + node_.id + " (" + node_.type->title + "): got " + to_text(column[*outside]) + place_text(value->axes, *outside) +
                        ", accepted is " + range_text(card.spec.minimum, card.spec.maximum));
   }
 

@@ -87,7 +87,7 @@ Attempt<SharedMesh> curvature_patch(const Context& context, double u_a, double v
       points.set(i, moved.value_or(Point::at_infinity()));
     }
   });
-  return finish_surface(context, {points, rows, columns, false, false}, at_infinity, clip_radius, {"u", rows, false});
+  return finish_surface(context, {points, rows, columns, false, false}, at_infinity, clip_radius, nullptr);
 }
 
 InputSpec curvature_input(double value) { return defaults(value).hard(-1e9, 1e9).soft(-2, 2).unit("1/m"); }
@@ -155,7 +155,7 @@ void add_curvature(Registry& registry) {
           .input("clip_radius", "Distance from the origin that counts as infinity.",
                  defaults(100).hard(1e-3, 1e6).soft(1, 1000).unit("m"))
           .vertices(patch_vertices)
-          .depends_on_quality()
+          .thinned_to(2)
           .output("mesh", "The mesh."));
 }
 

@@ -10,7 +10,6 @@
 #include "geometry/subdivide.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
-#include "nodes/draft.h"
 
 namespace dini {
 
@@ -36,8 +35,11 @@ Attempt<SharedMesh> box(const Context& context, const Point& center, const Vecto
     return Failure{"degenerate", "the edges of a box must have positive lengths", "size"};
   }
   // Two triangles for each of the quads on six faces.
-  const Segments used = within_budget(context, 6 * segments, segments, {6, 1});
-  return std::make_shared<const Mesh>(box_mesh(center, size, used.across, context.cancel()));
+  auto used = static_cast<std::size_t>(segments);
+  if (const std::size_t budget = context.triangle_budget(); budget > 0) {
+    used = std::clamp<std::size_t>(static_cast<std::size_t>(std::sqrt(static_cast<double>(budget) / 12)), 1, used);
+  }
+  return std::make_shared<const Mesh>(box_mesh(center, size, used, context.cancel()));
 }
 
 SharedMesh subdivided(const Context& context, const SharedMesh& shape, std::int64_t levels) {
@@ -101,7 +103,7 @@ void add_mesh_tools(Registry& registry) {
           .input("size", "Lengths of its edges.", defaults({1, 1, 1}).unit("m"))
           .input("segments", "Quads along each edge; more of them bend better.", defaults(16).hard(1, 512).soft(1, 128))
           .vertices(box_vertices)
-          .depends_on_quality()
+          .thinned_to(12)
           .output("mesh", "The mesh."));
 
   registry.add(
@@ -113,7 +115,7 @@ void add_mesh_tools(Registry& registry) {
           .input("shape", "The mesh.")
           .input("levels", "How many times; each makes four triangles of one.", defaults(1).hard(0, 6).soft(0, 4))
           .vertex_factor(subdivided_factor)
-          .depends_on_quality()
+          .thinned_to(1)
           .output("shape", "The finer mesh."));
 
   registry.add(node("curvature_color", colored_by_curvature)

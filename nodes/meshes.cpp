@@ -11,14 +11,14 @@ namespace {
 
 SharedMesh sphere(const Context& context, const Point& center, double radius, std::int64_t segments,
                   std::int64_t rings) {
-  const Segments used = within_budget(context, segments, rings, {8, 4});
+  const Segments used = within_budget(context, segments, rings, {3, 2});
   return std::make_shared<const Mesh>(sphere_mesh(center, radius, used.along, used.across, context.cancel()));
 }
 
 Attempt<SharedMesh> torus(const Context& context, const Point& center, const Vector& axis, double major_radius,
                           double minor_radius, std::int64_t segments, std::int64_t sides) {
   if (axis == Vector{}) return Failure{"degenerate", "the axis of a torus must not be zero", "axis"};
-  const Segments used = within_budget(context, segments, sides, {8, 4});
+  const Segments used = within_budget(context, segments, sides, {3, 3});
   return std::make_shared<const Mesh>(
       torus_mesh(center, axis, major_radius, minor_radius, used.along, used.across, context.cancel()));
 }
@@ -56,7 +56,7 @@ void add_meshes(Registry& registry) {
           .input("segments", "Around the vertical axis.", defaults(96).hard(3, 8192).soft(8, 256))
           .input("rings", "From pole to pole.", defaults(48).hard(2, 8192).soft(4, 128))
           .vertices([](const Literals& literals, const Axes&) { return grid_vertices(literals, "segments", "rings"); })
-          .depends_on_quality()
+          .thinned_to(6)
           .output("mesh", "The mesh."));
 
   registry.add(
@@ -75,7 +75,7 @@ void add_meshes(Registry& registry) {
           .input("segments", "Around the axis.", defaults(128).hard(3, 8192).soft(8, 256))
           .input("sides", "Around the tube.", defaults(48).hard(3, 8192).soft(4, 128))
           .vertices([](const Literals& literals, const Axes&) { return grid_vertices(literals, "segments", "sides"); })
-          .depends_on_quality()
+          .thinned_to(18)
           .output("mesh", "The mesh."));
 
   registry.add(node("merge", merged)

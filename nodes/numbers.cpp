@@ -89,7 +89,7 @@ void add_numbers(Registry& registry) {
               "Operators + - * / ^ < <= > >= == != && || ? :, constants pi and e, functions " +
               Formula::function_names() +
               ". Angles are in radians. The same result on every machine; a result that is not finite is an error.")
-          .input("formula", "For example sin(2*pi*x) + y/2.", required())
+          .input("formula", "For example sin(2*pi*x) + y/2.", required().read_by("invalid-formula", Formula::fault))
           .input("x", "First variable.", defaults(0).soft(-10, 10))
           .input("y", "Second variable.", defaults(0).soft(-10, 10))
           .input("z", "Third variable.", defaults(0).soft(-10, 10))

@@ -28,7 +28,7 @@ Attempt<SharedMesh> surface_of_points(const Context& context, const Block<Point,
     for (std::size_t k = begin; k < end; ++k) points.set(k, shape(k / columns, k % columns));
   });
   return finish_surface(context, {points, rows, columns, shape.axis(0).closed, shape.axis(1).closed}, at_infinity,
-                        clip_radius, shape.axis(0));
+                        clip_radius, &shape.axis(0));
 }
 
 Attempt<SharedMesh> surface_of_circles(const Context& context, const Block<Circle, 1>& shape, std::int64_t segments,
@@ -40,14 +40,14 @@ Attempt<SharedMesh> surface_of_circles(const Context& context, const Block<Circl
   const auto columns = static_cast<std::size_t>(segments);
   const Column<Point> points = sample_circle_row(circles, columns, shape.axis().closed, clip_radius, context.cancel());
   return finish_surface(context, {points, circles.size(), columns, shape.axis().closed, true}, at_infinity, clip_radius,
-                        shape.axis());
+                        &shape.axis());
 }
 
 SharedMesh tube_along(const Context& context, const Polyline& curve, double radius, std::int64_t sides,
                       double clip_radius) {
-  const Segments used = tube_within_budget(context, curve.points.size(), sides);
+  const TubeSegments used = tube_within_budget(context, curve.points.size(), curve.closed, sides);
   return std::make_shared<const Mesh>(
-      tube(thinned(curve, used.along), {radius, used.across, clip_radius}, context.cancel()));
+      tube(thinned(curve, used.points), {radius, used.sides, clip_radius, used.capped}, context.cancel()));
 }
 
 SharedMesh tube_of_points(const Context& context, const Block<Point, 1>& shape, double radius, std::int64_t,
@@ -62,7 +62,7 @@ Attempt<SharedMesh> tube_of_circle(const Context& context, const Circle& shape, 
                                    std::int64_t sides, double clip_radius, const std::string&) {
   const std::optional<CircleCoordinates> found = coordinates(shape);
   if (!found) return Failure{"degenerate", "there is no circle to put a tube around", "shape"};
-  const std::size_t used = tube_within_budget(context, static_cast<std::size_t>(segments), sides).along;
+  const std::size_t used = tube_within_budget(context, static_cast<std::size_t>(segments), true, sides).points;
   Polyline curve{Column<Point>(found->line ? 2 : used), !found->line};
   if (found->line) {
     // The chord of the clip sphere, a hair shorter so that round-off leaves its ends inside.
@@ -98,7 +98,7 @@ Attempt<SharedMesh> patch_mesh(const Context& context, const Generator& a, const
                                          components(points, i * columns), columns);
     }
   });
-  return finish_surface(context, {points, rows, columns, false, false}, at_infinity, clip_radius, {"u", rows, false});
+  return finish_surface(context, {points, rows, columns, false, false}, at_infinity, clip_radius, nullptr);
 }
 
 std::size_t surface_vertices(const Literals& literals, const Axes& consumed) {
@@ -143,7 +143,7 @@ void add_surfaces(Registry& registry) {
           .input("along", "The axis along a row of points; empty means the last.", defaults("").names_axis())
           .over({"over", "along"})
           .vertices(surface_vertices)
-          .depends_on_quality()
+          .thinned_to(18)
           .output("mesh", "The mesh; one for each value of the axes that are left."));
 
   registry.add(node("tube", tube_of_points, tube_of_circle)
@@ -164,7 +164,7 @@ void add_surfaces(Registry& registry) {
                    .input("over", "The axis along the curve; empty means the last.", defaults("").names_axis())
                    .over({"over"})
                    .vertices(tube_vertices)
-                   .depends_on_quality()
+                   .thinned_to(18)
                    .output("mesh", "The mesh; one for each value of the axes that are left."));
 
   registry.add(
@@ -191,7 +191,7 @@ void add_surfaces(Registry& registry) {
           .input("at_infinity", "What to do where the surface leaves the clip radius.", defaults("clip"))
           .input("clip_radius", "Distance from the origin that counts as infinity.", clip_radius_input(100))
           .vertices(patch_vertices)
-          .depends_on_quality()
+          .thinned_to(2)
           .output("mesh", "The mesh."));
 }
 

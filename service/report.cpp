@@ -1,6 +1,7 @@
 #include "service/report.h"
 
 #include "graph/order.h"
+#include "graph/thinning.h"
 #include "graph/value_json.h"
 #include "service/engine.h"
 #include "service/version.h"
@@ -24,6 +25,15 @@ Json node_json(const PlannedNode& node, const NodeRun* run, bool needed) {
           {"outputs", std::move(outputs)}};
 }
 
+/// What the graph was predicted to need.
+Json cost_json(const Cost& cost) {
+  return {{"samples", cost.samples},
+          {"vertices", cost.vertices},
+          {"triangles", cost.triangles},
+          {"bytes", cost.bytes},
+          {"work", cost.work}};
+}
+
 /// Everything that had to run, or stands behind what is cached.
 std::set<std::string> needed_nodes(const Prepared& prepared) {
   std::vector<std::string> ids;
@@ -36,7 +46,7 @@ std::set<std::string> needed_nodes(const Prepared& prepared) {
 
 void add_warnings(Json& warnings, const PlannedNode& node, const NodeResult& result) {
   for (const Warning& warning : result.warnings) {
-    Json entry = {{"code", warning.code}, {"node", node.id}, {"detail", warning.detail}};
+    Json entry = {{"code", warning.code}, {"node", node.id}, {"detail", told(warning, node.consumed)}};
     if (!warning.port.empty()) entry["port"] = warning.port;
     warnings.push_back(std::move(entry));
   }
@@ -74,10 +84,17 @@ Json evaluation_report(const Prepared& prepared, const Evaluation& evaluation, c
     checks.push_back({{"node", broken.node}, {"passed", false}, {"message", broken.reason}});
   }
   for (Json& problem : to_json(prepared.elsewhere)) warnings.push_back(std::move(problem));
+  if (files.model != nullptr) {
+    if (const auto warning = unkept_budget(plan, files.model->triangles)) {
+      warnings.push_back(
+          {{"code", warning->code}, {"node", plan.nodes[*prepared.output].id}, {"detail", warning->detail}});
+    }
+  }
   Json report = {{"engine", engine_version},
                  {"etag", prepared.entity_tag},
                  {"quality", plan.detail.quality == Quality::draft ? "draft" : "final"},
                  {"milliseconds", milliseconds},
+                 {"cost", cost_json(plan.cost)},
                  {"nodes", std::move(nodes)},
                  {"checks", std::move(checks)},
                  {"warnings", std::move(warnings)}};
@@ -106,14 +123,11 @@ Json validation_report(const CheckReport& report, const Problems& problems) {
       wires[node.id + "." + node.type->outputs[output].name] = wire_json(node.outputs[output]);
     }
   }
-  const Cost& cost = report.plan.cost;
-  return {
-      {"valid", problems.empty()},
-      {"errors", to_json(problems)},
-      {"blocked", report.blocked},
-      {"wires", std::move(wires)},
-      {"cost",
-       {{"samples", cost.samples}, {"vertices", cost.vertices}, {"triangles", cost.triangles}, {"bytes", cost.bytes}}}};
+  return {{"valid", problems.empty()},
+          {"errors", to_json(problems)},
+          {"blocked", report.blocked},
+          {"wires", std::move(wires)},
+          {"cost", cost_json(report.plan.cost)}};
 }
 
 }  // namespace dini

@@ -13,7 +13,7 @@ namespace {
 using Names = std::vector<std::string>;
 
 Json gltf_of(const Engine& engine, const Json& graph, const Json& parameters = Json::object()) {
-  const std::string file = file_of(engine, {.graph = graph, .parameters = parameters});
+  const std::string file = file_of(engine, {.graph = graph, .parameters = parameters, .output = ""});
   const auto chunks = split_glb(file);
   REQUIRE(chunks);
   return Json::parse(chunks->json);
@@ -110,7 +110,7 @@ TEST_CASE("an export of nothing names the nodes and the parameters to change") {
   Json graph = document(
       {{"globe", make("sphere_mesh", {{"center", {{"parameter", "place"}}}})}, {"out", out_of(from("globe"))}});
   graph["parameters"] = {{"place", {{"type", "vector"}, {"default", {1e17, 0, 0}}, {"label", "Place"}}}};
-  const Result<Evaluated> answer = answered(engine, {.graph = graph});
+  const Result<Evaluated> answer = answered(engine, {.graph = graph, .parameters = Json::object(), .output = ""});
   REQUIRE_FALSE(answer);
   const Problem& problem = answer.problems().front();
   CHECK(problem.code == "nothing-to-export");
