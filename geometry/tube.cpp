@@ -19,6 +19,7 @@ class TubeWriter {
     mesh_.positions = Column<Point>(vertices);
     mesh_.normals = Column<Vector>(vertices);
     mesh_.uvs.reserve(vertices);
+    mesh_.triangles.reserve(2 * vertices);
     for (std::size_t side = 0; side < sides; ++side) {
       around_.push_back(sine_cosine(static_cast<double>(side) / static_cast<double>(sides)));
     }

@@ -14,7 +14,6 @@ constexpr double node_bytes = 4096;    ///< of the bookkeeping of one node
 constexpr double mesh_bytes = 1024;    ///< of a mesh beside its vertices and triangles
 constexpr double vertex_bytes = 80;    ///< position, normal, texture coordinate and color
 constexpr double triangle_bytes = 12;  ///< of which a vertex has two
-constexpr double value_work = 40;
 constexpr double vertex_work = 100;
 
 /// Bytes of one value of a type that is made of numbers.
@@ -32,6 +31,19 @@ double bytes_of_value(WireType type) {
       return 10 * sizeof(double);
     default:
       return 2 * sizeof(void*);
+  }
+}
+
+/// Nanoseconds for one value of a type, made by a usual function and looked at.
+double work_of_value(WireType type) {
+  switch (type) {
+    case WireType::circle:
+    case WireType::sphere:
+      return 400;
+    case WireType::generator:
+      return 200;
+    default:
+      return 40;
   }
 }
 
@@ -79,7 +91,8 @@ NodeCost cost_of(const PlannedNode& node) {
   const RunSize size = run_size(node, runs);
   const RunCost of_run = node.type->cost ? node.type->cost(size) : RunCost{};
   NodeCost cost;
-  cost.work = runs * (value_work * size.values + vertex_work * (size.vertices + size.given_vertices) + of_run.work);
+  cost.work = runs * (vertex_work * (size.vertices + size.given_vertices) + of_run.work);
+  for (const WireShape& shape : node.outputs) cost.work += samples_of(shape.axes) * work_of_value(shape.type);
   cost.kept_bytes = node_bytes + runs * of_run.kept_bytes;
   for (const WireShape& shape : node.outputs) cost.kept_bytes += kept_by(shape);
   cost.run_bytes = std::min(runs, most_at_once) * of_run.bytes;
@@ -88,7 +101,7 @@ NodeCost cost_of(const PlannedNode& node) {
     if (!input.list_axis) continue;  // else its items are stacked into a column of their own
     const double values = samples_of(input.shape.axes);
     cost.run_bytes += values * bytes_of_value(input.shape.type) + node_bytes * static_cast<double>(input.items.size());
-    cost.work += values * value_work;
+    cost.work += values * work_of_value(input.shape.type);
   }
   return cost;
 }

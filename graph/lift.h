@@ -145,7 +145,13 @@ class LiftedFunction {
   template <std::size_t... O>
   static auto make_columns(const Call& call, std::size_t count, std::index_sequence<O...>) {
     return std::make_tuple(Column<typename OutputTraits<std::tuple_element_t<O, OutputTuple>>::Element>(
-        count * sample_count(call.made[O]))...);
+        size_of_column<std::tuple_element_t<O, OutputTuple>>(count, call.made[O]))...);
+  }
+
+  /// Of a column that waits for its values; what the only run makes becomes the column itself.
+  template <class Output>
+  static std::size_t size_of_column(std::size_t count, const Axes& made) {
+    return OutputTraits<Output>::makes_axes && count == 1 ? 0 : count * sample_count(made);
   }
 
   /// The port that parameter `index` reads: parameters that are no ports do not count.
@@ -249,7 +255,7 @@ class LiftedFunction {
   template <class T>
   static void store_one(Made<T> made, std::size_t index, Column<T>& column) {
     const std::size_t size = made.values.size();
-    if (size == column.size()) {  // the only run
+    if (column.empty()) {  // the only run
       column = std::move(made.values);
       return;
     }

@@ -98,11 +98,13 @@ class NodeBuilder {
   /// What a run needs beyond the usual for its sizes.
   NodeBuilder&& cost(CostRule rule) && { return set(type_.cost, std::move(rule)); }
   NodeBuilder&& depends_on_quality() && { return set(type_.depends_on_quality, true); }
-  /// A draft thins each mesh that the node makes to the triangles of the context, but not below `fewest`: it would be
-  /// none any more.
-  NodeBuilder&& thinned_to(std::size_t fewest) && {
+  /// A draft thins each mesh that the node makes to the triangles of the context, but not below these.
+  NodeBuilder&& thinned_to(FewestRule fewest) && {
     type_.depends_on_quality = true;
-    return set(type_.fewest_triangles, fewest);
+    return set(type_.fewest_triangles, std::move(fewest));
+  }
+  NodeBuilder&& thinned_to(std::size_t fewest) && {
+    return std::move(*this).thinned_to([fewest](const Axes&) { return fewest; });
   }
   NodeBuilder&& names_parts() && { return set(type_.names_parts, true); }
   NodeBuilder&& passes_on() && { return set(type_.passes_on, true); }

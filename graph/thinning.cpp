@@ -57,7 +57,8 @@ class Prediction {
     const double whole = triangles_of_one(node.outputs.front());
     if (node.type->vertex_factor) return std::clamp(share * whole, std::min(given(node), whole), whole);
     if (!node.type->makes_meshes_by_quality()) return std::min(given(node), whole);
-    return std::clamp(share * whole, std::min(static_cast<double>(node.type->fewest_triangles), whole), whole);
+    const auto fewest = static_cast<double>(node.type->fewest_triangles(node.consumed));
+    return std::clamp(share * whole, std::min(fewest, whole), whole);
   }
 
   /// What the meshes that one run of a node is given have together.
@@ -105,7 +106,7 @@ std::optional<Warning> unkept_budget(const Plan& plan, std::size_t triangles) {
   if (plan.detail.quality == Quality::final || triangles <= plan.detail.triangle_budget) return std::nullopt;
   return Warning{"triangle-budget", "the draft has " + std::to_string(triangles) + " triangles, more than its budget of " +
                                         std::to_string(plan.detail.triangle_budget) +
-                                        ": its meshes cannot be thinner, or there are too many of them"};
+                                        ": its meshes are as thin as they can be, or were cut at infinity"};
 }
 
 }  // namespace dini

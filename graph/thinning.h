@@ -14,8 +14,7 @@ namespace dini {
 /// none when everything fits.
 void share_triangles(Plan& plan, const std::set<std::string>& needed);
 
-/// What is said about a file of a draft that has more triangles than its budget: some meshes cannot be thinner, or
-/// there are too many.
+/// What is said about a file of a draft that has more triangles than its budget.
 std::optional<Warning> unkept_budget(const Plan& plan, std::size_t triangles);
 
 }  // namespace dini

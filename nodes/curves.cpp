@@ -8,6 +8,7 @@
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 #include "nodes/choices.h"
+#include "nodes/costs.h"
 #include "nodes/shapes.h"
 #include "nodes/sources.h"
 
@@ -135,6 +136,15 @@ AxisRule open_axis() {
   };
 }
 
+RunCost cost_of_orbit(const RunSize& size) { return {60 * size.values, 40 * size.values}; }
+
+/// Every point takes some steps, each with several looks at the field; more where the field changes fast.
+RunCost cost_of_contour(const RunSize& size) {
+  constexpr double looks = 200;
+  const auto sources = static_cast<double>(size.consumed.front().size);
+  return {size.values * looks * (60 + 14 * sources) + 50 * sources, source_bytes * sources + 56 * size.values};
+}
+
 InputSpec clip_radius_input() { return defaults(100).hard(1e-3, 1e6).soft(1, 1000).unit("m"); }
 
 }  // namespace
@@ -164,6 +174,7 @@ void add_curves(Registry& registry) {
                  defaults("exact"))
           .axes(open_axis())
           .makes_curves()
+          .cost(cost_of_orbit)
           .output("points", "The orbit, over the new axis."));
 
   registry.add(
@@ -203,6 +214,7 @@ void add_curves(Registry& registry) {
           .over({"over"})
           .axes(open_axis())
           .makes_curves()
+          .cost(cost_of_contour)
           .output("points", "The curve, over the new axis."));
 }
 

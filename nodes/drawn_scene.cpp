@@ -11,8 +11,6 @@ namespace dini {
 namespace {
 
 constexpr double line_extent = 20;  ///< meters of a line that are drawn
-constexpr Color curve_color = {0.95, 0.69, 0.13, 1};
-constexpr Color point_color = {0.95, 1.0, 0.44, 1};
 constexpr std::size_t fewest_circle_segments = 16;
 constexpr std::size_t circle_points = 4'000'000;  ///< of all circles together, as long as none gets too coarse
 
@@ -63,9 +61,9 @@ Scene scene_of(const Items& models, const Cancel& cancel) {
     } else if (value.type() == WireType::circle) {
       const auto& circles = std::get<SharedColumn<Circle>>(value.column);
       const auto curve = [circles, segments, &cancel](std::size_t i) { return drawn((*circles)[i], segments, cancel); };
-      scene.parts.push_back({name, CurveSource{circles->size(), curve}, curve_color, name});
+      scene.parts.push_back({name, CurveSource{circles->size(), curve}, linear_color(WireType::circle), name});
     } else {
-      scene.parts.push_back({name, std::get<SharedColumn<Point>>(value.column), point_color, name});
+      scene.parts.push_back({name, std::get<SharedColumn<Point>>(value.column), linear_color(WireType::point), name});
     }
   }
   return scene;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gltf/encode_cost.h"
 #include "gltf/glb_writer.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
@@ -67,6 +68,15 @@ Failure failure_of(const EncodeError& error) {
   return {"encode-failed", part + error.detail, "model"};
 }
 
+RunCost cost_of_export(const RunSize& size) {
+  const double circles = size.given_of(WireType::circle);
+  const auto segments = static_cast<double>(segments_of_circles(static_cast<std::size_t>(circles)));
+  const DrawnSizes drawn{size.given_of(WireType::mesh), size.given_vertices, circles, segments * circles,
+                         size.given_of(WireType::point)};
+  const EncodeCost cost = encode_cost(drawn, static_cast<int>(integer_at(size.literals, "speed")));
+  return {cost.work, cost.bytes, cost.file_bytes};
+}
+
 Attempt<SharedAsset> export_glb(const Context& context,
                                 const Several<WireType::mesh, WireType::point, WireType::circle>& model,
                                 std::int64_t position_bits, std::int64_t normal_bits, std::int64_t speed,
@@ -107,6 +117,7 @@ void add_export(Registry& registry) {
                    .input("normals", "Whether normals are sent.", defaults(true))
                    .depends_on_quality()
                    .names_parts()
+                   .cost(cost_of_export)
                    .output("asset", "The file."));
 }
 

@@ -5,6 +5,7 @@
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 #include "nodes/choices.h"
+#include "nodes/costs.h"
 #include "nodes/shapes.h"
 #include "nodes/sources.h"
 
@@ -79,6 +80,14 @@ Attempt<SharedMesh> warp_mesh(const Context& context, const SharedMesh& shape, c
   return SharedMesh(warped);
 }
 
+/// Of every point with every generator. Whole powers and null pairs are quicker, but that shows only when they come.
+RunCost cost_of_warp(const RunSize& size) {
+  const auto sources = static_cast<double>(size.consumed.front().size);
+  const double pair_work = text_at(size.literals, "method") == "sum_displacements" ? 10 : 4;
+  const double points = std::max(1.0, size.vertices);
+  return {sources * (pair_work * points + 50) + 300 * size.vertices, source_bytes * sources + 170 * size.vertices};
+}
+
 }  // namespace
 
 void add_fields(Registry& registry) {
@@ -109,6 +118,7 @@ void add_fields(Registry& registry) {
           .input("method", "One rotor from the summed generators, or the sum of what each would do alone.",
                  defaults("sum_generators"))
           .over({"over"})
+          .cost(cost_of_warp)
           .output("shape", "The warped shape."));
 }
 

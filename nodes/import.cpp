@@ -82,6 +82,7 @@ void add_import(Registry& registry) {
           .input("center", "Whether the middle of the mesh moves to the origin.", defaults(false))
           .vertices(vertices_of)
           .thinned_to(12)
+          .cost([](const RunSize& size) { return RunCost{100 * size.vertices, 120 * size.vertices}; })
           .output("mesh", "The mesh."));
 }
 

@@ -3,6 +3,7 @@
 #include "geometry/primitives.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
+#include "nodes/costs.h"
 #include "nodes/draft.h"
 
 namespace dini {
@@ -57,6 +58,7 @@ void add_meshes(Registry& registry) {
           .input("rings", "From pole to pole.", defaults(48).hard(2, 8192).soft(4, 128))
           .vertices([](const Literals& literals, const Axes&) { return grid_vertices(literals, "segments", "rings"); })
           .thinned_to(6)
+          .cost(cost_of_grid_surface)
           .output("mesh", "The mesh."));
 
   registry.add(
@@ -76,6 +78,7 @@ void add_meshes(Registry& registry) {
           .input("sides", "Around the tube.", defaults(48).hard(3, 8192).soft(4, 128))
           .vertices([](const Literals& literals, const Axes&) { return grid_vertices(literals, "segments", "sides"); })
           .thinned_to(18)
+          .cost(cost_of_grid_surface)
           .output("mesh", "The mesh."));
 
   registry.add(node("merge", merged)
@@ -83,6 +86,7 @@ void add_meshes(Registry& registry) {
                    .family("meshes")
                    .doc("One mesh from many: all links, and all values of their axes.")
                    .input("meshes", "Meshes, over any axes.", required().several())
+                   .cost([](const RunSize& size) { return RunCost{0, 60 * size.vertices}; })
                    .output("mesh", "The merged mesh."));
 
   registry.add(node("color", colored)

@@ -10,6 +10,7 @@
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 #include "nodes/choices.h"
+#include "nodes/costs.h"
 #include "nodes/draft.h"
 #include "nodes/finish_surface.h"
 #include "nodes/shapes.h"
@@ -45,9 +46,15 @@ Attempt<SharedMesh> surface_of_circles(const Context& context, const Block<Circl
 
 SharedMesh tube_along(const Context& context, const Polyline& curve, double radius, std::int64_t sides,
                       double clip_radius) {
-  const TubeSegments used = tube_within_budget(context, curve.points.size(), curve.closed, sides);
-  return std::make_shared<const Mesh>(
-      tube(thinned(curve, used.points), {radius, used.sides, clip_radius, used.capped}, context.cancel()));
+  TubeSegments used = tube_within_budget(context, curve.points.size(), curve.closed, sides);
+  const std::size_t budget = context.triangle_budget(), fewest = curve.closed ? 3 : 2;
+  for (;;) {
+    Mesh mesh = tube(thinned(curve, used.points), {radius, used.sides, clip_radius, used.capped}, context.cancel());
+    const std::size_t triangles = mesh.triangles.size();
+    if (budget == 0 || triangles <= budget || used.points <= fewest) return std::make_shared<const Mesh>(std::move(mesh));
+    // The clip radius cuts the curve into pieces, each with ends of its own.
+    used.points = std::max(fewest, std::min(used.points - 1, used.points * budget / triangles));
+  }
 }
 
 SharedMesh tube_of_points(const Context& context, const Block<Point, 1>& shape, double radius, std::int64_t,
@@ -107,6 +114,15 @@ std::size_t surface_vertices(const Literals& literals, const Axes& consumed) {
   return consumed[0].size * across;
 }
 
+/// Two for a quad; three quads around each closed axis, as around a circle.
+std::size_t fewest_of_surface(const Axes& consumed) {
+  const bool closed = consumed.size() < 2 || consumed[1].closed;
+  return std::size_t{2} * (consumed[0].closed ? 3 : 1) * (closed ? 3 : 1);
+}
+
+/// Three sides and one step, or three steps around a closed curve.
+std::size_t fewest_of_tube(const Axes& consumed) { return consumed.empty() || consumed[0].closed ? 18 : 6; }
+
 std::size_t tube_vertices(const Literals& literals, const Axes& consumed) {
   const std::size_t along =
       consumed.empty() ? static_cast<std::size_t>(integer_at(literals, "segments")) : consumed[0].size;
@@ -143,7 +159,8 @@ void add_surfaces(Registry& registry) {
           .input("along", "The axis along a row of points; empty means the last.", defaults("").names_axis())
           .over({"over", "along"})
           .vertices(surface_vertices)
-          .thinned_to(18)
+          .thinned_to(fewest_of_surface)
+          .cost(cost_of_grid_surface)
           .output("mesh", "The mesh; one for each value of the axes that are left."));
 
   registry.add(node("tube", tube_of_points, tube_of_circle)
@@ -164,7 +181,8 @@ void add_surfaces(Registry& registry) {
                    .input("over", "The axis along the curve; empty means the last.", defaults("").names_axis())
                    .over({"over"})
                    .vertices(tube_vertices)
-                   .thinned_to(18)
+                   .thinned_to(fewest_of_tube)
+                   .cost([](const RunSize& size) { return RunCost{50 * size.vertices, 80 * size.vertices}; })
                    .output("mesh", "The mesh; one for each value of the axes that are left."));
 
   registry.add(
@@ -192,6 +210,7 @@ void add_surfaces(Registry& registry) {
           .input("clip_radius", "Distance from the origin that counts as infinity.", clip_radius_input(100))
           .vertices(patch_vertices)
           .thinned_to(2)
+          .cost(cost_of_grid_surface)
           .output("mesh", "The mesh."));
 }
 
