@@ -71,6 +71,35 @@ struct WarpSource {
 /// line its point nearest the origin, otherwise the origin.
 WarpSource warp_source(const Generator& generator);
 
+/// Whether anybody still wants the result of a kernel that may take long for one element; never asked by default.
+class Stop {
+ public:
+  Stop() = default;
+  Stop(const void* owner, bool (*asked)(const void* owner)) : owner_(owner), asked_(asked) {}
+
+  bool operator()() const { return asked_ != nullptr && asked_(owner_); }
+
+ private:
+  const void* owner_ = nullptr;
+  bool (*asked_)(const void* owner) = nullptr;
+};
+
+/// The generators of a warp, looked at once for all points that they move. `sources` must outlive it. A stopped one
+/// means nothing.
+class WarpField {
+ public:
+  explicit WarpField(std::span<const WarpSource> sources, Stop stop = {});
+
+  std::span<const WarpSource> sources() const { return sources_; }
+  bool null_pairs_only() const { return null_pairs_only_; }
+  const Vector& sum_of_tangents() const { return sum_of_tangents_; }
+
+ private:
+  std::span<const WarpSource> sources_;
+  bool null_pairs_only_ = true;
+  Vector sum_of_tangents_;
+};
+
 /// The paper's eqs. (13), (16): weight 1 / (d^power + softening) per generator, rotor exp(strength * weighted sum),
 /// center. At a generator (d = 0 with softening 0) the limit is used: the point stays where it is.
 struct WarpSettings {
@@ -80,8 +109,9 @@ struct WarpSettings {
   Rule rule = Rule::exact;
   WarpMethod method = WarpMethod::sum_generators;
 };
-void warp_points(std::span<const WarpSource> sources, const WarpSettings& settings, ConstPoints in, Points out,
-                 std::size_t count);
+/// Asks `stop` about once a millisecond, also within the sum for one point; what is left then stays as it was.
+void warp_points(const WarpField& field, const WarpSettings& settings, ConstPoints in, Points out, std::size_t count,
+                 Stop stop = {});
 
 /// Where exp(generator) sends the point at infinity.
 Point image_of_infinity(const Generator& generator, Rule rule);

@@ -35,13 +35,18 @@ struct WarpLanes {
   Lanes strength, softening, half_power;
 };
 
-/// The weighted sum of null pairs seen from p.
+HWY_INLINE Bivector<Lanes> no_generator() {
+  const Lanes zero = hn::Zero(Tag());
+  return {{zero, zero, zero}, {zero, zero, zero}, zero, {zero, zero, zero}};
+}
+
+/// Adds null pairs seen from p, weighted. With the falloff of an inverse square M lacks the term that is the same for
+/// all points.
 template <Falloff falloff>
-HWY_INLINE Bivector<Lanes> sum_of_pairs(std::span<const kernels::WarpSource> sources, const WarpLanes& settings,
-                                        const Triple<Lanes>& half_tangents, const Triple<Lanes>& p) {
+HWY_INLINE void add_pairs(std::span<const kernels::WarpSource> sources, const WarpLanes& settings,
+                          const Triple<Lanes>& p, Bivector<Lanes>& sum) {
   const Tag d;
-  const Lanes zero = hn::Zero(d), half = hn::Set(d, 0.5);
-  Bivector<Lanes> sum{{zero, zero, zero}, {zero, zero, zero}, zero, {zero, zero, zero}};
+  const Lanes half = hn::Set(d, 0.5);
   for (const kernels::WarpSource& source : sources) {
     const Triple<Lanes> y = broadcast(to_vector(source.position)) - p;
     const Triple<Lanes> t = broadcast(source.generator.no_e);
@@ -58,8 +63,6 @@ HWY_INLINE Bivector<Lanes> sum_of_pairs(std::span<const kernels::WarpSource> sou
       sum.M = sum.M + (e * y - (half * yy) * tangent);
     }
   }
-  if constexpr (falloff == Falloff::inverse_square) sum.M = sum.M - half_tangents;
-  return sum;
 }
 
 /// What a generator has beyond the null pair at its position: a bivector without no^e part, seen from that position.
@@ -84,12 +87,10 @@ HWY_INLINE Bivector<Lanes> seen_from_point(const kernels::WarpSource& source, co
           (e * y - (hn::Set(d, 0.5) * yy) * t) + ((broadcast(rest.M) + e_rest * y) - cross(W, y))};
 }
 
-/// The weighted sum of any generators seen from p.
+/// Adds any generators seen from p, weighted.
 template <Falloff falloff>
-HWY_INLINE Bivector<Lanes> sum_of_generators(std::span<const kernels::WarpSource> sources, const WarpLanes& settings,
-                                             const Triple<Lanes>& p) {
-  const Lanes zero = hn::Zero(Tag());
-  Bivector<Lanes> sum{{zero, zero, zero}, {zero, zero, zero}, zero, {zero, zero, zero}};
+HWY_INLINE void add_generators(std::span<const kernels::WarpSource> sources, const WarpLanes& settings,
+                               const Triple<Lanes>& p, Bivector<Lanes>& sum) {
   for (const kernels::WarpSource& source : sources) {
     const Triple<Lanes> y = broadcast(to_vector(source.position)) - p;
     const Lanes yy = dot(y, y);
@@ -97,7 +98,6 @@ HWY_INLINE Bivector<Lanes> sum_of_generators(std::span<const kernels::WarpSource
     const Bivector<Lanes> b = seen_from_point(source, y, yy);
     sum = {sum.A + w * b.A, sum.W + w * b.W, sum.e + w * b.e, sum.M + w * b.M};
   }
-  return sum;
 }
 
 }  // namespace dini::HWY_NAMESPACE

@@ -93,8 +93,8 @@ void plain_warp(benchmark::State& state) {
     }
     benchmark::ClobberMemory();
   }
-  kernels::warp_points(generators, {-0.5, 2, 0, Rule::paper, kernels::WarpMethod::sum_generators}, in.in(),
-                       expected.out(), 1000);
+  kernels::warp_points(kernels::WarpField(generators), {-0.5, 2, 0, Rule::paper, kernels::WarpMethod::sum_generators},
+                       in.in(), expected.out(), 1000);
   for (std::size_t i = 0; i < 1000; ++i) {
     if (std::abs(out.x[i] - expected.x[i]) > 1e-6) state.SkipWithError("the yardstick computes something else");
   }
@@ -106,7 +106,8 @@ void warp(benchmark::State& state, Rule rule, kernels::WarpMethod method, double
   const auto generators = sources(static_cast<std::size_t>(state.range(0)));
   Cloud out;
   for (auto _ : state) {
-    kernels::warp_points(generators, {-0.5, power, 0, rule, method}, points().in(), out.out(), point_count);
+    kernels::warp_points(kernels::WarpField(generators), {-0.5, power, 0, rule, method}, points().in(), out.out(),
+                         point_count);
     benchmark::ClobberMemory();
   }
   report(state);

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cstdint>
 
+#include "algebra/kernels.h"
+
 namespace dini {
 
 /// Why work was stopped.
@@ -36,6 +38,11 @@ class Cancel {
   }
 
   StopReason reason() const { return reason_.load(std::memory_order_relaxed); }
+
+  /// This flag as the kernels of `algebra/` ask for it. It must outlive their work.
+  kernels::Stop for_kernels() const {
+    return {this, [](const void* cancel) { return static_cast<const Cancel*>(cancel)->stopped(); }};
+  }
 
  private:
   Clock::time_point deadline_ = Clock::time_point::max();

@@ -69,10 +69,11 @@ bool all_circles(const std::vector<std::optional<CircleCoordinates>>& circles) {
 }  // namespace
 
 Column<Point> sample_circle_row(const std::vector<std::optional<CircleCoordinates>>& circles, std::size_t segments,
-                                bool closed_family, double widest) {
+                                bool closed_family, double widest, const Cancel& cancel) {
   std::vector<Start> starts(circles.size());
   const Start* previous = nullptr;
-  for (std::size_t i = 0; i < circles.size(); ++i) {
+  CancelEvery steps(cancel);
+  for (std::size_t i = 0; i < circles.size() && !steps.stopped(); ++i) {
     if (!circles[i]) continue;
     starts[i] = previous == nullptr ? first_start(*circles[i]) : next_start(*circles[i], *previous);
     previous = &starts[i];
@@ -83,14 +84,14 @@ Column<Point> sample_circle_row(const std::vector<std::optional<CircleCoordinate
   }
   Column<Point> points(circles.size() * segments);
   for (std::size_t i = 0; i < circles.size(); ++i) {
+    if (!circles[i]) {
+      for (std::size_t j = 0; j < segments; ++j) points.set(i * segments + j, Point::at_infinity());
+      continue;
+    }
     const double share = excess * static_cast<double>(i) / static_cast<double>(circles.size());
-    for (std::size_t j = 0; j < segments; ++j) {
-      if (!circles[i]) {
-        points.set(i * segments + j, Point::at_infinity());
-        continue;
-      }
-      const Start start = share == 0 ? starts[i] : turned(*circles[i], starts[i], -share);
-      const double width = circles[i]->line ? 2 * widest : 2 * std::min(circles[i]->radius, widest);
+    const Start start = share == 0 ? starts[i] : turned(*circles[i], starts[i], -share);
+    const double width = circles[i]->line ? 2 * widest : 2 * std::min(circles[i]->radius, widest);
+    for (std::size_t j = 0; j < segments && !steps.stopped(); ++j) {
       points.set(i * segments + j,
                  point_from(*circles[i], start, static_cast<double>(j) / static_cast<double>(segments), width));
     }

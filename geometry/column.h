@@ -4,10 +4,12 @@
 // one array of doubles per component, so that kernels read them with SIMD; everything else is a plain array.
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "algebra/elements.h"
+#include "geometry/zeroed.h"
 
 namespace dini {
 
@@ -116,14 +118,13 @@ class Column {
   const double* component(std::size_t k) const requires numeric { return data_.data() + k * size_; }
   double* component(std::size_t k) requires numeric { return data_.data() + k * size_; }
 
-  std::size_t bytes() const { return data_.size() * sizeof(Element); }
+  std::size_t bytes() const { return data_.size() * sizeof(*data_.data()); }
 
   friend bool operator==(const Column& a, const Column& b) = default;
 
  private:
-  using Element = std::conditional_t<numeric, double, T>;
   std::size_t size_ = 0;
-  std::vector<Element> data_;
+  std::conditional_t<numeric, Zeroed<double>, std::vector<T>> data_;
 };
 
 }  // namespace dini

@@ -71,9 +71,10 @@ bool shape_of_triangle(const std::array<Vector, 3>& corners, const std::array<Ve
 Curvatures estimate_curvatures(const Mesh& mesh, const Cancel& cancel) {
   const std::size_t size = mesh.positions.size();
   Curvatures result{std::vector<double>(size), std::vector<double>(size)};
-  const Column<Vector> normals = mesh.normals.empty() ? smooth_normals(mesh, cancel) : mesh.normals;
-  std::vector<Tensor> shapes(size);
-  std::vector<double> areas(size);
+  const Column<Vector> computed = mesh.normals.empty() ? smooth_normals(mesh, cancel) : Column<Vector>();
+  const Column<Vector>& normals = mesh.normals.empty() ? computed : mesh.normals;
+  Zeroed<Tensor> shapes(size);
+  Zeroed<double> areas(size);
   CancelEvery steps(cancel);
   for (const auto& triangle : mesh.triangles) {
     if (steps.stopped()) return result;
@@ -87,7 +88,7 @@ Curvatures estimate_curvatures(const Mesh& mesh, const Cancel& cancel) {
       areas[vertex] += area;
     }
   }
-  for (std::size_t i = 0; i < size; ++i) {
+  for (std::size_t i = 0; i < size && !steps.stopped(); ++i) {
     if (!(areas[i] > 0)) continue;
     // Seen along the normal of the vertex: P S P with P = 1 - n n.
     const Vector normal = normals[i];

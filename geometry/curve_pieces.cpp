@@ -11,10 +11,15 @@ namespace {
 /// A curve with a limit on how far it may go.
 class ClippedCurve {
  public:
-  ClippedCurve(const Polyline& curve, double clip_radius)
-      : curve_(curve), clip_radius_(clip_radius), count_(curve.points.size()), closed_(curve.closed && count_ >= 3) {
+  ClippedCurve(const Polyline& curve, double clip_radius, const Cancel& cancel)
+      : curve_(curve),
+        cancel_(cancel),
+        clip_radius_(clip_radius),
+        count_(curve.points.size()),
+        closed_(curve.closed && count_ >= 3) {
     double largest = 0;
-    for (std::size_t i = 0; i < count_; ++i) {
+    CancelEvery steps(cancel_);
+    for (std::size_t i = 0; i < count_ && !steps.stopped(); ++i) {
       if (inside(i)) largest = std::max(largest, largest_component(point(i)));
     }
     tolerance_ = relative_round_off * largest;
@@ -28,7 +33,8 @@ class ClippedCurve {
     const std::size_t start = closed_ ? (*gap + 1) % count_ : 0;
     std::vector<CurvePiece> pieces(1);
     if (closed_ && !holds_infinity(*gap)) append_cut(pieces.back(), start, *gap);
-    for (std::size_t k = 0; k < count_; ++k) {
+    CancelEvery steps(cancel_);
+    for (std::size_t k = 0; k < count_ && !steps.stopped(); ++k) {
       const std::size_t i = (start + k) % count_;
       if (inside(i)) append(pieces.back(), point(i));
       if (k + 1 == count_ && !closed_) break;
@@ -68,7 +74,8 @@ class ClippedCurve {
   bool joined(std::size_t i) const { return inside(i) && inside((i + 1) % count_) && !holds_infinity(i); }
 
   std::optional<std::size_t> first_gap() const {
-    for (std::size_t i = 0; i < count_; ++i) {
+    CancelEvery steps(cancel_);
+    for (std::size_t i = 0; i < count_ && !steps.stopped(); ++i) {
       if (!joined(i)) return i;
     }
     return {};
@@ -89,7 +96,8 @@ class ClippedCurve {
 
   CurvePiece closed_piece() const {
     CurvePiece piece;
-    for (std::size_t i = 0; i < count_; ++i) append(piece, point(i));
+    CancelEvery steps(cancel_);
+    for (std::size_t i = 0; i < count_ && !steps.stopped(); ++i) append(piece, point(i));
     while (piece.points.size() > 1 && largest_component(piece.points.back() - piece.points.front()) <= tolerance_) {
       piece.points.pop_back();
     }
@@ -103,6 +111,7 @@ class ClippedCurve {
   }
 
   const Polyline& curve_;
+  const Cancel& cancel_;
   double clip_radius_;
   std::size_t count_;
   bool closed_;
@@ -111,8 +120,8 @@ class ClippedCurve {
 
 }  // namespace
 
-std::vector<CurvePiece> curve_pieces(const Polyline& curve, double clip_radius) {
-  return ClippedCurve(curve, std::min(clip_radius, largest_clip_radius)).pieces();
+std::vector<CurvePiece> curve_pieces(const Polyline& curve, double clip_radius, const Cancel& cancel) {
+  return ClippedCurve(curve, std::min(clip_radius, largest_clip_radius), cancel).pieces();
 }
 
 }  // namespace dini

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "geometry/cancel.h"
 #include "geometry/mesh.h"
 
 namespace dini {
@@ -14,6 +15,7 @@ struct CurvePiece {
 
 /// The parts of a curve within `clip_radius` of the origin, cut on that sphere, in order along the curve; each has two
 /// points or more, a closed one three. A curve that runs through infinity between two points is cut there too.
-std::vector<CurvePiece> curve_pieces(const Polyline& curve, double clip_radius);
+/// Stopped early: only some of them.
+std::vector<CurvePiece> curve_pieces(const Polyline& curve, double clip_radius, const Cancel& cancel);
 
 }  // namespace dini

@@ -81,7 +81,7 @@ class Tracer {
 
   /// A step as long as the field allows, at most `h`.
   std::optional<Step> step(const Vector& place, double h) {
-    for (double tried = std::min(h, growth * last_); taken_++ < most_steps_; tried /= 2) {
+    for (double tried = std::min(h, growth * last_); taken_++ < most_steps_ && !cancel_.stopped(); tried /= 2) {
       if (const std::optional<Vector> moved = step_of(place, tried)) {
         last_ = tried;
         gone_ += tried;
@@ -118,7 +118,7 @@ class Tracer {
     const auto past_start = [&](const Vector& place) { return dot(place - start_, ahead); };
     double way = 0;
     start_over();
-    for (Vector place = start_; way < whole && !cancel_.stopped();) {
+    for (Vector place = start_; way < whole;) {
       const std::optional<Step> next = step(place, std::min(largest_, whole - way));
       if (!next) break;
       if (past_start(place) < 0 && past_start(next->place) >= 0) {

@@ -22,12 +22,14 @@ Vector end_tangent(const Vector& end, const Vector& inner, const Vector& next) {
   return dot(unit, normalized(next)) > smooth_bend ? normalized(2 * dot(unit, inner) * unit - inner) : unit;
 }
 
-std::vector<Vector> tangents_of(const CurvePiece& piece, const std::vector<Vector>& steps) {
+std::vector<Vector> tangents_of(const CurvePiece& piece, const std::vector<Vector>& steps, CancelEvery& looks) {
   const std::size_t count = piece.points.size();
   std::vector<Vector> tangents(count, normalized(steps[0]));
   const std::size_t first = piece.closed ? 0 : 1;
   const std::size_t last = piece.closed ? count : count - 1;
-  for (std::size_t i = first; i < last; ++i) tangents[i] = circle_tangent(steps[(i + count - 1) % count], steps[i]);
+  for (std::size_t i = first; i < last && !looks.stopped(); ++i) {
+    tangents[i] = circle_tangent(steps[(i + count - 1) % count], steps[i]);
+  }
   if (!piece.closed && count > 2) {
     tangents[0] = end_tangent(steps[0], tangents[1], steps[1]);
     tangents[count - 1] = end_tangent(steps[count - 2], tangents[count - 2], steps[count - 3]);
@@ -57,14 +59,17 @@ double turn_between(const Vector& from, const Vector& to, const Vector& axis) {
 
 }  // namespace
 
-std::vector<Frame> frames_along(const CurvePiece& piece, double& total) {
+std::vector<Frame> frames_along(const CurvePiece& piece, double& total, const Cancel& cancel) {
   const std::size_t count = piece.points.size();
+  CancelEvery looks(cancel);
   std::vector<Vector> steps(count);
-  for (std::size_t i = 0; i < count; ++i) steps[i] = piece.points[(i + 1) % count] - piece.points[i];
-  const std::vector<Vector> tangents = tangents_of(piece, steps);
+  for (std::size_t i = 0; i < count && !looks.stopped(); ++i) {
+    steps[i] = piece.points[(i + 1) % count] - piece.points[i];
+  }
+  const std::vector<Vector> tangents = tangents_of(piece, steps, looks);
   std::vector<Frame> frames(count);
   frames[0] = {piece.points[0], tangents[0], any_perpendicular(tangents[0]), 0};
-  for (std::size_t i = 1; i < count; ++i) {
+  for (std::size_t i = 1; i < count && !looks.stopped(); ++i) {
     frames[i] = {piece.points[i], tangents[i],
                  carried(frames[i - 1].across, tangents[i - 1], steps[i - 1], tangents[i]),
                  frames[i - 1].along + length(steps[i - 1])};
@@ -75,6 +80,7 @@ std::vector<Frame> frames_along(const CurvePiece& piece, double& total) {
   const Vector returned = carried(frames.back().across, tangents.back(), steps.back(), tangents[0]);
   const double twist = turn_between(returned, frames[0].across, tangents[0]);
   for (Frame& frame : frames) {
+    if (looks.stopped()) break;
     const SineCosine turn = sine_cosine(twist * frame.along / total);
     frame.across = turn.cosine * frame.across + turn.sine * cross(frame.tangent, frame.across);
   }

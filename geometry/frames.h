@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "geometry/cancel.h"
 #include "geometry/curve_pieces.h"
 
 namespace dini {
@@ -17,6 +18,7 @@ struct Frame {
 /// Rotation-minimizing frames at the points of a piece by double reflection (Wang, Juettler, Zheng, Liu 2008), fourth
 /// order. Tangents are those of circles through three neighboring points. Around a closed piece the turn that is left
 /// is spread evenly over its length; `total` receives the length of the piece, the closing step included.
-std::vector<Frame> frames_along(const CurvePiece& piece, double& total);
+/// Stopped early: frames that mean nothing.
+std::vector<Frame> frames_along(const CurvePiece& piece, double& total, const Cancel& cancel);
 
 }  // namespace dini

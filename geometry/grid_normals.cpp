@@ -54,11 +54,11 @@ std::size_t room_after(const GridAxis& axis, std::size_t at) {
   return std::min(reach, axis.closed ? axis.size() - 1 : axis.size() - 1 - at);
 }
 
-std::vector<Stencil> stencils_of(const GridAxis& axis) {
-  std::vector<Stencil> stencils;
-  stencils.reserve(axis.size());
-  for (std::size_t at = 0; at < axis.size(); ++at) {
-    stencils.push_back(make_stencil(axis, at, room_before(axis, at), room_after(axis, at)));
+Zeroed<Stencil> stencils_of(const GridAxis& axis, const Cancel& cancel) {
+  Zeroed<Stencil> stencils(axis.size());
+  CancelEvery steps(cancel);
+  for (std::size_t at = 0; at < axis.size() && !steps.stopped(); ++at) {
+    stencils[at] = make_stencil(axis, at, room_before(axis, at), room_after(axis, at));
   }
   return stencils;
 }
@@ -114,8 +114,10 @@ class GridLine {
 
 }  // namespace
 
-GridNormals::GridNormals(const GridSamples& samples)
-    : samples_(samples), row_stencils_(stencils_of(samples.rows())), column_stencils_(stencils_of(samples.columns())) {}
+GridNormals::GridNormals(const GridSamples& samples, const Cancel& cancel)
+    : samples_(samples),
+      row_stencils_(stencils_of(samples.rows(), cancel)),
+      column_stencils_(stencils_of(samples.columns(), cancel)) {}
 
 Vector GridNormals::derivative(std::size_t sample, bool along_rows) const {
   const GridLine line(samples_, sample, along_rows);

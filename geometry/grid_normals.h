@@ -4,7 +4,6 @@
 
 #include <array>
 #include <optional>
-#include <vector>
 
 #include "geometry/grid_samples.h"
 
@@ -20,7 +19,7 @@ struct Stencil {
 /// there are, centered where possible, and never reach over a border, a sample at infinity or a torn quad.
 class GridNormals {
  public:
-  explicit GridNormals(const GridSamples& samples);
+  GridNormals(const GridSamples& samples, const Cancel& cancel);
 
   /// The normal at a finite sample; nothing where a tangent vanishes or both are parallel.
   std::optional<Vector> at(std::size_t sample) const;
@@ -29,7 +28,7 @@ class GridNormals {
   Vector derivative(std::size_t sample, bool along_rows) const;
 
   const GridSamples& samples_;
-  std::vector<Stencil> row_stencils_, column_stencils_;  ///< those of samples that nothing obstructs
+  Zeroed<Stencil> row_stencils_, column_stencils_;  ///< those of samples that nothing obstructs
 };
 
 }  // namespace dini

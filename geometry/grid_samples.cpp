@@ -25,12 +25,13 @@ void GridSamples::note_clipped(std::size_t sample) {
 
 void GridSamples::read(const PointGrid& grid, const Cancel& cancel) {
   const std::size_t count = rows_.size() * columns_.size();
-  positions_.resize(count);
-  places_.resize(count, Place::infinite);
+  positions_ = Zeroed<Vector>(count);
+  places_ = Zeroed<Place>(count);
+  CancelEvery steps(cancel);
   const double limit = clip_radius_ > 0 ? clip_radius_ * clip_radius_ : -1;
   double largest = 0;
-  for (std::size_t row = 0; row < rows_.size() && !cancel.stopped(); ++row) {
-    for (std::size_t column = 0; column < columns_.size(); ++column) {
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    for (std::size_t column = 0; column < columns_.size() && !steps.stopped(); ++column) {
       const std::size_t from =
           grid.offset + rows_.kept[row] * grid.row_stride + columns_.kept[column] * grid.column_stride;
       const std::size_t sample = index(row, column);
@@ -80,11 +81,12 @@ void GridSamples::tear(const Cancel& cancel) {
     const QuadShape after = axis.closed || at + 1 < axis.steps() ? neighbor(axis.next(at)) : QuadShape{};
     return holds_infinity(before, quad, after, least_step);
   };
-  for (std::size_t row = 0; row < rows_.steps() && !cancel.stopped(); ++row) {
-    for (std::size_t column = 0; column < columns_.steps(); ++column) {
+  CancelEvery steps(cancel);
+  for (std::size_t row = 0; row < rows_.steps(); ++row) {
+    for (std::size_t column = 0; column < columns_.steps() && !steps.stopped(); ++column) {
       const int bits = (test(row, column, true) ? along_rows : 0) + (test(row, column, false) ? along_columns : 0);
       if (bits == 0) continue;
-      if (torn_.empty()) torn_.resize(positions_.size());
+      if (torn_.empty()) torn_ = Zeroed<std::uint8_t>(positions_.size());
       torn_[index(row, column)] = static_cast<std::uint8_t>(bits);
       note_clipped(index(row, column));
     }
@@ -105,16 +107,17 @@ void GridSamples::unite(std::size_t a, std::size_t b) {
 }
 
 void GridSamples::weld(const Cancel& cancel) {
-  labels_.resize(positions_.size());
-  std::iota(labels_.begin(), labels_.end(), 0u);
-  for (std::size_t row = 0; row < rows_.size() && !cancel.stopped(); ++row) {
-    for (std::size_t column = 0; column < columns_.size(); ++column) {
+  labels_ = Zeroed<std::uint32_t>(positions_.size());
+  std::iota(labels_.data(), labels_.data() + labels_.size(), 0u);
+  CancelEvery steps(cancel);
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    for (std::size_t column = 0; column < columns_.size() && !steps.stopped(); ++column) {
       if (row < rows_.steps()) unite(index(row, column), index(rows_.next(row), column));
       if (column < columns_.steps()) unite(index(row, column), index(row, columns_.next(column)));
     }
   }
   merged_.resize(positions_.size());
-  for (std::size_t sample = 0; sample < labels_.size(); ++sample) {
+  for (std::size_t sample = 0; sample < labels_.size() && !steps.stopped(); ++sample) {
     // Labels point at smaller samples, whose own labels are final already.
     labels_[sample] = labels_[labels_[sample]];
     if (labels_[sample] != sample) merged_[labels_[sample]] = true;

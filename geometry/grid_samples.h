@@ -9,14 +9,16 @@
 
 #include "geometry/grid_axis.h"
 #include "geometry/surface.h"
+#include "geometry/zeroed.h"
 
 namespace dini {
 
 /// Where a sample lies: within the clip radius, finite but beyond it, or not finite.
-enum class Place : std::uint8_t { inside, outside, infinite };
+enum class Place : std::uint8_t { infinite, outside, inside };
 
 /// A thinned grid, read once. Sample (row, column) has the index row * columns.size() + column; quad (row, column) lies
-/// between that sample and the next ones along both axes and has the same index.
+/// between that sample and the next ones along both axes and has the same index. Stopped early: what it tells means
+/// nothing.
 class GridSamples {
  public:
   GridSamples(const PointGrid& grid, const SurfaceOptions& options, const Cancel& cancel);
@@ -63,10 +65,10 @@ class GridSamples {
   void note_clipped(std::size_t sample);
 
   GridAxis rows_, columns_;
-  std::vector<Vector> positions_;
-  std::vector<Place> places_;
-  std::vector<std::uint8_t> torn_;  ///< per quad, empty when none is torn
-  std::vector<std::uint32_t> labels_;
+  Zeroed<Vector> positions_;
+  Zeroed<Place> places_;
+  Zeroed<std::uint8_t> torn_;  ///< per quad, empty when none is torn
+  Zeroed<std::uint32_t> labels_;
   std::vector<bool> merged_;
   std::optional<std::array<std::size_t, 2>> first_clipped_;
   double largest_ = 0;  ///< coordinate of a sample inside

@@ -27,22 +27,24 @@ class Sum {
 };
 
 /// The triangles with welded corners, without those that welding makes flat.
-std::vector<Triangle> welded_triangles(const Mesh& mesh, const std::vector<std::uint32_t>& labels) {
+std::vector<Triangle> welded_triangles(const Mesh& mesh, const std::vector<std::uint32_t>& labels, CancelEvery& steps) {
   std::vector<Triangle> welded;
   welded.reserve(mesh.triangles.size());
   for (const auto& [i, j, k] : mesh.triangles) {
+    if (steps.stopped()) break;
     const std::uint32_t a = labels[i], b = labels[j], c = labels[k];
     if (a != b && b != c && c != a) welded.push_back({a, b, c});
   }
   return welded;
 }
 
-void measure_bounds(const Mesh& mesh, const std::vector<Triangle>& triangles, Measures& measures) {
+void measure_bounds(const Mesh& mesh, const std::vector<Triangle>& triangles, Measures& measures, CancelEvery& steps) {
   std::vector<bool> used(mesh.positions.size());
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Point low{infinity, infinity, infinity};
   Point high{-infinity, -infinity, -infinity};
   for (const Triangle& triangle : triangles) {
+    if (steps.stopped()) return;
     for (const std::uint32_t corner : triangle) {
       if (used[corner]) continue;
       used[corner] = true;
@@ -57,10 +59,9 @@ void measure_bounds(const Mesh& mesh, const std::vector<Triangle>& triangles, Me
   measures.diagonal = length(to_vector(high) - to_vector(low));
 }
 
-void measure_sums(const Mesh& mesh, const std::vector<Triangle>& triangles, Measures& measures, const Cancel& cancel) {
+void measure_sums(const Mesh& mesh, const std::vector<Triangle>& triangles, Measures& measures, CancelEvery& steps) {
   const Vector middle = to_vector(measures.minimum) + 0.5 * (to_vector(measures.maximum) - to_vector(measures.minimum));
   Sum area, volume;
-  CancelEvery steps(cancel);
   for (const Triangle& triangle : triangles) {
     if (steps.stopped()) return;
     const std::array<Vector, 3> corners = corners_of(mesh, triangle);
@@ -81,27 +82,44 @@ void for_each_side(const Triangle& triangle, Body body) {
   }
 }
 
+/// Sorts the sides at one vertex, of which a fan may have millions: in short runs that are merged, with looks at the
+/// flag between them. Stopped early: not sorted.
+void sort_sides(std::uint64_t* begin, std::uint64_t* end, const Cancel& cancel) {
+  constexpr std::ptrdiff_t run = std::ptrdiff_t{1} << 16;
+  const std::ptrdiff_t size = end - begin;
+  for (std::ptrdiff_t from = 0; from < size && (from == 0 || !cancel.stopped()); from += run) {
+    std::sort(begin + from, begin + std::min(from + run, size));
+  }
+  for (std::ptrdiff_t sorted = run; sorted < size; sorted *= 2) {
+    for (std::ptrdiff_t from = 0; from + sorted < size && !cancel.stopped(); from += 2 * sorted) {
+      std::inplace_merge(begin + from, begin + from + sorted, begin + std::min(from + 2 * sorted, size));
+    }
+  }
+}
+
 /// Counts edges by sorting sides by their lower corner first (a counting sort), then each short run by the higher one.
 void measure_edges(const std::vector<Triangle>& triangles, std::size_t vertices, Measures& measures,
                    const Cancel& cancel) {
-  std::vector<std::size_t> run_ends(vertices + 1);
+  CancelEvery steps(cancel);
+  Zeroed<std::size_t> run_ends(vertices + 1);
   for (const Triangle& triangle : triangles) {
+    if (steps.stopped()) return;
     for_each_side(triangle, [&](std::uint32_t lower, std::uint32_t, bool) { ++run_ends[lower + 1]; });
   }
-  for (std::size_t i = 1; i <= vertices; ++i) run_ends[i] += run_ends[i - 1];
-  std::vector<std::uint64_t> sides(3 * triangles.size());
+  for (std::size_t i = 1; i <= vertices && !steps.stopped(); ++i) run_ends[i] += run_ends[i - 1];
+  Zeroed<std::uint64_t> sides(3 * triangles.size());
   for (const Triangle& triangle : triangles) {
+    if (steps.stopped()) return;
     for_each_side(triangle, [&](std::uint32_t lower, std::uint32_t higher, bool upward) {
       sides[run_ends[lower]++] = 2 * std::uint64_t{higher} + (upward ? 1 : 0);
     });
   }
   bool paired = true;
   std::size_t begin = 0;
-  CancelEvery steps(cancel);
   for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
     if (steps.stopped()) return;
     const std::size_t end = run_ends[vertex];  // filling moved every run's start to its end
-    std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begin), sides.begin() + static_cast<std::ptrdiff_t>(end));
+    sort_sides(sides.data() + begin, sides.data() + end, cancel);
     while (begin < end) {
       const std::size_t first = begin;
       while (begin < end && sides[begin] / 2 == sides[first] / 2) ++begin;
@@ -117,11 +135,12 @@ void measure_edges(const std::vector<Triangle>& triangles, std::size_t vertices,
 
 Measures measure(const Mesh& mesh, const Cancel& cancel) {
   Measures measures;
-  const std::vector<Triangle> triangles = welded_triangles(mesh, position_labels(mesh.positions, cancel));
+  CancelEvery steps(cancel);
+  const std::vector<Triangle> triangles = welded_triangles(mesh, position_labels(mesh.positions, cancel), steps);
   if (triangles.empty()) return measures;
   measures.triangles = triangles.size();
-  measure_bounds(mesh, triangles, measures);
-  measure_sums(mesh, triangles, measures, cancel);
+  measure_bounds(mesh, triangles, measures, steps);
+  measure_sums(mesh, triangles, measures, steps);
   measure_edges(triangles, mesh.positions.size(), measures, cancel);
   measures.euler = static_cast<long long>(measures.vertices) - static_cast<long long>(measures.edges) +
                    static_cast<long long>(measures.triangles);

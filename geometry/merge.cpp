@@ -29,13 +29,22 @@ Outline outline_of(std::span<const SharedMesh> meshes) {
   return outline;
 }
 
+/// Writes a column into a larger one.
+template <class T>
+void place(const Column<T>& items, Column<T>& whole, std::size_t base, const Cancel& cancel) {
+  for (std::size_t k = 0; k < Column<T>::width; ++k) {
+    if (cancel.stopped()) return;
+    std::copy_n(items.component(k), items.size(), whole.component(k) + base);
+  }
+}
+
 void append_attributes(const Mesh& mesh, const Outline& outline, Mesh& merged, std::size_t base, const Cancel& cancel) {
   const std::size_t count = mesh.positions.size();
-  for (std::size_t i = 0; i < count; ++i) merged.positions.set(base + i, mesh.positions[i]);
+  place(mesh.positions, merged.positions, base, cancel);
   if (outline.normals) {
     const Column<Vector> computed = mesh.normals.empty() ? smooth_normals(mesh, cancel) : Column<Vector>();
     const Column<Vector>& normals = mesh.normals.empty() ? computed : mesh.normals;
-    for (std::size_t i = 0; i < count; ++i) merged.normals.set(base + i, normals[i]);
+    place(normals, merged.normals, base, cancel);
   }
   if (outline.uvs) {
     merged.uvs.insert(merged.uvs.end(), mesh.uvs.begin(), mesh.uvs.end());
@@ -49,10 +58,14 @@ void append_attributes(const Mesh& mesh, const Outline& outline, Mesh& merged, s
   }
 }
 
-void append_triangles(const Mesh& mesh, Mesh& merged, std::size_t base) {
+void append_triangles(const Mesh& mesh, Mesh& merged, std::size_t base, const Cancel& cancel) {
   const auto shift = static_cast<std::uint32_t>(base);
   const std::size_t first = merged.triangles.size();
-  for (const auto& [a, b, c] : mesh.triangles) merged.triangles.push_back({a + shift, b + shift, c + shift});
+  CancelEvery steps(cancel);
+  for (const auto& [a, b, c] : mesh.triangles) {
+    if (steps.stopped()) return;
+    merged.triangles.push_back({a + shift, b + shift, c + shift});
+  }
   for (const std::size_t end : mesh.tile_ends) merged.tile_ends.push_back(first + end);
   if (mesh.tile_ends.empty() && !mesh.triangles.empty()) merged.tile_ends.push_back(merged.triangles.size());
 }
@@ -66,13 +79,15 @@ Mesh merge(std::span<const SharedMesh> meshes, const Cancel& cancel) {
   merged.color = outline.first->color;
   merged.positions = Column<Point>(outline.vertices);
   if (outline.normals) merged.normals = Column<Vector>(outline.vertices);
+  if (outline.uvs) merged.uvs.reserve(outline.vertices);
+  if (outline.colors) merged.colors.reserve(outline.vertices);
   merged.triangles.reserve(outline.triangles);
   std::size_t base = 0;
   for (const SharedMesh& mesh : meshes) {
     if (!mesh) continue;
     if (cancel.stopped()) return {};
     append_attributes(*mesh, outline, merged, base, cancel);
-    append_triangles(*mesh, merged, base);
+    append_triangles(*mesh, merged, base, cancel);
     base += mesh->positions.size();
   }
   return merged;

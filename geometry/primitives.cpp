@@ -43,7 +43,10 @@ Mesh sphere_mesh(const Point& center, double radius, std::size_t segments, std::
     }
   }
   Mesh mesh = whole_surface({.points = points, .rows = rings + 1, .columns = segments, .closed_columns = true}, cancel);
-  for (std::size_t i = 0; i < mesh.normals.size(); ++i) mesh.normals.set(i, normal_at(mesh.uvs[i][0], mesh.uvs[i][1]));
+  CancelEvery steps(cancel);
+  for (std::size_t i = 0; i < mesh.normals.size() && !steps.stopped(); ++i) {
+    mesh.normals.set(i, normal_at(mesh.uvs[i][0], mesh.uvs[i][1]));
+  }
   return mesh;
 }
 
@@ -74,7 +77,8 @@ Mesh torus_mesh(const Point& center, const Vector& axis, double major_radius, do
   }
   Mesh mesh = whole_surface(
       {.points = points, .rows = segments, .columns = sides, .closed_rows = true, .closed_columns = true}, cancel);
-  for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+  CancelEvery steps(cancel);
+  for (std::size_t i = 0; i < mesh.normals.size() && !steps.stopped(); ++i) {
     mesh.normals.set(i, normalized(normal_at(spoke_at(mesh.uvs[i][0]), mesh.uvs[i][1])));
   }
   return mesh;

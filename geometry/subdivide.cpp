@@ -1,32 +1,28 @@
 #include "geometry/subdivide.h"
 
 #include <algorithm>
-#include <unordered_map>
 
-#include "geometry/hash_seed.h"
+#include "geometry/copied.h"
+#include "geometry/number_table.h"
 
 namespace dini {
 
 namespace {
 
-/// Of an edge; seeded, since the triangles may come from a file.
-struct EdgeHash {
-  std::size_t operator()(std::uint64_t edge) const { return static_cast<std::size_t>(hash_with(hash_seed(), edge)); }
-};
-
 /// The vertices of a mesh while middles of edges are added to them.
 class Middles {
  public:
-  explicit Middles(const Mesh& mesh) : mesh_(mesh), next_(static_cast<std::uint32_t>(mesh.positions.size())) {}
+  Middles(const Mesh& mesh, const Cancel& cancel)
+      : mesh_(mesh), cancel_(cancel), next_(static_cast<std::uint32_t>(mesh.positions.size())) {}
 
   std::uint32_t between(std::uint32_t a, std::uint32_t b) {
     const auto [low, high] = std::minmax(a, b);
-    const auto [found, fresh] = vertex_of_.try_emplace((std::uint64_t{low} << 32) | high, next_);
+    const auto [found, fresh] = vertex_of_.try_emplace((std::uint64_t{low} << 32) | high, next_, cancel_);
     if (fresh) {
       edges_.push_back({low, high});
       ++next_;
     }
-    return found->second;
+    return found;
   }
 
   /// The old vertices followed by the middles.
@@ -48,32 +44,37 @@ class Middles {
   template <class T, class Middle>
   Column<T> extended(const Column<T>& items, Middle middle) const {
     Column<T> all(items.size() + edges_.size());
-    for (std::size_t i = 0; i < items.size(); ++i) all.set(i, items[i]);
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
+    CancelEvery steps(cancel_);
+    for (std::size_t i = 0; i < items.size() && !steps.stopped(); ++i) all.set(i, items[i]);
+    for (std::size_t i = 0; i < edges_.size() && !steps.stopped(); ++i) {
       all.set(items.size() + i, middle(items[edges_[i][0]], items[edges_[i][1]]));
     }
     return all;
   }
 
   template <class Number, std::size_t N>
-  std::vector<std::array<Number, N>> extended(std::vector<std::array<Number, N>> items) const {
+  std::vector<std::array<Number, N>> extended(const std::vector<std::array<Number, N>>& items) const {
     if (items.empty()) return {};
+    std::vector<std::array<Number, N>> all = copied(items, cancel_, edges_.size());
+    CancelEvery steps(cancel_);
     for (const auto& [a, b] : edges_) {
+      if (steps.stopped()) break;
       std::array<Number, N> middle{};
       for (std::size_t k = 0; k < N; ++k) middle[k] = (items[a][k] + items[b][k]) / 2;
-      items.push_back(middle);
+      all.push_back(middle);
     }
-    return items;
+    return all;
   }
 
   const Mesh& mesh_;
+  const Cancel& cancel_;
   std::uint32_t next_;
   std::vector<std::array<std::uint32_t, 2>> edges_;
-  std::unordered_map<std::uint64_t, std::uint32_t, EdgeHash> vertex_of_;  ///< by edge; only looked up
+  NumberTable vertex_of_;  ///< by edge
 };
 
 Mesh finer_by_one(const Mesh& mesh, const Cancel& cancel) {
-  Middles middles(mesh);
+  Middles middles(mesh, cancel);
   Mesh finer;
   finer.color = mesh.color;
   finer.triangles.reserve(4 * mesh.triangles.size());
@@ -94,8 +95,9 @@ Mesh finer_by_one(const Mesh& mesh, const Cancel& cancel) {
 }  // namespace
 
 Mesh subdivide(const Mesh& mesh, std::size_t levels, const Cancel& cancel) {
-  Mesh result = mesh;
-  for (std::size_t level = 0; level < levels && !cancel.stopped(); ++level) result = finer_by_one(result, cancel);
+  if (levels == 0) return copied(mesh, cancel);
+  Mesh result = finer_by_one(mesh, cancel);
+  for (std::size_t level = 1; level < levels && !cancel.stopped(); ++level) result = finer_by_one(result, cancel);
   return result;
 }
 

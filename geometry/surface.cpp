@@ -23,8 +23,8 @@ std::optional<Vector> difference_normal(const GridSamples& samples, const GridNo
 
 /// Sums something per triangle corner into its vertex.
 template <class Term>
-std::vector<Vector> corner_sums(const Mesh& mesh, const Cancel& cancel, Term term) {
-  std::vector<Vector> sums(mesh.positions.size());
+Zeroed<Vector> corner_sums(const Mesh& mesh, const Cancel& cancel, Term term) {
+  Zeroed<Vector> sums(mesh.positions.size());
   CancelEvery steps(cancel);
   for (const auto& triangle : mesh.triangles) {
     if (steps.stopped()) return sums;
@@ -36,8 +36,8 @@ std::vector<Vector> corner_sums(const Mesh& mesh, const Cancel& cancel, Term ter
 /// Normals by differences where they agree with the triangles, by triangles elsewhere.
 Column<Vector> surface_normals(const Mesh& mesh, const GridSamples& samples, const std::vector<SurfaceVertex>& vertices,
                                const Cancel& cancel) {
-  const GridNormals by_differences(samples);
-  const std::vector<Vector> areas = corner_sums(mesh, cancel, [&](const auto& triangle, std::vector<Vector>& sums) {
+  const GridNormals by_differences(samples, cancel);
+  const Zeroed<Vector> areas = corner_sums(mesh, cancel, [&](const auto& triangle, Zeroed<Vector>& sums) {
     const std::array<Vector, 3> corners = corners_of(mesh, triangle);
     const Vector area = cross(corners[1] - corners[0], corners[2] - corners[0]);
     for (const std::uint32_t corner : triangle) sums[corner] = sums[corner] + area;
@@ -50,12 +50,12 @@ Column<Vector> surface_normals(const Mesh& mesh, const GridSamples& samples, con
     missing[i] = !normal || dot(*normal, areas[i]) <= 0;
     if (!missing[i]) normals.set(i, *normal);
   }
-  const std::vector<Vector> fans = corner_sums(mesh, cancel, [&](const auto& triangle, std::vector<Vector>& sums) {
+  const Zeroed<Vector> fans = corner_sums(mesh, cancel, [&](const auto& triangle, Zeroed<Vector>& sums) {
     if (!missing[triangle[0]] && !missing[triangle[1]] && !missing[triangle[2]]) return;
     const std::array<Vector, 3> weighted = angle_weighted_normals(corners_of(mesh, triangle));
     for (std::size_t k = 0; k < 3; ++k) sums[triangle[k]] = sums[triangle[k]] + weighted[k];
   });
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
+  for (std::size_t i = 0; i < vertices.size() && !steps.stopped(); ++i) {
     if (!missing[i]) continue;
     const Vector fan = normalized(fans[i]);
     normals.set(i, fan == Vector{} ? Vector{0, 0, 1} : fan);
@@ -68,9 +68,10 @@ Column<Vector> surface_normals(const Mesh& mesh, const GridSamples& samples, con
 SurfaceResult surface(const PointGrid& grid, const SurfaceOptions& options, const Cancel& cancel) {
   SurfaceResult result;
   const GridSamples samples(grid, options, cancel);
+  if (cancel.stopped()) return result;
   result.first_clipped = samples.first_clipped();
   if (options.at_infinity == AtInfinity::fail && result.first_clipped) return result;
-  SurfaceBuilder builder(samples);
+  SurfaceBuilder builder(samples, cancel);
   for_each_tile(samples.rows().steps(), samples.columns().steps(),
                 [&](std::size_t row_begin, std::size_t row_end, std::size_t column_begin, std::size_t column_end) {
                   for (std::size_t row = row_begin; row < row_end; ++row) {
@@ -80,6 +81,7 @@ SurfaceResult surface(const PointGrid& grid, const SurfaceOptions& options, cons
                   builder.end_tile();
                   return !cancel.stopped();
                 });
+  if (cancel.stopped()) return result;
   result.clipped_quads = builder.clipped_quads();
   result.mesh = builder.take_mesh();
   result.mesh.normals = surface_normals(result.mesh, samples, builder.vertices(), cancel);

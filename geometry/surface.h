@@ -60,7 +60,7 @@ struct SurfaceResult {
 ///
 /// Grids of one row or one column, of coinciding or of collinear points, or all at infinity give an empty mesh.
 /// At most 2^32 - 1 samples remain after the budget. Triangles come in tiles of at most 128 x 128 quads (`tile_ends`).
-/// Stopped early: a partial mesh.
+/// Stopped early: no mesh, or part of one.
 SurfaceResult surface(const PointGrid& grid, const SurfaceOptions& options, const Cancel& cancel);
 
 }  // namespace dini

@@ -25,7 +25,8 @@ bool splits_second_diagonal(const Vector& a, const Vector& b, const Vector& c, c
 
 }  // namespace
 
-SurfaceBuilder::SurfaceBuilder(const GridSamples& samples) : samples_(samples), vertex_of_(samples.size(), no_vertex) {
+SurfaceBuilder::SurfaceBuilder(const GridSamples& samples, const Cancel& cancel)
+    : samples_(samples), cancel_(cancel), vertex_of_(samples.size(), no_vertex) {
   const std::size_t quads = samples.rows().steps() * samples.columns().steps();
   triangles_.reserve(2 * quads);
   vertices_.reserve(samples.size());
@@ -101,13 +102,13 @@ std::uint32_t SurfaceBuilder::sample_vertex(std::size_t sample) {
 
 std::uint32_t SurfaceBuilder::cut_vertex(std::size_t inside, std::size_t outside) {
   const std::size_t start = samples_.label(inside);
-  const auto [entry, added] = vertex_of_cut_.try_emplace(std::uint64_t{start} << 32 | outside, no_vertex);
-  if (!added) return entry->second;
+  const auto [entry, added] = vertex_of_cut_.try_emplace(std::uint64_t{start} << 32 | outside, no_vertex, cancel_);
+  if (!added) return entry;
   const Vector from = samples_.position(start);
   const Vector edge = samples_.position(outside) - from;
   const Vector direction = normalized(edge);
   const double cut = length_to_sphere(from, direction, samples_.clip_radius());
-  if (cut <= samples_.tolerance()) return entry->second = sample_vertex(inside);
+  if (cut <= samples_.tolerance()) return entry = sample_vertex(inside);
   const double way = std::min(1.0, cut / length(edge));
   // Across a seam the smaller coordinate continues one lap further, so that it does not run backwards.
   const std::array<double, 2> uv_from = coordinates(inside), uv_to = coordinates(outside);
@@ -120,7 +121,7 @@ std::uint32_t SurfaceBuilder::cut_vertex(std::size_t inside, std::size_t outside
     if (axis.closed && b == 0 && a == last) b = 1;
     uv[k] = a + way * (b - a);
   }
-  return entry->second = add_vertex({start, outside, way}, from + cut * direction, uv);
+  return entry = add_vertex({start, outside, way}, from + cut * direction, uv);
 }
 
 std::uint32_t SurfaceBuilder::add_vertex(const SurfaceVertex& vertex, const Vector& position,
@@ -145,11 +146,13 @@ Mesh SurfaceBuilder::take_mesh() {
   end_tile();
   // Triangles without area may have brought vertices that no other one uses.
   std::vector<std::uint32_t> renamed(vertices_.size(), no_vertex);
+  CancelEvery steps(cancel_);
   for (const auto& triangle : triangles_) {
+    if (steps.stopped()) return {};
     for (const std::uint32_t corner : triangle) renamed[corner] = 0;
   }
   std::uint32_t kept = 0;
-  for (std::size_t i = 0; i < renamed.size(); ++i) {
+  for (std::size_t i = 0; i < renamed.size() && !steps.stopped(); ++i) {
     if (renamed[i] == no_vertex) continue;
     vertices_[kept] = vertices_[i];
     positions_[kept] = positions_[i];
@@ -160,8 +163,9 @@ Mesh SurfaceBuilder::take_mesh() {
   uvs_.resize(kept);
   Mesh mesh;
   mesh.positions = Column<Point>(kept);
-  for (std::size_t i = 0; i < kept; ++i) mesh.positions.set(i, to_point(positions_[i]));
+  for (std::size_t i = 0; i < kept && !steps.stopped(); ++i) mesh.positions.set(i, to_point(positions_[i]));
   for (auto& triangle : triangles_) {
+    if (steps.stopped()) break;
     for (std::uint32_t& corner : triangle) corner = renamed[corner];
   }
   mesh.uvs = std::move(uvs_);

@@ -3,10 +3,10 @@
 // Turns the samples of a grid into triangles: numbers vertices as they are first used, cuts triangles at the clip
 // sphere.
 
-#include <unordered_map>
 #include <vector>
 
 #include "geometry/grid_samples.h"
+#include "geometry/number_table.h"
 
 namespace dini {
 
@@ -19,7 +19,7 @@ struct SurfaceVertex {
 /// Collects the triangles of a surface. Feed it quads; then read what it collected.
 class SurfaceBuilder {
  public:
-  explicit SurfaceBuilder(const GridSamples& samples);
+  SurfaceBuilder(const GridSamples& samples, const Cancel& cancel);
 
   /// Adds the triangles of quad (row, column).
   void add_quad(std::size_t row, std::size_t column);
@@ -44,8 +44,9 @@ class SurfaceBuilder {
   std::array<double, 2> coordinates(std::size_t sample) const;
 
   const GridSamples& samples_;
-  std::vector<std::uint32_t> vertex_of_;                            ///< by label of a sample
-  std::unordered_map<std::uint64_t, std::uint32_t> vertex_of_cut_;  ///< by samples inside and outside; only looked up
+  const Cancel& cancel_;
+  std::vector<std::uint32_t> vertex_of_;  ///< by label of a sample
+  NumberTable vertex_of_cut_;             ///< by samples inside and outside
   std::vector<SurfaceVertex> vertices_;
   std::vector<Vector> positions_;
   std::vector<std::array<double, 2>> uvs_;

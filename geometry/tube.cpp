@@ -14,34 +14,40 @@ namespace {
 /// Writes the tubes of pieces one after another into one mesh that has room for all of them.
 class TubeWriter {
  public:
-  TubeWriter(double radius, std::size_t sides, std::size_t vertices) : radius_(radius), sides_(sides) {
+  TubeWriter(const TubeOptions& options, std::size_t sides, std::size_t vertices, const Cancel& cancel)
+      : radius_(options.radius), sides_(sides), capped_(options.capped), cancel_(cancel) {
     mesh_.positions = Column<Point>(vertices);
     mesh_.normals = Column<Vector>(vertices);
     mesh_.uvs.reserve(vertices);
+    mesh_.triangles.reserve(2 * vertices);
     for (std::size_t side = 0; side < sides; ++side) {
       around_.push_back(sine_cosine(static_cast<double>(side) / static_cast<double>(sides)));
     }
   }
 
-  static std::size_t vertices_of(const CurvePiece& piece, std::size_t sides) {
-    return piece.points.size() * sides + (piece.closed ? 0 : 2 * (sides + 1));
+  static std::size_t vertices_of(const CurvePiece& piece, std::size_t sides, bool capped) {
+    return piece.points.size() * sides + (piece.closed || !capped ? 0 : 2 * (sides + 1));
   }
 
-  void add(const CurvePiece& piece, const Cancel& cancel) {
+  void add(const CurvePiece& piece) {
     double total = 0;
-    const std::vector<Frame> frames = frames_along(piece, total);
+    const std::vector<Frame> frames = frames_along(piece, total, cancel_);
+    if (cancel_.stopped()) return;
     const std::size_t base = mesh_.uvs.size();
+    CancelEvery looks(cancel_);
     for (const Frame& frame : frames) {
       for (std::size_t side = 0; side < sides_; ++side) {
+        if (looks.stopped()) return;
         const Vector normal = direction(frame, side);
         add_vertex(frame.position + radius_ * normal, normal, frame.along / total, coordinate(side));
       }
     }
+    const bool capped = capped_ && !piece.closed;
     const std::size_t stations = frames.size();
     const std::size_t steps = piece.closed ? stations : stations - 1;
     for_each_tile(steps, sides_,
                   [&](std::size_t row_begin, std::size_t row_end, std::size_t side_begin, std::size_t side_end) {
-                    if (!piece.closed && row_begin == 0 && side_begin == 0) add_cap(frames.front(), 0);
+                    if (capped && row_begin == 0 && side_begin == 0) add_cap(frames.front(), 0);
                     for (std::size_t row = row_begin; row < row_end; ++row) {
                       for (std::size_t side = side_begin; side < side_end; ++side) {
                         const std::size_t next = (side + 1) % sides_;
@@ -51,9 +57,9 @@ class TubeWriter {
                         add_triangle(here + side, there + next, there + side);
                       }
                     }
-                    if (!piece.closed && row_end == steps && side_end == sides_) add_cap(frames.back(), 1);
+                    if (capped && row_end == steps && side_end == sides_) add_cap(frames.back(), 1);
                     mesh_.tile_ends.push_back(mesh_.triangles.size());
-                    return !cancel.stopped();
+                    return !cancel_.stopped();
                   });
   }
 
@@ -95,6 +101,8 @@ class TubeWriter {
 
   double radius_;
   std::size_t sides_;
+  bool capped_;
+  const Cancel& cancel_;
   std::vector<SineCosine> around_;
   Mesh mesh_;
 };
@@ -104,12 +112,12 @@ class TubeWriter {
 Mesh tube(const Polyline& curve, const TubeOptions& options, const Cancel& cancel) {
   if (!(options.radius > 0 && options.radius <= largest_clip_radius)) return {};
   const std::size_t sides = std::max<std::size_t>(options.sides, 3);
-  const std::vector<CurvePiece> pieces = curve_pieces(curve, options.clip_radius);
+  const std::vector<CurvePiece> pieces = curve_pieces(curve, options.clip_radius, cancel);
   std::size_t vertices = 0;
-  for (const CurvePiece& piece : pieces) vertices += TubeWriter::vertices_of(piece, sides);
-  TubeWriter writer(options.radius, sides, vertices);
+  for (const CurvePiece& piece : pieces) vertices += TubeWriter::vertices_of(piece, sides, options.capped);
+  TubeWriter writer(options, sides, vertices, cancel);
   for (const CurvePiece& piece : pieces) {
-    writer.add(piece, cancel);
+    writer.add(piece);
     if (cancel.stopped()) return {};
   }
   return writer.take();

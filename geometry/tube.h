@@ -11,6 +11,7 @@ struct TubeOptions {
   double radius = 0.01;      ///< meters
   std::size_t sides = 12;    ///< corners of the cross-section; fewer than 3 are taken as 3
   double clip_radius = 1e3;  ///< meters from the origin, at most 1e17; farther points count as at infinity
+  bool capped = true;        ///< open ends carry caps
 };
 
 /// A tube with outward faces around a curve.

@@ -1,7 +1,6 @@
 #include "geometry/weld.h"
 
 #include <bit>
-#include <limits>
 
 #include "geometry/hash_seed.h"
 
@@ -26,18 +25,17 @@ std::uint64_t hash_of(const Point& p, std::uint64_t seed) {
 }  // namespace
 
 std::vector<std::uint32_t> position_labels(const Column<Point>& positions, const Cancel& cancel) {
-  constexpr std::uint32_t empty = std::numeric_limits<std::uint32_t>::max();
   const std::size_t mask = std::bit_ceil(2 * positions.size() + 1) - 1;
-  std::vector<std::uint32_t> table(mask + 1, empty);
+  Zeroed<std::uint32_t> table(mask + 1);  // one more than the index, so that 0 is free
   std::vector<std::uint32_t> labels(positions.size());
   const std::uint64_t seed = hash_seed();
   CancelEvery steps(cancel);
   for (std::size_t i = 0; i < positions.size() && !steps.stopped(); ++i) {
     const Point point = positions[i];
     std::size_t slot = hash_of(point, seed) & mask;
-    while (table[slot] != empty && positions[table[slot]] != point) slot = (slot + 1) & mask;
-    if (table[slot] == empty) table[slot] = static_cast<std::uint32_t>(i);
-    labels[i] = table[slot];
+    while (table[slot] != 0 && positions[table[slot] - 1] != point) slot = (slot + 1) & mask;
+    if (table[slot] == 0) table[slot] = static_cast<std::uint32_t>(i + 1);
+    labels[i] = table[slot] - 1;
   }
   return labels;
 }

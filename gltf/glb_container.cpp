@@ -1,5 +1,6 @@
 #include "gltf/glb_container.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -33,6 +34,25 @@ std::optional<std::string_view> take_chunk(std::string_view& rest, std::uint32_t
   return chunk;
 }
 
+// Where the object that `json` starts with ends; brackets within texts do not count.
+std::size_t object_end(std::string_view json) {
+  std::size_t depth = 0;
+  bool in_text = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (in_text && c == '\\') {
+      ++i;
+    } else if (c == '"') {
+      in_text = !in_text;
+    } else if (!in_text && c == '{') {
+      ++depth;
+    } else if (!in_text && c == '}' && --depth == 0) {
+      return i + 1;
+    }
+  }
+  return json.size();
+}
+
 }  // namespace
 
 std::optional<GlbChunks> split_glb(std::string_view glb) {
@@ -51,27 +71,34 @@ std::optional<GlbChunks> split_glb(std::string_view glb) {
 
 std::string stamp_extras(std::string_view glb, const nlohmann::json& extras) {
   const auto chunks = split_glb(glb);
-  if (!chunks) return {};
-  auto document = nlohmann::json::parse(chunks->json, nullptr, false);
-  if (!document.is_object() || !document["asset"].is_object()) return {};
-  document["asset"]["extras"] = extras;
-  return join_glb(document, chunks->binary);
+  constexpr std::string_view start = "{\"asset\":";
+  if (!chunks || !chunks->json.starts_with(start)) return {};
+  const std::string_view rest = chunks->json.substr(start.size());
+  const std::size_t end = object_end(rest);
+  auto asset = nlohmann::json::parse(rest.substr(0, end), nullptr, false);
+  if (!asset.is_object()) return {};
+  asset["extras"] = extras;
+  const std::string_view unpadded = rest.substr(0, rest.find_last_not_of(' ') + 1);
+  std::string json(start);
+  json += asset.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  json += unpadded.substr(std::min(end, unpadded.size()));
+  return join_glb(json, chunks->binary);
 }
 
-std::string join_glb(const nlohmann::json& document, std::string_view binary) {
-  std::string json = document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  json.resize((json.size() + 3) / 4 * 4, ' ');
+std::string join_glb(std::string_view json, std::string_view binary) {
+  const std::size_t padded = (json.size() + 3) / 4 * 4;
   const std::size_t size =
-      header_size + chunk_header_size + json.size() + (binary.empty() ? 0 : chunk_header_size + binary.size());
+      header_size + chunk_header_size + padded + (binary.empty() ? 0 : chunk_header_size + binary.size());
   if (size > std::numeric_limits<std::uint32_t>::max()) return {};
   std::string result;
   result.reserve(size);
   append_word(result, glb_magic);
   append_word(result, 2);
   append_word(result, size);
-  append_word(result, json.size());
+  append_word(result, padded);
   append_word(result, json_chunk);
   result += json;
+  result.append(padded - json.size(), ' ');
   if (binary.empty()) return result;
   append_word(result, binary.size());
   append_word(result, binary_chunk);

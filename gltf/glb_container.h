@@ -18,13 +18,12 @@ struct GlbChunks {
 /// Nothing if `glb` is not a complete GLB of version 2.
 std::optional<GlbChunks> split_glb(std::string_view glb);
 
-/// A GLB of a JSON chunk, keys in alphabetical order, and a binary chunk, which is left out when it is empty. Empty
-/// when it would be larger than GLB can address.
-std::string join_glb(const nlohmann::json& document, std::string_view binary);
+/// A GLB of a JSON chunk and a binary chunk, which is left out when it is empty. Empty when it would be larger than GLB
+/// can address.
+std::string join_glb(std::string_view json, std::string_view binary);
 
-/// The same file with `extras` as `asset.extras`. Only the JSON chunk is rewritten, keys in alphabetical order, so the
-/// same arguments give the same bytes; the binary chunk is copied once. Empty if `glb` is not one of this layer's
-/// files.
+/// The same file with `extras` as `asset.extras`. Only the member `asset`, which comes first in this layer's files, is
+/// read and written anew; everything else is copied once. Empty if `glb` is not one of those files.
 std::string stamp_extras(std::string_view glb, const nlohmann::json& extras);
 
 }  // namespace dini

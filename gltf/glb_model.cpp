@@ -2,193 +2,206 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <sstream>
 #include <utility>
+
+#include "gltf/glb_container.h"
 
 namespace dini {
 namespace {
 
+using Json = nlohmann::json;
+
 constexpr const char* draco_extension = "KHR_draco_mesh_compression";
 constexpr std::size_t most_strips = 64;
+constexpr int unsigned_byte = 5121, unsigned_int = 5125, real = 5126;
+constexpr int array_buffer = 34962, element_array_buffer = 34963;
+constexpr int points_mode = 0, lines_mode = 1, line_strip_mode = 3, triangles_mode = 4;
 
 // glTF demands [0, 1]; a NaN becomes 0.
 double unit_interval(double value) { return value > 0 ? std::min(value, 1.0) : 0.0; }
 
-std::vector<double> to_doubles(const std::array<float, 3>& values) { return {values.begin(), values.end()}; }
-
-FloatBox box_of(const FloatPoints& points) {
-  FloatBox box;
-  for (const auto& point : points) box.include(point);
-  return box;
+Json accessor_of(int component_type, const char* type, std::size_t count) {
+  return {{"componentType", component_type}, {"count", count}, {"type", type}};
 }
 
-tinygltf::Accessor accessor_of(int component_type, int type, std::size_t count) {
-  tinygltf::Accessor accessor;
-  accessor.componentType = component_type;
-  accessor.type = type;
-  accessor.count = count;
-  return accessor;
+void set_bounds(Json& accessor, const FloatBox& box) {
+  accessor["min"] = box.minimum;
+  accessor["max"] = box.maximum;
+}
+
+std::string list_of(const char* name, const std::string& objects) {
+  return objects.empty() ? "" : ",\"" + std::string(name) + "\":[" + objects + "]";
 }
 
 }  // namespace
 
-GlbModel::GlbModel(const std::string& generator) {
-  model_.asset.version = "2.0";
-  model_.asset.generator = generator;
-  model_.buffers.emplace_back();
-  tinygltf::Node root;
-  root.name = "Z up to Y up";
-  const double half_turn = std::sqrt(0.5);
-  root.rotation = {-half_turn, 0, 0, half_turn};
-  model_.nodes.push_back(root);
-  tinygltf::Scene scene;
-  scene.nodes = {0};
-  model_.scenes.push_back(scene);
-  model_.defaultScene = 0;
+std::size_t GlbModel::ObjectList::add(const std::string& object) {
+  if (count > 0) text += ',';
+  text += object;
+  return count++;
 }
 
-void GlbModel::begin_part(const std::string& name) {
-  tinygltf::Mesh mesh;
-  mesh.name = name;
-  tinygltf::Node node;
-  node.name = name;
-  node.mesh = static_cast<int>(model_.meshes.size());
-  model_.nodes[0].children.push_back(static_cast<int>(model_.nodes.size()));
-  model_.meshes.push_back(mesh);
-  model_.nodes.push_back(node);
+GlbModel::GlbModel(const std::string& generator) : generator_(generator) {}
+
+void GlbModel::begin_group(const std::string& name, Json extras) {
+  finish_mesh();
+  group_ = Group{nodes_.size(), {{"name", name}, {"extras", std::move(extras)}}, {}};
+  nodes_.emplace_back();
+  below_root_.push_back(nodes_.size());
+}
+
+void GlbModel::end_group() {
+  finish_mesh();
+  if (group_->children.empty()) {
+    group_->object["extras"]["drawable"] = false;
+  } else {
+    group_->object["children"] = group_->children;
+  }
+  nodes_[group_->node] = group_->object.dump();
+  group_.reset();
+}
+
+void GlbModel::begin_part(PartNames names) {
+  finish_mesh();
+  part_ = std::move(names);
+}
+
+void GlbModel::finish_mesh() {
+  if (primitives_.empty()) return;
+  Json node = {{"mesh", meshes_.count}, {"name", part_.node}};
+  if (!part_.extras.is_null()) node["extras"] = std::move(part_.extras);
+  meshes_.add("{\"name\":" + Json(part_.mesh).dump() + ",\"primitives\":[" + std::exchange(primitives_, {}) + "]}");
+  nodes_.push_back(node.dump());
+  (group_ ? group_->children : below_root_).push_back(nodes_.size());
 }
 
 void GlbModel::add_tile(const EncodedTile& tile, const FloatBox& bounds, const Color& color, bool translucent) {
-  if (model_.extensionsUsed.empty()) {
-    model_.extensionsUsed = {draco_extension};
-    model_.extensionsRequired = {draco_extension};
-  }
-  tinygltf::Primitive primitive;
-  primitive.mode = TINYGLTF_MODE_TRIANGLES;
-  tinygltf::Value::Object draco_ids;
-  const auto add_attribute = [&](const char* name, int draco_id, tinygltf::Accessor accessor) {
-    if (draco_id < 0) return;
-    primitive.attributes[name] = add_accessor(std::move(accessor));
-    draco_ids[name] = tinygltf::Value(draco_id);
-  };
+  compressed_ = true;
+  Json attributes = Json::object(), ids = Json::object();
   // Accessors without a buffer view describe the decompressed data.
-  auto positions = accessor_of(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, tile.vertices);
-  positions.minValues = to_doubles(bounds.minimum);
-  positions.maxValues = to_doubles(bounds.maximum);
+  const auto add_attribute = [&](const char* name, int id, const Json& accessor) {
+    if (id < 0) return;
+    attributes[name] = accessors_.add(accessor.dump());
+    ids[name] = id;
+  };
+  Json positions = accessor_of(real, "VEC3", tile.vertices);
+  set_bounds(positions, bounds);
   add_attribute("POSITION", tile.position_id, positions);
-  add_attribute("NORMAL", tile.normal_id,
-                accessor_of(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, tile.vertices));
-  add_attribute("TEXCOORD_0", tile.uv_id,
-                accessor_of(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2, tile.vertices));
-  auto colors = accessor_of(TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4, tile.vertices);
-  colors.normalized = true;
+  add_attribute("NORMAL", tile.normal_id, accessor_of(real, "VEC3", tile.vertices));
+  add_attribute("TEXCOORD_0", tile.uv_id, accessor_of(real, "VEC2", tile.vertices));
+  Json colors = accessor_of(unsigned_byte, "VEC4", tile.vertices);
+  colors["normalized"] = true;
   add_attribute("COLOR_0", tile.color_id, colors);
-  primitive.indices =
-      add_accessor(accessor_of(TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, 3 * tile.triangles));
-  tinygltf::Value::Object extension;
-  extension["bufferView"] = tinygltf::Value(add_bytes(tile.bytes.data(), tile.bytes.size(), 0));
-  extension["attributes"] = tinygltf::Value(draco_ids);
-  primitive.extensions[draco_extension] = tinygltf::Value(extension);
-  primitive.material = add_material(tile.color_id < 0 ? color : Color{1, 1, 1, 1}, translucent);
-  primitives().push_back(std::move(primitive));
+  const std::size_t indices = accessors_.add(accessor_of(unsigned_int, "SCALAR", 3 * tile.triangles).dump());
+  const std::size_t view = add_bytes(tile.bytes.data(), tile.bytes.size(), 0);
+  add_primitive({{"mode", triangles_mode},
+                 {"attributes", attributes},
+                 {"indices", indices},
+                 {"material", add_material(tile.color_id < 0 ? color : Color{1, 1, 1, 1}, translucent)},
+                 {"extensions", {{draco_extension, {{"bufferView", view}, {"attributes", ids}}}}}});
 }
 
-void GlbModel::add_runs(const std::vector<FloatPoints>& runs, const Color& color) {
-  FloatPoints points;
-  for (const FloatPoints& run : runs) points.insert(points.end(), run.begin(), run.end());
-  const int view = add_bytes(points.data(), points.size() * sizeof(points[0]), TINYGLTF_TARGET_ARRAY_BUFFER);
-  model_.bufferViews.back().byteStride = sizeof(points[0]);
-  const int material = add_material(color, false);
-  std::size_t first = 0;
-  if (runs.size() <= most_strips) {
-    for (const FloatPoints& run : runs) {
-      const int positions = add_positions(view, first * sizeof(points[0]), run.size(), box_of(run));
-      add_primitive(TINYGLTF_MODE_LINE_STRIP, positions, -1, material);
-      first += run.size();
+void GlbModel::add_runs(const FloatRuns& runs, const Color& color, const Cancel& cancel) {
+  const FloatPoints& points = runs.points;
+  constexpr std::size_t stride = sizeof(points[0]);
+  const std::size_t view = add_bytes(points.data(), points.size() * stride, array_buffer, stride);
+  const std::size_t material = add_material(color, false);
+  if (runs.ends.size() <= most_strips) {
+    std::size_t first = 0;
+    for (const std::size_t end : runs.ends) {
+      const std::size_t positions = add_positions(view, first * stride, points.data() + first, end - first);
+      add_primitive({{"mode", line_strip_mode}, {"attributes", {{"POSITION", positions}}}, {"material", material}});
+      first = end;
     }
     return;
   }
   std::vector<std::uint32_t> segments;
-  for (const FloatPoints& run : runs) {
-    for (std::size_t i = 1; i < run.size(); ++i) {
-      segments.push_back(static_cast<std::uint32_t>(first + i - 1));
-      segments.push_back(static_cast<std::uint32_t>(first + i));
+  segments.reserve(2 * (points.size() - runs.ends.size()));
+  CancelEvery steps(cancel);
+  std::size_t first = 0;
+  for (const std::size_t end : runs.ends) {
+    for (std::size_t i = first + 1; i < end && !steps.stopped(); ++i) {
+      segments.push_back(static_cast<std::uint32_t>(i - 1));
+      segments.push_back(static_cast<std::uint32_t>(i));
     }
-    first += run.size();
+    first = end;
   }
-  auto indices = accessor_of(TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, segments.size());
-  indices.bufferView =
-      add_bytes(segments.data(), segments.size() * sizeof(segments[0]), TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
-  const int positions = add_positions(view, 0, points.size(), box_of(points));
-  add_primitive(TINYGLTF_MODE_LINE, positions, add_accessor(indices), material);
+  Json indices = accessor_of(unsigned_int, "SCALAR", segments.size());
+  indices["bufferView"] = add_bytes(segments.data(), segments.size() * sizeof(segments[0]), element_array_buffer);
+  const std::size_t positions = add_positions(view, 0, points.data(), points.size());
+  add_primitive({{"mode", lines_mode},
+                 {"attributes", {{"POSITION", positions}}},
+                 {"indices", accessors_.add(indices.dump())},
+                 {"material", material}});
 }
 
 void GlbModel::add_points(const FloatPoints& points, const Color& color) {
-  const int view = add_bytes(points.data(), points.size() * sizeof(points[0]), TINYGLTF_TARGET_ARRAY_BUFFER);
-  const int positions = add_positions(view, 0, points.size(), box_of(points));
-  add_primitive(TINYGLTF_MODE_POINTS, positions, -1, add_material(color, false));
+  constexpr std::size_t stride = sizeof(points[0]);
+  const std::size_t view = add_bytes(points.data(), points.size() * stride, array_buffer);
+  const std::size_t positions = add_positions(view, 0, points.data(), points.size());
+  add_primitive(
+      {{"mode", points_mode}, {"attributes", {{"POSITION", positions}}}, {"material", add_material(color, false)}});
 }
 
 std::string GlbModel::write() {
-  std::ostringstream stream(std::ios::binary);
-  tinygltf::TinyGLTF writer;
-  if (!writer.WriteGltfSceneToStream(&model_, stream, false, true)) return {};
-  return std::move(stream).str();
+  finish_mesh();
+  const double half_turn = std::sqrt(0.5);
+  Json root = {{"name", "Z up to Y up"}, {"rotation", {-half_turn, 0, 0, half_turn}}};
+  if (!below_root_.empty()) root["children"] = below_root_;
+  // What a file says about itself comes first, so that more can be said there without reading the rest.
+  std::string json = "{\"asset\":" + Json({{"generator", generator_}, {"version", "2.0"}}).dump() +
+                     list_of("accessors", accessors_.text) + list_of("bufferViews", views_.text);
+  if (!binary_.empty()) json += list_of("buffers", Json({{"byteLength", binary_.size()}}).dump());
+  if (compressed_) {
+    const std::string extension = Json(draco_extension).dump();
+    json += list_of("extensionsRequired", extension) + list_of("extensionsUsed", extension);
+  }
+  json += list_of("materials", materials_.text) + list_of("meshes", meshes_.text) + ",\"nodes\":[" + root.dump();
+  for (const std::string& node : nodes_) json += "," + node;
+  json += R"(],"scene":0,"scenes":[{"nodes":[0]}]})";
+  return join_glb(json, binary_);
 }
 
-int GlbModel::add_bytes(const void* data, std::size_t size, int target) {
-  auto& binary = model_.buffers[0].data;
-  tinygltf::BufferView view;
-  view.buffer = 0;
-  view.byteOffset = binary.size();
-  view.byteLength = size;
-  view.target = target;
-  const std::size_t padded = (size + 3) / 4 * 4;
-  binary.resize(binary.size() + padded);
-  std::memcpy(binary.data() + view.byteOffset, data, size);
-  model_.bufferViews.push_back(view);
-  return static_cast<int>(model_.bufferViews.size()) - 1;
+std::size_t GlbModel::add_bytes(const void* data, std::size_t size, int target, std::size_t stride) {
+  Json view = {{"buffer", 0}, {"byteLength", size}};
+  if (!binary_.empty()) view["byteOffset"] = binary_.size();
+  if (stride > 0) view["byteStride"] = stride;
+  if (target > 0) view["target"] = target;
+  binary_.append(static_cast<const char*>(data), size);
+  binary_.resize((binary_.size() + 3) / 4 * 4);
+  return views_.add(view.dump());
 }
 
-int GlbModel::add_accessor(tinygltf::Accessor accessor) {
-  model_.accessors.push_back(std::move(accessor));
-  return static_cast<int>(model_.accessors.size()) - 1;
+std::size_t GlbModel::add_positions(std::size_t view, std::size_t offset, const std::array<float, 3>* points,
+                                    std::size_t count) {
+  FloatBox box;
+  for (std::size_t i = 0; i < count; ++i) box.include(points[i]);
+  Json accessor = accessor_of(real, "VEC3", count);
+  accessor["bufferView"] = view;
+  if (offset > 0) accessor["byteOffset"] = offset;
+  set_bounds(accessor, box);
+  return accessors_.add(accessor.dump());
 }
 
-int GlbModel::add_positions(int view, std::size_t offset, std::size_t count, const FloatBox& box) {
-  auto accessor = accessor_of(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, count);
-  accessor.bufferView = view;
-  accessor.byteOffset = offset;
-  accessor.minValues = to_doubles(box.minimum);
-  accessor.maxValues = to_doubles(box.maximum);
-  return add_accessor(std::move(accessor));
-}
-
-int GlbModel::add_material(const Color& color, bool translucent) {
+std::size_t GlbModel::add_material(const Color& color, bool translucent) {
   Color factor;
   std::transform(color.begin(), color.end(), factor.begin(), unit_interval);
   const bool blended = translucent || factor[3] < 1;
-  const auto [entry, is_new] = materials_.try_emplace({factor, blended}, static_cast<int>(model_.materials.size()));
+  const auto [entry, is_new] = material_of_.try_emplace({part_.material, factor, blended}, materials_.count);
   if (is_new) {
-    tinygltf::Material material;
-    material.pbrMetallicRoughness.baseColorFactor = {factor.begin(), factor.end()};
-    material.pbrMetallicRoughness.metallicFactor = 0;
-    material.pbrMetallicRoughness.roughnessFactor = 0.6;
-    material.doubleSided = true;
-    if (blended) material.alphaMode = "BLEND";
-    model_.materials.push_back(std::move(material));
+    Json surface = {{"metallicFactor", 0.0}, {"roughnessFactor", 0.6}};
+    if (factor != Color{1, 1, 1, 1}) surface["baseColorFactor"] = factor;
+    Json material = {{"doubleSided", true}, {"pbrMetallicRoughness", surface}};
+    if (!part_.material.empty()) material["name"] = part_.material;
+    if (blended) material["alphaMode"] = "BLEND";
+    materials_.add(material.dump());
   }
   return entry->second;
 }
 
-void GlbModel::add_primitive(int mode, int positions, int indices, int material) {
-  tinygltf::Primitive primitive;
-  primitive.mode = mode;
-  primitive.attributes["POSITION"] = positions;
-  primitive.indices = indices;
-  primitive.material = material;
-  primitives().push_back(std::move(primitive));
+void GlbModel::add_primitive(const Json& primitive) {
+  if (!primitives_.empty()) primitives_ += ',';
+  primitives_ += primitive.dump();
 }
 
 }  // namespace dini

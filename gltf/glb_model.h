@@ -1,50 +1,86 @@
 #pragma once
 
 #include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
-#include <tiny_gltf.h>
-#include <utility>
+#include <tuple>
 #include <vector>
 
-#include "geometry/scene.h"
+#include "geometry/cancel.h"
+#include "geometry/mesh.h"
 #include "gltf/lines.h"
 #include "gltf/mesh_encoder.h"
 
 namespace dini {
 
-/// A glTF model while it grows: one node and mesh per part under one root that turns Z up into glTF's Y up.
+/// A glTF file while it grows: nodes with meshes under one root that turns Z up into glTF's Y up, or under groups below
+/// it. Its JSON is kept as the text of the objects that are finished, so a file of many parts takes no more memory than
+/// its own size. Throws what nlohmann::json throws for a name that is no UTF-8.
 class GlbModel {
  public:
   explicit GlbModel(const std::string& generator);
 
-  /// Starts the node and mesh of the next part; the primitives that follow belong to it.
-  void begin_part(const std::string& name);
+  /// Starts a node without a mesh; parts belong to it until `end_group`. One without parts gets the extra
+  /// "drawable": false.
+  void begin_group(const std::string& name, nlohmann::json extras);
+  void end_group();
+
+  /// The node and mesh that the primitives which follow belong to; without any it is left out.
+  struct PartNames {
+    std::string node, mesh, material;
+    nlohmann::json extras = nullptr;
+  };
+  void begin_part(PartNames names);
 
   /// A compressed tile, given its exact decoded bounds. A tile with vertex colors takes white as its material color.
   void add_tile(const EncodedTile& tile, const FloatBox& bounds, const Color& color, bool translucent);
 
-  /// Polylines: one LINE_STRIP each; beyond 64 of them one LINES primitive, which viewers draw in one call.
-  void add_runs(const std::vector<FloatPoints>& runs, const Color& color);
+  /// Polylines: one LINE_STRIP each; beyond 64 of them one LINES primitive, which viewers draw in one call. Stopped
+  /// early: not all of them.
+  void add_runs(const FloatRuns& runs, const Color& color, const Cancel& cancel);
 
   /// One POINTS primitive; `points` is not empty.
   void add_points(const FloatPoints& points, const Color& color);
 
-  /// Bytes of binary data so far.
-  std::size_t binary_size() const { return model_.buffers[0].data.size(); }
+  /// Bytes of binary data so far, and room for more.
+  std::size_t binary_size() const { return binary_.size(); }
+  void reserve_binary(std::size_t more) { binary_.reserve(binary_.size() + more); }
 
-  /// The finished file; an empty string if tinygltf refuses. Throws what tinygltf throws.
+  /// The finished file; empty when it would be larger than GLB can address.
   std::string write();
 
  private:
-  int add_bytes(const void* data, std::size_t size, int target);
-  int add_accessor(tinygltf::Accessor accessor);
-  int add_material(const Color& color, bool translucent);
-  int add_positions(int view, std::size_t offset, std::size_t count, const FloatBox& box);
-  void add_primitive(int mode, int positions, int indices, int material);
-  std::vector<tinygltf::Primitive>& primitives() { return model_.meshes.back().primitives; }
+  /// Objects of one kind as JSON text.
+  struct ObjectList {
+    std::string text;
+    std::size_t count = 0;
 
-  tinygltf::Model model_;
-  std::map<std::pair<Color, bool>, int> materials_;
+    std::size_t add(const std::string& object);
+  };
+  struct Group {
+    std::size_t node;
+    nlohmann::json object;
+    std::vector<std::size_t> children;
+  };
+
+  std::size_t add_bytes(const void* data, std::size_t size, int target, std::size_t stride = 0);
+  std::size_t add_material(const Color& color, bool translucent);
+  std::size_t add_positions(std::size_t view, std::size_t offset, const std::array<float, 3>* points,
+                            std::size_t count);
+  void add_primitive(const nlohmann::json& primitive);
+  void finish_mesh();
+
+  std::string generator_;
+  std::string binary_;
+  ObjectList accessors_, views_, materials_, meshes_;
+  std::vector<std::string> nodes_;  ///< the root last of all, but first in the file
+  std::vector<std::size_t> below_root_;
+  std::optional<Group> group_;
+  PartNames part_;
+  std::string primitives_;  ///< of the part
+  bool compressed_ = false;
+  std::map<std::tuple<std::string, Color, bool>, std::size_t> material_of_;
 };
 
 }  // namespace dini

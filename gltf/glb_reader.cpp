@@ -71,7 +71,7 @@ class Reader {
     } else if (first.at("mode") == points_mode) {
       Column<Point> points;
       append_column(points, floats(first));
-      part.shape = std::move(points);
+      part.shape = std::make_shared<const Column<Point>>(std::move(points));
     } else {
       part.shape = read_polylines(primitives);
     }

@@ -1,7 +1,5 @@
 #include "gltf/lines.h"
 
-#include <utility>
-
 #include "geometry/validate.h"
 
 namespace dini {
@@ -13,36 +11,38 @@ std::array<float, 3> to_float(const Point& p) {
 
 }  // namespace
 
-std::vector<FloatPoints> drawable_runs(const Polyline& polyline) {
+void add_drawable_runs(const Polyline& polyline, FloatRuns& runs, const Cancel& cancel) {
   const std::size_t size = polyline.points.size();
+  CancelEvery steps(cancel);
   std::size_t start = 0;  // where a closed polyline is opened: after a gap, so that no run crosses its start
   if (polyline.closed) {
-    while (start < size && is_within_reach(polyline.points[start])) ++start;
+    while (start < size && is_within_reach(polyline.points[start]) && !steps.stopped()) ++start;
     if (start == size) start = 0;
   }
-  std::vector<FloatPoints> runs;
-  FloatPoints run;
+  std::size_t first = runs.points.size();
   const auto finish_run = [&] {
-    if (run.size() > 1) runs.push_back(std::move(run));
-    run.clear();
+    if (runs.points.size() < first + 2) runs.points.resize(first);
+    if (runs.points.size() > first) runs.ends.push_back(runs.points.size());
+    first = runs.points.size();
   };
-  for (std::size_t i = 0; i < size; ++i) {
+  for (std::size_t i = 0; i < size && !steps.stopped(); ++i) {
     const Point point = polyline.points[(start + i) % size];
     if (is_within_reach(point)) {
-      run.push_back(to_float(point));
+      runs.points.push_back(to_float(point));
     } else {
       finish_run();
     }
   }
-  if (polyline.closed && run.size() == size && size > 1) run.push_back(run.front());
+  const bool whole = runs.points.size() == first + size;
+  if (polyline.closed && whole && size > 1) runs.points.push_back(std::array(runs.points[first]));
   finish_run();
-  return runs;
 }
 
-FloatPoints drawable_points(const Column<Point>& points) {
+FloatPoints drawable_points(const Column<Point>& points, const Cancel& cancel) {
   FloatPoints result;
   result.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  CancelEvery steps(cancel);
+  for (std::size_t i = 0; i < points.size() && !steps.stopped(); ++i) {
     const Point point = points[i];
     if (is_within_reach(point)) result.push_back(to_float(point));
   }

@@ -4,19 +4,28 @@
 // drawn.
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
+#include "geometry/cancel.h"
 #include "geometry/mesh.h"
 
 namespace dini {
 
 using FloatPoints = std::vector<std::array<float, 3>>;
 
-/// The drawable runs of `polyline`, two points or more each. Points that cannot be drawn split it; a closed polyline
-/// that is whole repeats its first point at the end, and a split one keeps the run that crosses its start in one piece.
-std::vector<FloatPoints> drawable_runs(const Polyline& polyline);
+/// Runs of points joined by segments, one after another in one array: run k ends before `ends[k]`.
+struct FloatRuns {
+  FloatPoints points;
+  std::vector<std::size_t> ends;
+};
 
-/// The points that can be drawn, in order.
-FloatPoints drawable_points(const Column<Point>& points);
+/// Adds the drawable runs of `polyline`, two points or more each. Points that cannot be drawn split it; a closed
+/// polyline that is whole repeats its first point at the end, and a split one keeps the run that crosses its start in
+/// one piece. Stopped early: not all of them.
+void add_drawable_runs(const Polyline& polyline, FloatRuns& runs, const Cancel& cancel);
+
+/// The points that can be drawn, in order. Stopped early: the first of them.
+FloatPoints drawable_points(const Column<Point>& points, const Cancel& cancel);
 
 }  // namespace dini

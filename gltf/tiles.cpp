@@ -99,7 +99,12 @@ std::optional<EncodeError> gather_uvs(const Mesh& mesh, const std::vector<std::u
 
 }  // namespace
 
-std::vector<std::size_t> plan_tiles(const Mesh& mesh) {
+TileSizes tile_sizes(const EncodeOptions& options) {
+  constexpr int slow = 4;
+  return options.speed < slow ? TileSizes{24576, 32768} : TileSizes{};
+}
+
+std::vector<std::size_t> plan_tiles(const Mesh& mesh, const TileSizes& sizes) {
   std::vector<std::size_t> given = mesh.tile_ends;
   if (given.empty()) given.push_back(mesh.triangles.size());
   std::vector<std::size_t> ends;
@@ -107,11 +112,11 @@ std::vector<std::size_t> plan_tiles(const Mesh& mesh) {
   std::size_t run_begin = 0;
   for (const std::size_t run_end : given) {
     const std::size_t run = run_end - run_begin;
-    const std::size_t pieces = run <= largest_tile_triangles ? 1 : (run + tile_triangles - 1) / tile_triangles;
+    const std::size_t pieces = run <= sizes.largest ? 1 : (run + sizes.usual - 1) / sizes.usual;
     for (std::size_t piece = 0; piece < pieces; ++piece) {
       const std::size_t begin = run_begin + run * piece / pieces;
       const std::size_t end = run_begin + run * (piece + 1) / pieces;
-      if (end - tile_begin > largest_tile_triangles && begin > tile_begin) {
+      if (end - tile_begin > sizes.largest && begin > tile_begin) {
         ends.push_back(begin);
         tile_begin = begin;
       }

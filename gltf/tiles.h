@@ -11,16 +11,19 @@
 
 namespace dini {
 
-/// Long runs of triangles are cut into tiles of at most this size. Smaller tiles repeat more vertices along their
-/// borders and start more entropy tables, larger ones leave threads idle, here and in the browser.
-inline constexpr std::size_t tile_triangles = 49152;
-
-/// No tile has more triangles than this: two squares of 128 x 128 quads are joined, three are not.
-inline constexpr std::size_t largest_tile_triangles = 65536;
+/// How large tiles are, in triangles. Smaller ones repeat more vertices along their borders and start more entropy
+/// tables, larger ones leave threads idle, here and in the browser. Compressing one cannot be interrupted, so where
+/// that is slow (speeds below 4) they are half as large: no call takes more than some 50 ms.
+struct TileSizes {
+  std::size_t usual = 49152;    ///< that long runs of triangles are cut to, at most
+  std::size_t largest = 65536;  ///< two squares of 128 x 128 quads are joined, three are not
+};
+TileSizes tile_sizes(const EncodeOptions& options);
 
 /// The ends of the runs of triangles that become tiles. Given runs (`mesh.tile_ends`, or the whole mesh) that are too
-/// long are cut into equal runs; small neighbors are joined while they stay small enough. Depends on the mesh only.
-std::vector<std::size_t> plan_tiles(const Mesh& mesh);
+/// long are cut into equal runs; small neighbors are joined while they stay small enough. Depends on the mesh and the
+/// sizes only.
+std::vector<std::size_t> plan_tiles(const Mesh& mesh, const TileSizes& sizes);
 
 /// The first broken promise of `geometry/mesh.h`, if any: sizes of the attribute arrays, order of `tile_ends`.
 std::optional<EncodeError> check_mesh(const Mesh& mesh);

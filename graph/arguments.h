@@ -37,9 +37,7 @@ concept ChoiceEnum = std::is_enum_v<E> && requires {
 
 /// All values of an input that takes several links, each of one of `Types`.
 template <WireType... Types>
-struct Several {
-  std::vector<Value> values;
-};
+struct Several : Items {};
 
 /// One evaluation of one node: what it receives and the axes involved.
 struct Call {
@@ -301,7 +299,7 @@ requires(ArgumentTraits<L>::kind == ArgumentKind::literal) class Reader<L> {
 template <WireType... Types>
 class Reader<Several<Types...>> {
  public:
-  Reader(const Call& call, std::size_t port) : several_{std::get<std::vector<Value>>(call.arguments[port])} {}
+  Reader(const Call& call, std::size_t port) : several_{std::get<Items>(call.arguments[port])} {}
   void begin_run(std::size_t, std::size_t) {}
   const Several<Types...>& get(std::size_t) const { return several_; }
 

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <set>
 
+#include "graph/cost.h"
 #include "graph/fingerprint.h"
 #include "graph/fixes.h"
 #include "graph/infer.h"
 #include "graph/literal.h"
 #include "graph/nearest.h"
 #include "graph/order.h"
+#include "graph/origins.h"
 #include "graph/resolve.h"
 #include "graph/thinning.h"
 
@@ -45,10 +47,14 @@ class Checker {
     find_blocked();
     find_guards();
     share_triangles(report_.plan, needed_);
+    find_origins(report_.plan, document_);
     for (PlannedNode& node : report_.plan.nodes) {
       if (!node.bypass && !node.doubtful) node.fingerprint = fingerprint(node, report_.plan);
     }
-    add_up();
+    if (std::optional<Problem> problem = add_up(report_.plan, counted(), limits_)) {
+      problem->pointer = input_pointer(problem->node, "");
+      problems_.add(*std::move(problem));
+    }
     report_.problems = std::move(problems_).take();
     report_.elsewhere = std::move(elsewhere_).take();
     return std::move(report_);
@@ -246,30 +252,6 @@ class Checker {
     std::vector<std::string> ids(needed_.begin(), needed_.end());
     for (const std::size_t guard : report_.guards) ids.push_back(report_.plan.nodes[guard].id);
     return needed_for(document_, ids);
-  }
-
-  void add_up() {
-    Cost& cost = report_.plan.cost;
-    const std::set<std::string> running = counted();
-    for (const PlannedNode& node : report_.plan.nodes) {
-      if (node.bypass || node.doubtful || !running.contains(node.id)) continue;
-      for (const WireShape& shape : node.outputs) {
-        const std::size_t samples = sample_count(shape.axes);
-        constexpr std::size_t bytes_per_sample = 10 * sizeof(double);
-        constexpr std::size_t bytes_per_vertex = 8 * sizeof(double) + 2 * 3 * sizeof(std::uint32_t);
-        cost.samples += samples;
-        cost.bytes += samples * bytes_per_sample + shape.vertices * bytes_per_vertex;
-        if (shape.type == WireType::mesh) cost.vertices = std::max(cost.vertices, shape.vertices);
-      }
-      if (cost.bytes > limits_.request_bytes) {
-        problems_.add({"limit-exceeded",
-                       "up to here the graph would need " + std::to_string(cost.bytes >> 20) + " MiB, at most " +
-                           std::to_string(limits_.request_bytes >> 20) + " MiB are accepted",
-                       node.id, "", input_pointer(node.id, "")});
-        return;
-      }
-    }
-    cost.triangles = 2 * cost.vertices;
   }
 
   const Registry& registry_;

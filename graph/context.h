@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "geometry/axis.h"
 #include "geometry/cancel.h"
 
 namespace dini {
@@ -25,14 +27,31 @@ struct Detail {
   std::size_t triangle_budget;
 };
 
+/// A place along one of the axes that a node consumes. Results are kept apart from the names of axes, so what is said
+/// beside a result holds a number, and gets the name when it is told.
+struct ConsumedPlace {
+  std::size_t axis = 0;
+  std::size_t index = 0;
+
+  friend bool operator==(const ConsumedPlace&, const ConsumedPlace&) = default;
+};
+
 /// Something a node wants to say although it succeeded.
 struct Warning {
   std::string code;
   std::string detail;
   std::string port = {};
+  std::optional<ConsumedPlace> place = {};  ///< where, told behind the detail
 
   friend bool operator==(const Warning&, const Warning&) = default;
 };
+
+/// The sentence of a warning of a node that consumes these axes.
+inline std::string told(const Warning& warning, const Axes& consumed) {
+  if (!warning.place || warning.place->axis >= consumed.size()) return warning.detail;
+  return warning.detail + " at index " + std::to_string(warning.place->index) + " of axis " +
+         consumed[warning.place->axis].name;
+}
 
 /// Why a node cannot give a value: a stable code, one sentence, and the port to blame (may be empty).
 struct Failure {

@@ -65,6 +65,7 @@ Digest fingerprint(const PlannedNode& node, const Plan& plan) {
       if (const auto* source = std::get_if<Source>(&item.from)) {
         digest.text("wire").digest(plan.nodes[source->node].fingerprint).integer(source->output);
         axes.write(digest, item.shape.axes);
+        if (type.names_parts) digest.text(item.origin.part);
       } else {
         write_literal(digest, std::get<Argument>(item.from));
       }

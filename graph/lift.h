@@ -97,6 +97,9 @@ class LiftedFunction {
                                                   Outputs<std::conditional_t<batched, int, R>>>::Tuple;
   static constexpr std::size_t output_count = std::tuple_size_v<OutputTuple>;
 
+  /// A function that looks at the flag may take long for one run.
+  static constexpr bool looks_itself = ((ArgumentTraits<std::remove_cvref_t<A>>::kind == ArgumentKind::context) || ...);
+
   explicit LiftedFunction(Function function) : function_(function) {}
 
   LiftedResult operator()(const Call& call) const {
@@ -142,7 +145,13 @@ class LiftedFunction {
   template <std::size_t... O>
   static auto make_columns(const Call& call, std::size_t count, std::index_sequence<O...>) {
     return std::make_tuple(Column<typename OutputTraits<std::tuple_element_t<O, OutputTuple>>::Element>(
-        count * sample_count(call.made[O]))...);
+        size_of_column<std::tuple_element_t<O, OutputTuple>>(count, call.made[O]))...);
+  }
+
+  /// Of a column that waits for its values; what the only run makes becomes the column itself.
+  template <class Output>
+  static std::size_t size_of_column(std::size_t count, const Axes& made) {
+    return OutputTraits<Output>::makes_axes && count == 1 ? 0 : count * sample_count(made);
   }
 
   /// The port that parameter `index` reads: parameters that are no ports do not count.
@@ -190,6 +199,7 @@ class LiftedFunction {
     } else {
       (std::get<I>(readers).begin_run(begin, end), ...);
       for (std::size_t index = begin; index < end; ++index) {
+        if (looks_itself && call.context.cancel().stopped()) return;
         store(function_(std::get<I>(readers).get(index)...), index, columns, first);
       }
     }
@@ -245,6 +255,10 @@ class LiftedFunction {
   template <class T>
   static void store_one(Made<T> made, std::size_t index, Column<T>& column) {
     const std::size_t size = made.values.size();
+    if (column.empty()) {  // the only run
+      column = std::move(made.values);
+      return;
+    }
     for (std::size_t i = 0; i < size; ++i) column.set(index * size + i, made.values[i]);
   }
 

@@ -16,6 +16,7 @@ struct Limits {
   std::size_t vertices = 5'000'000;                  ///< of one result
   std::size_t triangles = 10'000'000;                ///< of one result
   std::size_t request_bytes = std::size_t{4} << 30;  ///< predicted memory of one evaluation
+  std::size_t work = 40'000'000'000;  ///< predicted nanoseconds of one processor: the longest deadline on four of them
   std::size_t cache_bytes = std::size_t{1} << 30;
   std::size_t interactive_milliseconds = 10'000;
   std::size_t previews = 64;                               ///< entries of `preview` in one request

@@ -90,6 +90,11 @@ LiteralOutcome read_text(const Json& json, const InputPort& port) {
   if (port.spec.is_axis_name && text.empty() && port.spec.default_value != Json("")) {
     return LiteralProblem{"out-of-range", "this axis needs a name"};
   }
+  if (port.spec.text_fault) {
+    if (std::optional<std::string> fault = port.spec.text_fault(text)) {
+      return LiteralProblem{port.spec.text_fault_code, *std::move(fault)};
+    }
+  }
   return Argument(Literal(text));
 }
 

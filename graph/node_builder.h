@@ -95,7 +95,19 @@ class NodeBuilder {
   NodeBuilder&& vertices(VertexRule rule) && { return set(type_.vertices, std::move(rule)); }
   /// The same for a node that refines the meshes it is given.
   NodeBuilder&& vertex_factor(VertexFactor factor) && { return set(type_.vertex_factor, std::move(factor)); }
+  /// What a run needs beyond the usual for its sizes.
+  NodeBuilder&& cost(CostRule rule) && { return set(type_.cost, std::move(rule)); }
   NodeBuilder&& depends_on_quality() && { return set(type_.depends_on_quality, true); }
+  /// A draft thins each mesh that the node makes to the triangles of the context, but not below these.
+  NodeBuilder&& thinned_to(FewestRule fewest) && {
+    type_.depends_on_quality = true;
+    return set(type_.fewest_triangles, std::move(fewest));
+  }
+  NodeBuilder&& thinned_to(std::size_t fewest) && {
+    return std::move(*this).thinned_to([fewest](const Axes&) { return fewest; });
+  }
+  NodeBuilder&& names_parts() && { return set(type_.names_parts, true); }
+  NodeBuilder&& passes_on() && { return set(type_.passes_on, true); }
   NodeBuilder&& makes_curves() && { return set(type_.makes_curves, true); }
   NodeBuilder&& always_evaluated() && { return set(type_.always_evaluated, true); }
 

@@ -5,6 +5,7 @@
 // If a function consumes axes (Block parameters) it sees all values along them; every other axis of its inputs is
 // lifted.
 
+#include <array>
 #include <functional>
 #include <map>
 #include <string>
@@ -45,8 +46,33 @@ using AxisRule = std::function<std::vector<Axes>(const Literals&, const std::str
 /// A bound of the vertices of one mesh that a node makes, from its literals and the consumed axes.
 using VertexRule = std::function<std::size_t(const Literals&, const Axes& consumed)>;
 
+/// The fewest triangles that a mesh over the consumed axes can be thinned to without being another one.
+using FewestRule = std::function<std::size_t(const Axes& consumed)>;
+
 /// By how much a node multiplies the vertices of its mesh inputs, from its literals.
 using VertexFactor = std::function<std::size_t(const Literals&)>;
+
+/// What one run of a node is given and makes, known before anything is computed. Sizes are bounds.
+struct RunSize {
+  const Literals& literals;
+  const Axes& consumed;
+  std::array<double, 8> given;  ///< values by wire type, at inputs that keep them apart
+  double given_vertices;        ///< of all meshes that it is given
+  double values;                ///< that it makes, over all outputs
+  double vertices;              ///< of the meshes that it makes
+
+  double given_of(WireType type) const { return given[static_cast<std::size_t>(type)]; }
+};
+
+/// What one run of a node needs beyond the usual for its sizes: work in units of about a nanosecond of one processor
+/// (the usual is 40 for a number or point made, 400 for a circle, 100 for a vertex given or made), bytes while it runs,
+/// and bytes that it keeps beyond numbers and meshes.
+struct RunCost {
+  double work = 0;
+  double bytes = 0;
+  double kept_bytes = 0;
+};
+using CostRule = std::function<RunCost(const RunSize&)>;
 
 /// What a node does with one kind of singular input.
 struct Degenerate {
@@ -73,14 +99,16 @@ struct NodeType {
   AxisRule axes;
   VertexRule vertices;
   VertexFactor vertex_factor;  ///< where there is no rule; 1 when absent
+  CostRule cost;               ///< nothing beyond the usual when absent
   bool depends_on_quality = false;
+  FewestRule fewest_triangles;  ///< of each mesh that a draft thins; absent for nodes that make none
+  bool names_parts = false;       ///< its result holds the names of the nodes that its values come from
+  bool passes_on = false;         ///< gives on what it is given at its first input
   bool makes_curves = false;      ///< points along the axis that it makes belong to one curve
   bool always_evaluated = false;  ///< runs even when the asked output does not need it (checks)
 
   /// True for a node whose meshes a draft may thin.
-  bool makes_meshes_by_quality() const {
-    return depends_on_quality && !overloads.empty() && overloads.front().outputs.front() == WireType::mesh;
-  }
+  bool makes_meshes_by_quality() const { return static_cast<bool>(fewest_triangles); }
 
   const InputPort* find_input(std::string_view name) const;
   const OutputPort* find_output(std::string_view name) const;

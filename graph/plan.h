@@ -33,6 +33,7 @@ struct Source {
 struct PlannedItem {
   std::variant<Source, Argument> from;
   WireShape shape;
+  Origin origin = {};  ///< of a wire, for nodes that name parts
 };
 
 /// What reaches one port; no items when the port is left out. `list_axis` joins the items of a list.
@@ -64,7 +65,8 @@ struct Cost {
   std::size_t samples = 0;
   std::size_t vertices = 0;
   std::size_t triangles = 0;
-  std::size_t bytes = 0;
+  std::size_t bytes = 0;  ///< a bound of the memory
+  std::size_t work = 0;   ///< in units of about a nanosecond of one processor
 };
 
 struct Plan {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -53,6 +54,14 @@ class InputSpec {
     return std::move(*this);
   }
 
+  /// A text in a language of its own. `fault` says what is wrong with one, or nothing; it is asked when a graph is
+  /// checked, and its answer is a problem with this code.
+  InputSpec&& read_by(std::string code, std::function<std::optional<std::string>(const std::string&)> fault) && {
+    text_fault_code = std::move(code);
+    text_fault = std::move(fault);
+    return std::move(*this);
+  }
+
   InputSpec&& position_handle() && { return std::move(*this).handled({Handle::Kind::position}); }
   InputSpec&& direction_handle(std::string at = "") && {
     return std::move(*this).handled({Handle::Kind::direction, std::move(at)});
@@ -66,6 +75,8 @@ class InputSpec {
   std::string unit_text;
   bool takes_several = false;
   bool is_axis_name = false;
+  std::string text_fault_code;
+  std::function<std::optional<std::string>(const std::string&)> text_fault;
   std::optional<Handle> handle;
 
  private:

@@ -227,8 +227,7 @@ class Resolver {
     if (auto* wrong = std::get_if<LiteralProblem>(&outcome)) {
       add(resolved, card.name, [&] {
         const bool written_here = given.parameter == nullptr && !given.pointer.empty();
-        const std::string by = given.parameter != nullptr ? " (from the parameter " + given.parameter->first + ")" : "";
-        return problem(wrong->code, card.name, card.name + by + ": " + wrong->detail,
+        return problem(wrong->code, card.name, card.name + driver_text(given) + ": " + wrong->detail,
                        written_here ? acceptable_literal(given.pointer, wrong->code, given.literal, card) : Json());
       });
       stand_in(port, wanted, resolved);
@@ -263,6 +262,13 @@ class Resolver {
     if (argument == nullptr) return;
     if (const auto* literal = std::get_if<Literal>(argument)) resolved.node.literals[card.name] = *literal;
     resolved.node.inputs[port].items.push_back({std::move(*argument), {wanted, {}, 0}});
+  }
+
+  /// ", given by the parameter reach (Reach)" for what a parameter drives.
+  static std::string driver_text(const Given& given) {
+    if (given.parameter == nullptr) return "";
+    const auto& [name, known] = *given.parameter;
+    return ", given by the parameter " + name + (known.label ? " (" + *known.label + ")" : "");
   }
 
   void check_list_sizes(Resolved& resolved) const {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algebra/extract.h"
+#include "geometry/chunks.h"
 #include "graph/json_reader.h"
 #include "graph/literal.h"
 
@@ -11,11 +12,11 @@ namespace dini {
 
 namespace {
 
-/// " at k = 3, v = 0" for the sample `index` of a family over `axes`.
+/// " at index 3 of axis k, index 0 of axis v" for the sample `index` of a family over `axes`.
 std::string place_text(const Axes& axes, std::size_t index) {
   std::string text;
   for (std::size_t k = axes.size(); k-- > 0;) {
-    const std::string one = axes[k].name + " = " + std::to_string(index % axes[k].size);
+    const std::string one = "index " + std::to_string(index % axes[k].size) + " of axis " + axes[k].name;
     text = text.empty() ? one : one + ", " + text;
     index /= axes[k].size;
   }
@@ -33,26 +34,22 @@ bool may_stand(const Column<T>& column, std::size_t index) {
 }
 
 /// The first circle or sphere that is none: smaller than the round-off where it lies, or imaginary.
-std::optional<std::size_t> first_unreal(const AnyColumn& any) {
+std::optional<std::size_t> first_unreal(const AnyColumn& any, const Cancel& cancel) {
   return std::visit(
-      []<class T>(const std::shared_ptr<const Column<T>>& column) -> std::optional<std::size_t> {
+      [&]<class T>(const std::shared_ptr<const Column<T>>& column) -> std::optional<std::size_t> {
         if constexpr (std::is_same_v<T, Circle> || std::is_same_v<T, Sphere>) {
-          for (std::size_t i = 0; i < column->size(); ++i) {
-            if (!coordinates((*column)[i])) return i;
-          }
+          return first_where(cancel, column->size(), [&](std::size_t i) { return !coordinates((*column)[i]); });
         }
         return std::nullopt;
       },
       any);
 }
 
-std::optional<std::size_t> first_bad(const AnyColumn& any) {
+std::optional<std::size_t> first_bad(const AnyColumn& any, const Cancel& cancel) {
   return std::visit(
-      []<class T>(const std::shared_ptr<const Column<T>>& column) -> std::optional<std::size_t> {
+      [&]<class T>(const std::shared_ptr<const Column<T>>& column) -> std::optional<std::size_t> {
         if constexpr (Column<T>::numeric) {
-          for (std::size_t i = 0; i < column->size(); ++i) {
-            if (!may_stand(*column, i)) return i;
-          }
+          return first_where(cancel, column->size(), [&](std::size_t i) { return !may_stand(*column, i); });
         }
         return std::nullopt;
       },
@@ -75,15 +72,15 @@ class NodeRunner {
                      failed->failure.detail + place_text(node_.lifted, failed->index));
     }
     std::vector<AnyColumn> columns = std::move(std::get<0>(lifted));
-    if (call_.context.cancel().stopped()) return columns;
+    if (cancel().stopped()) return columns;
     for (std::size_t output = 0; output < columns.size(); ++output) {
-      if (const std::optional<std::size_t> bad = first_bad(columns[output])) {
+      if (const std::optional<std::size_t> bad = first_bad(columns[output], cancel())) {
         return problem("non-finite", "",
                        "output " + node_.type->outputs[output].name + " is not a finite " +
                            std::string(name(node_.outputs[output].type)) +
                            place_text(node_.outputs[output].axes, *bad));
       }
-      if (const std::optional<std::size_t> unreal = first_unreal(columns[output])) {
+      if (const std::optional<std::size_t> unreal = first_unreal(columns[output], cancel())) {
         return problem("degenerate", "",
                        "output " + node_.type->outputs[output].name + " is no " +
                            std::string(name(node_.outputs[output].type)) +
@@ -95,6 +92,8 @@ class NodeRunner {
   }
 
  private:
+  const Cancel& cancel() const { return call_.context.cancel(); }
+
   Problem problem(std::string code, const std::string& port, std::string detail) const {
     const std::string pointer = "/graph/nodes/" + node_.id + (port.empty() ? "" : "/inputs/" + pointer_token(port));
     return {std::move(code), std::move(detail), node_.id, port, pointer};
@@ -110,10 +109,13 @@ class NodeRunner {
     const bool mixed = node_.overload->is_mixed(port);
     if (input.items.empty()) return std::monostate{};
     if (!input.list_axis && !mixed) return read(input.items.front());
-    std::vector<Value> values;
-    for (const PlannedItem& item : input.items) values.push_back(std::get<Value>(read(item)));
-    if (mixed) return values;
-    return stack(values, *input.list_axis);
+    Items items;
+    for (const PlannedItem& item : input.items) {
+      items.values.push_back(std::get<Value>(read(item)));
+      if (node_.type->names_parts) items.origins.push_back(item.origin);
+    }
+    if (mixed) return items;
+    return stack(items.values, *input.list_axis, cancel());
   }
 
   std::optional<Problem> out_of_range(std::size_t port) const {
@@ -124,13 +126,12 @@ class NodeRunner {
     const Column<double>& column = dini::column_of<double>(*value);
     const double least = card.spec.minimum.value_or(-HUGE_VAL);
     const double most = card.spec.maximum.value_or(HUGE_VAL);
-    for (std::size_t i = 0; i < column.size(); ++i) {
-      if (column[i] >= least && column[i] <= most) continue;
-      return problem("out-of-range", card.name,
-                     card.name + ": got " + to_text(column[i]) + place_text(value->axes, i) + ", accepted is " +
-                         range_text(card.spec.minimum, card.spec.maximum));
-    }
-    return std::nullopt;
+    const std::optional<std::size_t> outside =
+        first_where(cancel(), column.size(), [&](std::size_t i) { return !(column[i] >= least && column[i] <= most); });
+    if (!outside) return std::nullopt;
+    return problem("out-of-range", card.name,
+                   card.name + " of " + node_.id + " (" + node_.type->title + "): got " + to_text(column[*outside]) + place_text(value->axes, *outside) +
+                       ", accepted is " + range_text(card.spec.minimum, card.spec.maximum));
   }
 
   const PlannedNode& node_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/chunks.h"
 #include "graph/offsets.h"
 
 namespace dini {
@@ -21,7 +22,7 @@ std::size_t held_by(const Column<T>& column) {
 }
 
 template <class T>
-AnyColumn stack_columns(const std::vector<Value>& items, const Axes& axes) {
+AnyColumn stack_columns(const std::vector<Value>& items, const Axes& axes, const Cancel& cancel) {
   auto stacked = std::make_shared<Column<T>>(sample_count(axes));
   const Axes shared(axes.begin(), axes.end() - 1);
   const std::size_t inner = items.size();
@@ -29,7 +30,9 @@ AnyColumn stack_columns(const std::vector<Value>& items, const Axes& axes) {
   for (std::size_t item = 0; item < inner; ++item) {
     const Column<T>& source = column_of<T>(items[item]);
     const Offsets offsets(items[item].axes, shared);
-    for (std::size_t i = 0; i < outer; ++i) stacked->set(i * inner + item, source[offsets.at(i)]);
+    for_chunks(cancel, outer, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) stacked->set(i * inner + item, source[offsets.at(i)]);
+    });
   }
   return SharedColumn<T>(std::move(stacked));
 }
@@ -40,7 +43,7 @@ std::size_t bytes(const AnyColumn& column) {
   return std::visit([](const auto& shared) { return held_by(*shared); }, column);
 }
 
-Value stack(const std::vector<Value>& items, const Axis& axis) {
+Value stack(const std::vector<Value>& items, const Axis& axis, const Cancel& cancel) {
   Axes axes;
   for (const Value& item : items) {
     for (const Axis& own : item.axes) {
@@ -51,7 +54,7 @@ Value stack(const std::vector<Value>& items, const Axis& axis) {
   axes.push_back(axis);
   return std::visit(
       [&]<class T>(const std::shared_ptr<const Column<T>>&) {
-        return Value{axes, stack_columns<T>(items, axes)};
+        return Value{axes, stack_columns<T>(items, axes, cancel)};
       },
       items.front().column);
 }

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "geometry/cancel.h"
 #include "geometry/family.h"
 #include "graph/asset_file.h"
 #include "graph/wire.h"
@@ -39,12 +40,25 @@ std::size_t bytes(const AnyColumn& column);
 
 /// The value over the same axes as `items` together plus `axis` as the last: item i at index i of it.
 /// All items have the same type, which is one of numbers; equal axis names have equal sizes (checked before).
-Value stack(const std::vector<Value>& items, const Axis& axis);
+/// Stopped early: not all values.
+Value stack(const std::vector<Value>& items, const Axis& axis, const Cancel& cancel);
 
 /// Literals that never travel on wires. A text that names a file has become the file.
 using Literal = std::variant<std::int64_t, bool, std::string, Color, SharedAssetFile>;
 
+/// Where a value comes from, for nodes that write names into what they make and for what is said about them.
+struct Origin {
+  std::string part;         ///< the id of the node that made it; with ".output" unless that is the node's first
+  std::string description;  ///< that node and the parameters behind it, for people
+};
+
+/// Values of any types that are kept apart, and where each comes from (empty unless the node names parts).
+struct Items {
+  std::vector<Value> values;
+  std::vector<Origin> origins;
+};
+
 /// What a node receives on one port: nothing, a value, a literal, or several values of any type.
-using Argument = std::variant<std::monostate, Value, Literal, std::vector<Value>>;
+using Argument = std::variant<std::monostate, Value, Literal, Items>;
 
 }  // namespace dini

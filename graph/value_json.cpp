@@ -10,53 +10,84 @@ namespace {
 Json triple(const Vector& v) { return {v.x, v.y, v.z}; }
 Json triple(const Point& p) { return {p.x, p.y, p.z}; }
 
-Json one(double number, bool) { return number; }
-Json one(const Vector& vector, bool) { return triple(vector); }
-Json one(const Point& point, bool) { return is_finite(point) ? triple(point) : Json(nullptr); }
+Json one(double number) { return number; }
+Json one(const Vector& vector) { return triple(vector); }
+Json one(const Point& point) { return is_finite(point) ? triple(point) : Json(nullptr); }
 
-Json one(const Generator& generator, bool) {
+Json one(const Generator& generator) {
   return {{"no_e", triple(generator.no_e)},
           {"e_e", triple(generator.e_e)},
           {"no_ni", generator.no_ni},
           {"e_ni", triple(generator.e_ni)}};
 }
 
-Json one(const Circle& circle, bool) {
+Json one(const Circle& circle) {
   const std::optional<CircleCoordinates> found = coordinates(circle);
   if (!found) return nullptr;
   if (found->line) return {{"line", true}, {"point", triple(found->point)}, {"direction", triple(found->direction)}};
   return {{"center", triple(found->center)}, {"radius", found->radius}, {"normal", triple(found->normal)}};
 }
 
-Json one(const Sphere& sphere, bool) {
+Json one(const Sphere& sphere) {
   const std::optional<SphereCoordinates> found = coordinates(sphere);
   if (!found) return nullptr;
   if (found->plane) return {{"plane", true}, {"normal", triple(found->normal)}, {"distance", found->distance}};
   return {{"center", triple(found->center)}, {"radius", found->radius}};
 }
 
-Json one(const SharedMesh& mesh, bool full) {
+Json one(const SharedAsset& asset) {
+  return {{"media_type", asset->media_type}, {"bytes", asset->bytes.size()}, {"sha256", to_hex(sha256(asset->bytes))}};
+}
+
+Json bounds_of(const Column<Point>& points, CancelEvery& steps) {
   Vector least = {0, 0, 0}, most = {0, 0, 0};
-  for (std::size_t i = 0; i < mesh->positions.size(); ++i) {
-    const Point p = mesh->positions[i];
+  for (std::size_t i = 0; i < points.size() && !steps.stopped(); ++i) {
+    const Point p = points[i];
     least = i == 0 ? to_vector(p) : Vector{std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
     most = i == 0 ? to_vector(p) : Vector{std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
   }
-  Json json = {{"vertices", mesh->positions.size()},
-               {"triangles", mesh->triangles.size()},
-               {"bounds", {triple(least), triple(most)}}};
-  if (full) {
-    Json positions = Json::array();
-    for (std::size_t i = 0; i < mesh->positions.size(); ++i) positions.push_back(triple(mesh->positions[i]));
-    json["positions"] = std::move(positions);
-    json["indices"] = mesh->triangles;
-  }
-  return json;
+  return {triple(least), triple(most)};
 }
 
-Json one(const SharedAsset& asset, bool) {
-  return {{"media_type", asset->media_type}, {"bytes", asset->bytes.size()}, {"sha256", to_hex(sha256(asset->bytes))}};
-}
+/// Writes values as text, one after another, so that they never exist as a document in memory.
+class TextWriter {
+ public:
+  TextWriter(bool full, const Cancel& cancel) : full_(full), steps_(cancel) {}
+
+  template <class T>
+  void write(const Column<T>& column) {
+    for (std::size_t i = 0; i < column.size() && !steps_.stopped(); ++i) {
+      if (i > 0) text_ += ',';
+      if constexpr (std::is_same_v<T, SharedMesh>) {
+        write(*column[i]);
+      } else {
+        text_ += one(column[i]).dump();
+      }
+    }
+  }
+
+  std::string& text() { return text_; }
+
+ private:
+  void write(const Mesh& mesh) {
+    text_ += "{\"bounds\":" + bounds_of(mesh.positions, steps_).dump();
+    if (full_) {
+      text_ += ",\"indices\":[";
+      for (std::size_t i = 0; i < mesh.triangles.size() && !steps_.stopped(); ++i) {
+        text_ += (i > 0 ? "," : "") + Json(mesh.triangles[i]).dump();
+      }
+      text_ += "],\"positions\":[";
+      write(mesh.positions);
+      text_ += ']';
+    }
+    text_ += ",\"triangles\":" + std::to_string(mesh.triangles.size()) +
+             ",\"vertices\":" + std::to_string(mesh.positions.size()) + "}";
+  }
+
+  bool full_;
+  CancelEvery steps_;
+  std::string text_;
+};
 
 }  // namespace
 
@@ -66,14 +97,16 @@ Json to_json(const Axes& axes) {
   return json;
 }
 
-Json to_json(const Value& value, bool full) {
-  Json values = Json::array();
-  std::visit(
-      [&](const auto& column) {
-        for (std::size_t i = 0; i < column->size(); ++i) values.push_back(one((*column)[i], full));
-      },
-      value.column);
-  return {{"type", name(value.type())}, {"axes", to_json(value.axes)}, {"values", std::move(values)}};
+std::string to_json_text(const Value& value, bool full, const Cancel& cancel) {
+  TextWriter values(full, cancel);
+  std::visit([&](const auto& column) { values.write(*column); }, value.column);
+  std::string text =
+      "{\"axes\":" + to_json(value.axes).dump() + ",\"type\":" + Json(name(value.type())).dump() + ",\"values\":[";
+  text += values.text();
+  text += "]}";
+  return text;
 }
+
+Json to_json(const Value& value, bool full) { return Json::parse(to_json_text(value, full, Cancel())); }
 
 }  // namespace dini

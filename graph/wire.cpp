@@ -1,6 +1,9 @@
 #include "graph/wire.h"
 
 #include <array>
+#include <charconv>
+
+#include "algebra/elementary.h"
 
 namespace dini {
 
@@ -24,6 +27,12 @@ constexpr std::array<WireInfo, 13> types = {{
     {WireType::color, "color", "number", "#C1D7D0", "dot", "Linear red, green, blue and alpha from 0 to 1.", true},
 }};
 
+/// One sRGB component of 0 to 255 made linear (IEC 61966-2-1).
+double linear(int component) {
+  const double encoded = component / 255.0;
+  return encoded <= 0.04045 ? encoded / 12.92 : elementary::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
 }  // namespace
 
 std::span<const WireInfo> wire_types() { return types; }
@@ -31,5 +40,16 @@ std::span<const WireInfo> wire_types() { return types; }
 const WireInfo& info(WireType type) { return types[static_cast<std::size_t>(type)]; }
 
 std::string_view name(WireType type) { return info(type).name; }
+
+Color linear_color(WireType type) {
+  const std::string_view digits = info(type).color.substr(1);
+  Color color = {0, 0, 0, 1};
+  for (std::size_t k = 0; k < 3; ++k) {
+    int component = 0;
+    std::from_chars(digits.data() + 2 * k, digits.data() + 2 * k + 2, component, 16);
+    color[k] = linear(component);
+  }
+  return color;
+}
 
 }  // namespace dini

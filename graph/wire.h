@@ -46,7 +46,7 @@ struct WireInfo {
   WireType type;
   std::string_view name;
   std::string_view family;  ///< Types of one family share a color.
-  std::string_view color;
+  std::string_view color;   ///< "#RRGGBB" in sRGB, as pages write it.
   std::string_view shape;  ///< How a socket is drawn: one shape per type.
   std::string_view doc;
   bool literal_only;
@@ -55,6 +55,9 @@ struct WireInfo {
 std::span<const WireInfo> wire_types();
 const WireInfo& info(WireType type);
 std::string_view name(WireType type);
+
+/// The color of a wire type as files have it: linear, opaque.
+Color linear_color(WireType type);
 
 /// The wire type of a C++ type; only wire types have one.
 template <class T>

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "algebra/construct.h"
+#include "geometry/chunks.h"
 #include "geometry/sampling.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
@@ -67,9 +68,10 @@ Attempt<SharedMesh> curvature_patch(const Context& context, double u_a, double v
   const std::array<CurvatureSource, 4> corners = {
       {{corner(-1, -1), u_a, v_a}, {corner(1, -1), u_b, v_b}, {corner(-1, 1), u_c, v_c}, {corner(1, 1), u_d, v_d}}};
   const auto rows = static_cast<std::size_t>(count_u), columns = static_cast<std::size_t>(count_v);
-  const Column<double> us = spaced(0, 1, rows, false), vs = spaced(0, 1, columns, false);
+  const Column<double> us = spaced(0, 1, rows, false, context.cancel()),
+                       vs = spaced(0, 1, columns, false, context.cancel());
   Column<Point> points(rows * columns);
-  for_chunks(context, points.size(), [&](std::size_t begin, std::size_t end) {
+  for_chunks(context.cancel(), points.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const double u = us[i / columns], v = vs[i % columns];
       const bool smooth = method == CurvatureMethod::exact;
@@ -85,7 +87,7 @@ Attempt<SharedMesh> curvature_patch(const Context& context, double u_a, double v
       points.set(i, moved.value_or(Point::at_infinity()));
     }
   });
-  return finish_surface(context, {points, rows, columns, false, false}, at_infinity, clip_radius, {"u", rows, false});
+  return finish_surface(context, {points, rows, columns, false, false}, at_infinity, clip_radius, nullptr);
 }
 
 InputSpec curvature_input(double value) { return defaults(value).hard(-1e9, 1e9).soft(-2, 2).unit("1/m"); }
@@ -153,7 +155,8 @@ void add_curvature(Registry& registry) {
           .input("clip_radius", "Distance from the origin that counts as infinity.",
                  defaults(100).hard(1e-3, 1e6).soft(1, 1000).unit("m"))
           .vertices(patch_vertices)
-          .depends_on_quality()
+          .thinned_to(2)
+          .cost([](const RunSize& size) { return RunCost{600 * size.vertices, 190 * size.vertices}; })
           .output("mesh", "The mesh."));
 }
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "geometry/chunks.h"
 #include "geometry/field_line.h"
 #include "geometry/sampling.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 #include "nodes/choices.h"
+#include "nodes/costs.h"
 #include "nodes/shapes.h"
 #include "nodes/sources.h"
 
@@ -23,18 +25,21 @@ class Orbit {
   }
   Orbit(const Orbit&) = delete;  // its generator points into its column
 
-  Column<Point> at(const Column<double>& amounts) const {
+  Column<Point> at(const Column<double>& amounts, const Cancel& cancel) const {
     Column<Point> points(amounts.size());
-    for (std::size_t i = 0; i < points.size(); ++i) points.set(i, point_);
-    kernels::transform_points(generator_, {amounts.component(0), false}, rule_, components(std::as_const(points), 0),
-                              components(points, 0), points.size());
+    for_chunks(cancel, points.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) points.set(i, point_);
+      kernels::transform_points(generator_, {amounts.component(0) + begin, false}, rule_,
+                                components(std::as_const(points), begin), components(points, begin), end - begin);
+    });
     return points;
   }
 
   bool is_within(double amount, double radius) const {
-    Column<double> one(1);
-    one.set(0, amount);
-    return length(to_vector(at(one)[0])) <= radius;
+    Vector image;
+    kernels::transform_points(generator_, {&amount, true}, rule_, {&point_.x, &point_.y, &point_.z},
+                              {&image.x, &image.y, &image.z}, 1);
+    return length(image) <= radius;
   }
 
   /// The last amount from `inside` towards `outside` whose image is within a radius.
@@ -54,9 +59,11 @@ class Orbit {
 };
 
 /// Where an orbit leaves a radius, looked for from `start` on among the amounts.
-double clipped_end(const Orbit& orbit, const Column<double>& amounts, double start, bool upward, double radius) {
+double clipped_end(const Orbit& orbit, const Column<double>& amounts, double start, bool upward, double radius,
+                   const Cancel& cancel) {
   double inside = start;
-  for (std::size_t k = 0; k < amounts.size(); ++k) {
+  CancelEvery steps(cancel);
+  for (std::size_t k = 0; k < amounts.size() && !steps.stopped(); ++k) {
     const double amount = amounts[upward ? k : amounts.size() - 1 - k];
     if (upward ? amount <= start : amount >= start) continue;
     if (!orbit.is_within(amount, radius)) return orbit.last_within(inside, amount, radius);
@@ -65,26 +72,29 @@ double clipped_end(const Orbit& orbit, const Column<double>& amounts, double sta
   return inside;
 }
 
-Made<Point> orbit_points(const Point& point, const Generator& generator, double from, double to, std::int64_t count,
-                         double clip_radius, const std::string&, Rule rule) {
+Made<Point> orbit_points(const Context& context, const Point& point, const Generator& generator, double from, double to,
+                         std::int64_t count, double clip_radius, const std::string&, Rule rule) {
+  const Cancel& cancel = context.cancel();
   const auto size = static_cast<std::size_t>(count);
   const Orbit orbit(point, generator, rule);
-  const Column<double> amounts = spaced(from, to, size, false);
-  Made<Point> made{orbit.at(amounts)};
+  const Column<double> amounts = spaced(from, to, size, false, cancel);
+  Made<Point> made{orbit.at(amounts, cancel)};
   const auto is_outside = [&](std::size_t i) { return !(length(to_vector(made.values[i])) <= clip_radius); };
   bool leaves = false;
-  for (std::size_t i = 0; i < size; ++i) leaves = leaves || is_outside(i);
+  CancelEvery steps(cancel);
+  for (std::size_t i = 0; i < size && !steps.stopped(); ++i) leaves = leaves || is_outside(i);
   if (!leaves) return made;
   const double start = std::clamp(0.0, std::min(from, to), std::max(from, to));
   if (!orbit.is_within(start, clip_radius)) {
-    for (std::size_t i = 0; i < size; ++i) made.values.set(i, Point::at_infinity());
+    for (std::size_t i = 0; i < size && !steps.stopped(); ++i) made.values.set(i, Point::at_infinity());
     return made;
   }
   // The amounts in rising order, whichever way the orbit runs.
-  const Column<double> rising = spaced(std::min(from, to), std::max(from, to), size, false);
-  const double low = clipped_end(orbit, rising, start, false, clip_radius);
-  const double high = clipped_end(orbit, rising, start, true, clip_radius);
-  return {orbit.at(from <= to ? spaced(low, high, size, false) : spaced(high, low, size, false))};
+  const Column<double> rising = spaced(std::min(from, to), std::max(from, to), size, false, cancel);
+  double low = clipped_end(orbit, rising, start, false, clip_radius, cancel);
+  double high = clipped_end(orbit, rising, start, true, clip_radius, cancel);
+  if (from > to) std::swap(low, high);
+  return {orbit.at(spaced(low, high, size, false, cancel), cancel)};
 }
 
 Attempt<Made<Point>> contour_points(const Context& context, const Point& point, const Block<Generator, 1>& generators,
@@ -92,15 +102,17 @@ Attempt<Made<Point>> contour_points(const Context& context, const Point& point, 
                                     std::int64_t count, double clip_radius, const std::string&, double strength,
                                     double power, double softening, Rule rule, kernels::WarpMethod method) {
   if (normal == Vector{}) return Failure{"degenerate", "the normal of the plane must not be zero", "normal"};
-  const Attempt<std::vector<kernels::WarpSource>> sources = sources_of(generators);
+  const Attempt<std::vector<kernels::WarpSource>> sources = sources_of(context, generators);
   if (const auto* failure = std::get_if<Failure>(&sources)) return *failure;
+  const kernels::Stop stop = context.cancel().for_kernels();
+  const kernels::WarpField warp_field(std::get<0>(sources), stop);
   const kernels::WarpSettings settings{strength, power, softening, rule, method};
   const Vector up = normalized(normal);
   kernels::WarpSettings backward = settings;
   backward.strength = -strength;
   const auto moved = [&](const Vector& place, const kernels::WarpSettings& how) {
     Vector there;
-    kernels::warp_points(std::get<0>(sources), how, {&place.x, &place.y, &place.z}, {&there.x, &there.y, &there.z}, 1);
+    kernels::warp_points(warp_field, how, {&place.x, &place.y, &place.z}, {&there.x, &there.y, &there.z}, 1, stop);
     return there;
   };
   // Across the way from where the field would have come to where it goes, in the plane: of a finite displacement alone
@@ -122,6 +134,15 @@ AxisRule open_axis() {
     const auto size = static_cast<std::size_t>(integer_at(literals, "count"));
     return std::vector<Axes>{{{given.empty() ? node_id : given, size, false}}};
   };
+}
+
+RunCost cost_of_orbit(const RunSize& size) { return {60 * size.values, 40 * size.values}; }
+
+/// Every point takes some steps, each with several looks at the field; more where the field changes fast.
+RunCost cost_of_contour(const RunSize& size) {
+  constexpr double looks = 200;
+  const auto sources = static_cast<double>(size.consumed.front().size);
+  return {size.values * looks * (60 + 14 * sources) + 50 * sources, source_bytes * sources + 56 * size.values};
 }
 
 InputSpec clip_radius_input() { return defaults(100).hard(1e-3, 1e6).soft(1, 1000).unit("m"); }
@@ -153,6 +174,7 @@ void add_curves(Registry& registry) {
                  defaults("exact"))
           .axes(open_axis())
           .makes_curves()
+          .cost(cost_of_orbit)
           .output("points", "The orbit, over the new axis."));
 
   registry.add(
@@ -192,6 +214,7 @@ void add_curves(Registry& registry) {
           .over({"over"})
           .axes(open_axis())
           .makes_curves()
+          .cost(cost_of_contour)
           .output("points", "The curve, over the new axis."));
 }
 

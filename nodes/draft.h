@@ -18,8 +18,14 @@ struct Segments {
 /// the budget of the evaluation; never below `least`, nor above what was asked.
 Segments within_budget(const Context& context, std::int64_t along, std::int64_t across, Segments least);
 
-/// The same for the points and sides of a tube, which is as thin as it has to be round: sides go first, to six.
-Segments tube_within_budget(const Context& context, std::size_t points, std::int64_t sides);
+/// The points and sides of a tube, which is as thin as it has to be round: sides go first, to six, then points, to
+/// eight, then both. A tube of fewer than six sides has no caps.
+struct TubeSegments {
+  std::size_t points = 0;
+  std::size_t sides = 0;
+  bool capped = true;
+};
+TubeSegments tube_within_budget(const Context& context, std::size_t points, bool closed, std::int64_t sides);
 
 /// Evenly chosen points of a curve; the ends of an open one stay.
 Polyline thinned(const Polyline& curve, std::size_t points);

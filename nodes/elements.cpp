@@ -51,6 +51,7 @@ void add_elements(Registry& registry) {
                    .family("elements")
                    .doc("A position in space.")
                    .input("position", "Where it is.", defaults({0, 0, 0}).unit("m").position_handle())
+                   .passes_on()
                    .output("point", "The point."));
 
   registry.add(node("circle", circle_element)

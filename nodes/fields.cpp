@@ -1,7 +1,11 @@
+#include <algorithm>
+
+#include "geometry/chunks.h"
 #include "geometry/normals.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 #include "nodes/choices.h"
+#include "nodes/costs.h"
 #include "nodes/shapes.h"
 #include "nodes/sources.h"
 
@@ -16,9 +20,11 @@ bool is_direction(const Generator& generator) {
 
 }  // namespace
 
-Attempt<std::vector<kernels::WarpSource>> sources_of(const Block<Generator, 1>& generators) {
+Attempt<std::vector<kernels::WarpSource>> sources_of(const Context& context, const Block<Generator, 1>& generators) {
   std::vector<kernels::WarpSource> sources;
-  for (std::size_t i = 0; i < generators.size(); ++i) {
+  sources.reserve(generators.size());
+  CancelEvery steps(context.cancel());
+  for (std::size_t i = 0; i < generators.size() && !steps.stopped(); ++i) {
     const Generator generator = generators(i);
     if (generator == Generator{}) continue;
     const kernels::WarpSource source = kernels::warp_source(generator);
@@ -34,33 +40,52 @@ Attempt<std::vector<kernels::WarpSource>> sources_of(const Block<Generator, 1>& 
 
 namespace {
 
-std::optional<Failure> warp_point_batch(Batch<Point> shape, const Block<Generator, 1>& generators, const std::string&,
-                                        double strength, double power, double softening, Rule rule,
-                                        kernels::WarpMethod method, BatchOut<Point> out) {
-  const Attempt<std::vector<kernels::WarpSource>> sources = sources_of(generators);
+/// Moves points by a field, in chunks that are the smaller the more generators there are.
+void warp_chunks(const Context& context, const kernels::WarpField& field, const kernels::WarpSettings& settings,
+                 kernels::ConstPoints in, kernels::Points out, std::size_t count) {
+  constexpr std::size_t pairs_in_chunk = std::size_t{1} << 20, least_points = 16;
+  const std::size_t sources = std::max<std::size_t>(1, field.sources().size());
+  const std::size_t chunk = std::clamp(pairs_in_chunk / sources, least_points, usual_chunk);
+  for_chunks(context.cancel(), count, chunk, [&](std::size_t begin, std::size_t end) {
+    kernels::warp_points(field, settings, {in.x + begin, in.y + begin, in.z + begin},
+                         {out.x + begin, out.y + begin, out.z + begin}, end - begin, context.cancel().for_kernels());
+  });
+}
+
+std::optional<Failure> warp_point_batch(const Context& context, Batch<Point> shape,
+                                        const Block<Generator, 1>& generators, const std::string&, double strength,
+                                        double power, double softening, Rule rule, kernels::WarpMethod method,
+                                        BatchOut<Point> out) {
+  const Attempt<std::vector<kernels::WarpSource>> sources = sources_of(context, generators);
   if (const auto* failure = std::get_if<Failure>(&sources)) return *failure;
+  const kernels::WarpField field(std::get<0>(sources), context.cancel().for_kernels());
   std::vector<double> storage;
-  kernels::warp_points(std::get<0>(sources), {strength, power, softening, rule, method},
-                       spread(shape, out.size, storage), components(out), out.size);
+  warp_chunks(context, field, {strength, power, softening, rule, method}, spread(shape, out.size, storage),
+              components(out), out.size);
   return std::nullopt;
 }
 
 Attempt<SharedMesh> warp_mesh(const Context& context, const SharedMesh& shape, const Block<Generator, 1>& generators,
                               const std::string&, double strength, double power, double softening, Rule rule,
                               kernels::WarpMethod method) {
-  const Attempt<std::vector<kernels::WarpSource>> sources = sources_of(generators);
+  const Attempt<std::vector<kernels::WarpSource>> sources = sources_of(context, generators);
   if (const auto* failure = std::get_if<Failure>(&sources)) return *failure;
+  const kernels::WarpField field(std::get<0>(sources), context.cancel().for_kernels());
   Column<Point> positions(shape->positions.size());
-  for_chunks(context, positions.size(), [&](std::size_t begin, std::size_t end) {
-    kernels::warp_points(std::get<0>(sources), {strength, power, softening, rule, method},
-                         components(shape->positions, begin), components(positions, begin), end - begin);
-  });
+  warp_chunks(context, field, {strength, power, softening, rule, method}, components(shape->positions, 0),
+              components(positions, 0), positions.size());
   // A warp is not conformal, so normals are made anew from the warped faces.
-  const SharedMesh warped = with_positions(context, *shape, std::move(positions), {});
-  if (context.cancel().stopped()) return warped;
-  auto finished = std::make_shared<Mesh>(*warped);
-  finished->normals = smooth_normals(*finished, context.cancel());
-  return SharedMesh(finished);
+  const std::shared_ptr<Mesh> warped = with_positions(context, *shape, std::move(positions), {});
+  if (!context.cancel().stopped()) warped->normals = smooth_normals(*warped, context.cancel());
+  return SharedMesh(warped);
+}
+
+/// Of every point with every generator. Whole powers and null pairs are quicker, but that shows only when they come.
+RunCost cost_of_warp(const RunSize& size) {
+  const auto sources = static_cast<double>(size.consumed.front().size);
+  const double pair_work = text_at(size.literals, "method") == "sum_displacements" ? 10 : 4;
+  const double points = std::max(1.0, size.vertices);
+  return {sources * (pair_work * points + 50) + 300 * size.vertices, source_bytes * sources + 170 * size.vertices};
 }
 
 }  // namespace
@@ -93,6 +118,7 @@ void add_fields(Registry& registry) {
           .input("method", "One rotor from the summed generators, or the sum of what each would do alone.",
                  defaults("sum_generators"))
           .over({"over"})
+          .cost(cost_of_warp)
           .output("shape", "The warped shape."));
 }
 

@@ -7,8 +7,9 @@
 namespace dini {
 
 /// The mesh through a grid of points, within the triangle budget of the evaluation. Where it leaves
-/// the clip radius it is cut with a warning, or fails with `at-infinity`; `rows` names the place.
+/// the clip radius it is cut with a warning, or fails with `at-infinity`; the place is told along the consumed axis
+/// `rows`, or as a row when the grid has no axes (null).
 Attempt<SharedMesh> finish_surface(const Context& context, const PointGrid& grid, AtInfinity at_infinity,
-                                   double clip_radius, const Axis& rows);
+                                   double clip_radius, const Axis* rows);
 
 }  // namespace dini

@@ -1,6 +1,7 @@
 #include "nodes/formula.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -133,6 +134,34 @@ class PureParser : public mu::ParserBase {
   }
 };
 
+/// muParser's sentence without the position, which it counts from 0, and without its capital and full stop.
+std::string reason_of(const mu::ParserError& error) {
+  std::string text = mu::ParserErrorMsg::Instance()[static_cast<unsigned>(error.GetCode())];
+  for (const std::string_view position : {" found at position $POS$", " at expression position $POS$",
+                                          " starting at position $POS$", " at position $POS$", " (position: $POS$)"}) {
+    if (const std::size_t at = text.find(position); at != std::string::npos) text.erase(at, position.size());
+  }
+  constexpr std::string_view token_mark = "$TOK$";
+  if (const std::size_t at = text.find(token_mark); at != std::string::npos) {
+    std::string token = error.GetToken();
+    token.erase(token.find_last_not_of(' ') + 1);
+    text.replace(at, token_mark.size(), token);
+  }
+  text.erase(text.find_last_not_of(".!") + 1);
+  if (!text.empty()) text.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(text.front())));
+  return text;
+}
+
+/// The place of a byte in a UTF-8 text as people count: characters, from 1. muParser can point past the end, and points
+/// nowhere (-1) when something is missing there.
+std::size_t character_at(const std::string& text, int byte) {
+  const auto end = byte < 0 ? text.size() : std::min(static_cast<std::size_t>(byte), text.size());
+  const auto starts = [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; };
+  return static_cast<std::size_t>(
+             std::count_if(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), starts)) +
+         1;
+}
+
 }  // namespace
 
 struct Formula::Parser {
@@ -161,9 +190,8 @@ std::optional<Formula> Formula::compile(const std::string& text, std::string& wr
       return std::nullopt;
     }
   } catch (const mu::ParserError& error) {
-    // muParser can point past the end.
-    const auto place = std::min(static_cast<std::size_t>(error.GetPos()), text.size()) + 1;
-    wrong = "the formula cannot be read at character " + std::to_string(place) + ": " + error.GetMsg();
+    wrong = "the formula cannot be read at character " + std::to_string(character_at(text, error.GetPos())) + ": " +
+            reason_of(error);
     return std::nullopt;
   }
   return Formula(std::move(parser));
@@ -176,6 +204,11 @@ double Formula::evaluate(const std::array<double, 4>& variables) const {
   } catch (const mu::ParserError&) {
     return std::numeric_limits<double>::quiet_NaN();
   }
+}
+
+std::optional<std::string> Formula::fault(const std::string& text) {
+  std::string wrong;
+  return compile(text, wrong) ? std::nullopt : std::optional(wrong);
 }
 
 std::string Formula::function_names() {

@@ -17,6 +17,9 @@ class Formula {
   /// The value for x, y, z, w; NaN where the formula has none. Not for use from two threads at once.
   double evaluate(const std::array<double, 4>& variables) const;
 
+  /// What is wrong with a text as a formula, or nothing.
+  static std::optional<std::string> fault(const std::string& text);
+
   /// The names of the functions, for documentation.
   static std::string function_names();
 

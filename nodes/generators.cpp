@@ -5,9 +5,11 @@ namespace dini {
 
 namespace {
 
-Generator weighted_sum(const Block<Generator, 1>& generators, const Block<double, 1>& weights, const std::string&) {
+Generator weighted_sum(const Context& context, const Block<Generator, 1>& generators, const Block<double, 1>& weights,
+                       const std::string&) {
   Generator sum;
-  for (std::size_t i = 0; i < generators.size(); ++i) sum = sum + weights(i) * generators(i);
+  CancelEvery steps(context.cancel());
+  for (std::size_t i = 0; i < generators.size() && !steps.stopped(); ++i) sum = sum + weights(i) * generators(i);
   return sum;
 }
 

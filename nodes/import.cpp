@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/copied.h"
+#include "geometry/decimate.h"
 #include "geometry/validate.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
@@ -34,12 +36,15 @@ Vector turned_upright(const Vector& v, bool y_up) { return y_up ? Vector{v.x, -v
 
 Attempt<SharedMesh> imported(const Context& context, const SharedAssetFile& asset, UpAxis up, double scale,
                              bool center) {
-  const Mesh& mesh = asset->content.mesh;
+  const Mesh& whole = asset->content.mesh;
+  const bool thin = context.triangle_budget() > 0 && whole.triangles.size() > context.triangle_budget();
+  const Mesh coarse = thin ? decimate(whole, context.triangle_budget(), context.cancel()) : Mesh{};
+  const Mesh& mesh = thin ? coarse : whole;
   const bool y_up = up == UpAxis::y || (up == UpAxis::format && asset->content.format == MeshFormat::glb);
   // The same memory: most graphs take the file as it is.
-  if (!y_up && scale == 1 && !center) return SharedMesh(asset, &mesh);
-  auto copy = std::make_shared<Mesh>(mesh);
-  const Vector middle = center ? middle_of(mesh) : Vector{};
+  if (!thin && !y_up && scale == 1 && !center) return SharedMesh(asset, &mesh);
+  auto copy = std::make_shared<Mesh>(copied(mesh, context.cancel()));
+  const Vector middle = center ? middle_of(whole) : Vector{};
   CancelEvery steps(context.cancel());
   for (std::size_t i = 0; i < mesh.positions.size() && !steps.stopped(); ++i) {
     const Vector place = scale * turned_upright(to_vector(mesh.positions[i]) - middle, y_up);
@@ -48,7 +53,7 @@ Attempt<SharedMesh> imported(const Context& context, const SharedAssetFile& asse
     }
     copy->positions.set(i, to_point(place));
   }
-  for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+  for (std::size_t i = 0; i < mesh.normals.size() && !steps.stopped(); ++i) {
     copy->normals.set(i, turned_upright(mesh.normals[i], y_up));
   }
   return SharedMesh(std::move(copy));
@@ -76,6 +81,8 @@ void add_import(Registry& registry) {
           .input("scale", "Factor from the file's unit to meters.", defaults(1).hard(1e-9, 1e9).soft(0.1, 10))
           .input("center", "Whether the middle of the mesh moves to the origin.", defaults(false))
           .vertices(vertices_of)
+          .thinned_to(12)
+          .cost([](const RunSize& size) { return RunCost{100 * size.vertices, 120 * size.vertices}; })
           .output("mesh", "The mesh."));
 }
 

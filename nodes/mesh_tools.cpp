@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "geometry/box.h"
+#include "geometry/copied.h"
 #include "geometry/curvature.h"
 #include "geometry/palette.h"
 #include "geometry/subdivide.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
-#include "nodes/draft.h"
 
 namespace dini {
 
@@ -35,8 +35,11 @@ Attempt<SharedMesh> box(const Context& context, const Point& center, const Vecto
     return Failure{"degenerate", "the edges of a box must have positive lengths", "size"};
   }
   // Two triangles for each of the quads on six faces.
-  const Segments used = within_budget(context, 6 * segments, segments, {6, 1});
-  return std::make_shared<const Mesh>(box_mesh(center, size, used.across, context.cancel()));
+  auto used = static_cast<std::size_t>(segments);
+  if (const std::size_t budget = context.triangle_budget(); budget > 0) {
+    used = std::clamp<std::size_t>(static_cast<std::size_t>(std::sqrt(static_cast<double>(budget) / 12)), 1, used);
+  }
+  return std::make_shared<const Mesh>(box_mesh(center, size, used, context.cancel()));
 }
 
 SharedMesh subdivided(const Context& context, const SharedMesh& shape, std::int64_t levels) {
@@ -46,6 +49,7 @@ SharedMesh subdivided(const Context& context, const SharedMesh& shape, std::int6
     if (budget != 0 && triangles > budget) break;
     ++used;
   }
+  if (used == 0) return shape;
   return std::make_shared<const Mesh>(subdivide(*shape, used, context.cancel()));
 }
 
@@ -56,20 +60,23 @@ std::tuple<SharedMesh, double, double> colored_by_curvature(const Context& conte
   if (values.empty()) return {shape, 0.0, 0.0};
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   const double bound = range > 0 ? range : std::max(-*least, *most);
-  auto copy = std::make_shared<Mesh>(*shape);
-  copy->colors.clear();
-  for (const double value : values)
+  auto copy = std::make_shared<Mesh>(copied_without_colors(*shape, context.cancel()));
+  copy->colors.reserve(values.size());
+  CancelEvery steps(context.cancel());
+  for (const double value : values) {
+    if (steps.stopped()) break;
     copy->colors.push_back(palette_color(palette, bound > 0 ? 0.5 + 0.5 * value / bound : 0.5));
+  }
   return {copy, *least, *most};
 }
 
-SharedMesh colored_by_number(const SharedMesh& shape, double value, double minimum, double maximum, Palette palette) {
+SharedMesh colored_by_number(const Context& context, const SharedMesh& shape, double value, double minimum,
+                             double maximum, Palette palette) {
   double place = minimum == maximum ? 0.5 : (value - minimum) / (maximum - minimum);
   // Differences of numbers near the largest overflow; those of their quarters do not.
   if (!std::isfinite(place)) place = (value / 4 - minimum / 4) / (maximum / 4 - minimum / 4);
   const std::array<float, 4> color = palette_color(palette, place);
-  auto copy = std::make_shared<Mesh>(*shape);
-  copy->colors.clear();
+  auto copy = std::make_shared<Mesh>(copied_without_colors(*shape, context.cancel()));
   std::copy(color.begin(), color.end(), copy->color.begin());
   return copy;
 }
@@ -96,7 +103,8 @@ void add_mesh_tools(Registry& registry) {
           .input("size", "Lengths of its edges.", defaults({1, 1, 1}).unit("m"))
           .input("segments", "Quads along each edge; more of them bend better.", defaults(16).hard(1, 512).soft(1, 128))
           .vertices(box_vertices)
-          .depends_on_quality()
+          .thinned_to(12)
+          .cost([](const RunSize& size) { return RunCost{0, 64 * size.vertices}; })
           .output("mesh", "The mesh."));
 
   registry.add(
@@ -108,7 +116,8 @@ void add_mesh_tools(Registry& registry) {
           .input("shape", "The mesh.")
           .input("levels", "How many times; each makes four triangles of one.", defaults(1).hard(0, 6).soft(0, 4))
           .vertex_factor(subdivided_factor)
-          .depends_on_quality()
+          .thinned_to(1)
+          .cost([](const RunSize& size) { return RunCost{250 * size.vertices, 120 * size.vertices}; })
           .output("shape", "The finer mesh."));
 
   registry.add(node("curvature_color", colored_by_curvature)
@@ -126,6 +135,7 @@ void add_mesh_tools(Registry& registry) {
                    .input("range", "Curvature at the ends of the palette; 0 means the largest magnitude found.",
                           defaults(0).hard(0, 1e9).soft(0, 10))
                    .input("palette", palette_doc, defaults("diverging"))
+                   .cost([](const RunSize& size) { return RunCost{200 * size.vertices, 120 * size.vertices}; })
                    .output("shape", "The colored mesh.")
                    .output("minimum", "Least curvature, in 1/m for mean and 1/m^2 for Gauss.")
                    .output("maximum", "Greatest curvature."));

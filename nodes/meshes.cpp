@@ -1,7 +1,9 @@
+#include "geometry/copied.h"
 #include "geometry/merge.h"
 #include "geometry/primitives.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
+#include "nodes/costs.h"
 #include "nodes/draft.h"
 
 namespace dini {
@@ -10,14 +12,14 @@ namespace {
 
 SharedMesh sphere(const Context& context, const Point& center, double radius, std::int64_t segments,
                   std::int64_t rings) {
-  const Segments used = within_budget(context, segments, rings, {8, 4});
+  const Segments used = within_budget(context, segments, rings, {3, 2});
   return std::make_shared<const Mesh>(sphere_mesh(center, radius, used.along, used.across, context.cancel()));
 }
 
 Attempt<SharedMesh> torus(const Context& context, const Point& center, const Vector& axis, double major_radius,
                           double minor_radius, std::int64_t segments, std::int64_t sides) {
   if (axis == Vector{}) return Failure{"degenerate", "the axis of a torus must not be zero", "axis"};
-  const Segments used = within_budget(context, segments, sides, {8, 4});
+  const Segments used = within_budget(context, segments, sides, {3, 3});
   return std::make_shared<const Mesh>(
       torus_mesh(center, axis, major_radius, minor_radius, used.along, used.across, context.cancel()));
 }
@@ -31,10 +33,9 @@ SharedMesh merged(const Context& context, const Several<WireType::mesh>& meshes)
   return std::make_shared<const Mesh>(merge(all, context.cancel()));
 }
 
-SharedMesh colored(const SharedMesh& shape, const Color& color) {
-  auto copy = std::make_shared<Mesh>(*shape);
+SharedMesh colored(const Context& context, const SharedMesh& shape, const Color& color) {
+  auto copy = std::make_shared<Mesh>(copied_without_colors(*shape, context.cancel()));
   copy->color = color;
-  copy->colors.clear();
   return copy;
 }
 
@@ -56,7 +57,8 @@ void add_meshes(Registry& registry) {
           .input("segments", "Around the vertical axis.", defaults(96).hard(3, 8192).soft(8, 256))
           .input("rings", "From pole to pole.", defaults(48).hard(2, 8192).soft(4, 128))
           .vertices([](const Literals& literals, const Axes&) { return grid_vertices(literals, "segments", "rings"); })
-          .depends_on_quality()
+          .thinned_to(6)
+          .cost(cost_of_grid_surface)
           .output("mesh", "The mesh."));
 
   registry.add(
@@ -75,7 +77,8 @@ void add_meshes(Registry& registry) {
           .input("segments", "Around the axis.", defaults(128).hard(3, 8192).soft(8, 256))
           .input("sides", "Around the tube.", defaults(48).hard(3, 8192).soft(4, 128))
           .vertices([](const Literals& literals, const Axes&) { return grid_vertices(literals, "segments", "sides"); })
-          .depends_on_quality()
+          .thinned_to(18)
+          .cost(cost_of_grid_surface)
           .output("mesh", "The mesh."));
 
   registry.add(node("merge", merged)
@@ -83,6 +86,7 @@ void add_meshes(Registry& registry) {
                    .family("meshes")
                    .doc("One mesh from many: all links, and all values of their axes.")
                    .input("meshes", "Meshes, over any axes.", required().several())
+                   .cost([](const RunSize& size) { return RunCost{0, 60 * size.vertices}; })
                    .output("mesh", "The merged mesh."));
 
   registry.add(node("color", colored)

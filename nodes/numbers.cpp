@@ -11,8 +11,9 @@ double number_value(double value) { return value; }
 
 Vector vector_of(double x, double y, double z) { return {x, y, z}; }
 
-Made<double> range_values(double from, double to, std::int64_t count, bool closed, const std::string&) {
-  return {spaced(from, to, static_cast<std::size_t>(count), closed)};
+Made<double> range_values(const Context& context, double from, double to, std::int64_t count, bool closed,
+                          const std::string&) {
+  return {spaced(from, to, static_cast<std::size_t>(count), closed, context.cancel())};
 }
 
 template <class T>
@@ -20,12 +21,16 @@ T list_item(const T& item, const std::string&) {
   return item;
 }
 
-std::optional<Failure> expression_values(const std::string& formula, Batch<double> x, Batch<double> y, Batch<double> z,
-                                         Batch<double> w, BatchOut<double> value) {
+std::optional<Failure> expression_values(const Context& context, const std::string& formula, Batch<double> x,
+                                         Batch<double> y, Batch<double> z, Batch<double> w, BatchOut<double> value) {
   std::string wrong;
   const std::optional<Formula> compiled = Formula::compile(formula, wrong);
   if (!compiled) return Failure{"invalid-formula", wrong, "formula"};
-  for (std::size_t i = 0; i < value.size; ++i) value.set(i, compiled->evaluate({x[i], y[i], z[i], w[i]}));
+  constexpr std::size_t between_looks = 256;  // a long formula takes microseconds
+  for (std::size_t i = 0; i < value.size; ++i) {
+    if (i % between_looks == 0 && context.cancel().stopped()) break;
+    value.set(i, compiled->evaluate({x[i], y[i], z[i], w[i]}));
+  }
   return std::nullopt;
 }
 
@@ -62,6 +67,7 @@ void add_numbers(Registry& registry) {
                    .details("Literal triples are read as points.")
                    .input("items", "Links or literals, all of one type; three numbers are a point, vectors are linked.",
                           required().several())
+                   .passes_on()
                    .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
                    .output("items", "The values, over the new axis."));
 
@@ -83,11 +89,15 @@ void add_numbers(Registry& registry) {
               "Operators + - * / ^ < <= > >= == != && || ? :, constants pi and e, functions " +
               Formula::function_names() +
               ". Angles are in radians. The same result on every machine; a result that is not finite is an error.")
-          .input("formula", "For example sin(2*pi*x) + y/2.", required())
+          .input("formula", "For example sin(2*pi*x) + y/2.", required().read_by("invalid-formula", Formula::fault))
           .input("x", "First variable.", defaults(0).soft(-10, 10))
           .input("y", "Second variable.", defaults(0).soft(-10, 10))
           .input("z", "Third variable.", defaults(0).soft(-10, 10))
           .input("w", "Fourth variable.", defaults(0).soft(-10, 10))
+          .cost([](const RunSize& size) {
+            constexpr double work_of_character = 5;
+            return RunCost{work_of_character * static_cast<double>(text_at(size.literals, "formula").size())};
+          })
           .output("value", "The value of the formula."));
 }
 

@@ -1,5 +1,6 @@
 #include <cstdint>
 
+#include "geometry/chunks.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 
@@ -21,22 +22,25 @@ double unit_number(std::uint64_t seed, std::uint64_t counter) {
   return static_cast<double>(mixed(seed, counter) >> 11) * spacing;
 }
 
-std::tuple<Made<double>, Made<Point>> random_samples(std::int64_t count, std::int64_t seed, double from, double to,
-                                                     const Point& minimum, const Point& maximum, const std::string&) {
+std::tuple<Made<double>, Made<Point>> random_samples(const Context& context, std::int64_t count, std::int64_t seed,
+                                                     double from, double to, const Point& minimum, const Point& maximum,
+                                                     const std::string&) {
   const auto size = static_cast<std::size_t>(count);
   // Neighboring seeds must not give shifted copies of one stream.
   const std::uint64_t stream = mixed(static_cast<std::uint64_t>(seed), 0);
   const auto between = [](double a, double b, double share) { return (1 - share) * a + share * b; };
   Column<double> values(size);
   Column<Point> points(size);
-  for (std::size_t i = 0; i < size; ++i) {
-    // Four numbers per sample, so that a longer family starts with the shorter one.
-    const std::uint64_t first = 4 * static_cast<std::uint64_t>(i);
-    values.set(i, between(from, to, unit_number(stream, first)));
-    points.set(i, {between(minimum.x, maximum.x, unit_number(stream, first + 1)),
-                   between(minimum.y, maximum.y, unit_number(stream, first + 2)),
-                   between(minimum.z, maximum.z, unit_number(stream, first + 3))});
-  }
+  for_chunks(context.cancel(), size, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      // Four numbers per sample, so that a longer family starts with the shorter one.
+      const std::uint64_t first = 4 * static_cast<std::uint64_t>(i);
+      values.set(i, between(from, to, unit_number(stream, first)));
+      points.set(i, {between(minimum.x, maximum.x, unit_number(stream, first + 1)),
+                     between(minimum.y, maximum.y, unit_number(stream, first + 2)),
+                     between(minimum.z, maximum.z, unit_number(stream, first + 3))});
+    }
+  });
   return {Made<double>{std::move(values)}, Made<Point>{std::move(points)}};
 }
 

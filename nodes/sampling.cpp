@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algebra/extract.h"
+#include "geometry/chunks.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 
@@ -10,33 +11,36 @@ namespace dini {
 
 namespace {
 
-Attempt<Made<Point>> circle_samples(const Circle& shape, std::int64_t count, bool closed, double length,
-                                    const std::string&) {
+Attempt<Made<Point>> circle_samples(const Context& context, const Circle& shape, std::int64_t count, bool closed,
+                                    double length, const std::string&) {
   const std::optional<CircleCoordinates> found = coordinates(shape);
   if (!found) return Failure{"degenerate", "there is no circle to sample", "shape"};
   const auto size = static_cast<std::size_t>(count);
   // Turns of a line run from -1/2 to 1/2, those of a circle from 0 to 1.
   const double start = found->line ? -0.5 : 0.0;
-  const Column<double> turns = spaced(start, start + 1, size, closed);
+  const Column<double> turns = spaced(start, start + 1, size, closed, context.cancel());
   Made<Point> samples{Column<Point>(size)};
-  for (std::size_t i = 0; i < size; ++i) samples.values.set(i, point_at(*found, turns[i], length));
+  for_chunks(context.cancel(), size, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) samples.values.set(i, point_at(*found, turns[i], length));
+  });
   return samples;
 }
 
-std::tuple<Made<Point>, Made<double>, Made<double>> grid_points(const Point& center, const Vector& u_vector,
-                                                                const Vector& v_vector, std::int64_t count_u,
-                                                                std::int64_t count_v, const std::string&,
-                                                                const std::string&) {
+std::tuple<Made<Point>, Made<double>, Made<double>> grid_points(const Context& context, const Point& center,
+                                                                const Vector& u_vector, const Vector& v_vector,
+                                                                std::int64_t count_u, std::int64_t count_v,
+                                                                const std::string&, const std::string&) {
   const auto size_u = static_cast<std::size_t>(count_u);
   const auto size_v = static_cast<std::size_t>(count_v);
-  Column<double> u = spaced(0, 1, size_u, false);
-  Column<double> v = spaced(0, 1, size_v, false);
+  Column<double> u = spaced(0, 1, size_u, false, context.cancel());
+  Column<double> v = spaced(0, 1, size_v, false, context.cancel());
   Column<Point> points(size_u * size_v);
-  for (std::size_t i = 0; i < size_u; ++i) {
-    for (std::size_t j = 0; j < size_v; ++j) {
-      points.set(i * size_v + j, to_point(to_vector(center) + (2 * u[i] - 1) * u_vector + (2 * v[j] - 1) * v_vector));
+  for_chunks(context.cancel(), points.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const double right = 2 * u[k / size_v] - 1, ahead = 2 * v[k % size_v] - 1;
+      points.set(k, to_point(to_vector(center) + right * u_vector + ahead * v_vector));
     }
-  }
+  });
   return {Made<Point>{std::move(points)}, Made<double>{std::move(u)}, Made<double>{std::move(v)}};
 }
 
@@ -66,6 +70,7 @@ void add_sampling(Registry& registry) {
           .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
           .axes(one_axis("count", "axis", "closed"))
           .makes_curves()
+          .cost([](const RunSize& size) { return RunCost{200 * size.values, 8 * size.values}; })
           .output("points", "The points, over the new axis."));
 
   registry.add(

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+
+#include "geometry/chunks.h"
+#include "geometry/copied.h"
 
 namespace dini {
 
@@ -19,30 +20,35 @@ bool within_reach(const Point& p) {
 
 /// `items` of the vertices that are kept; per-vertex attributes may be absent.
 template <class T>
-std::vector<T> keep_used(const std::vector<T>& items, const std::vector<std::uint32_t>& used) {
+std::vector<T> keep_used(const std::vector<T>& items, const std::vector<std::uint32_t>& used, CancelEvery& steps) {
   if (items.empty()) return {};
   std::vector<T> kept;
-  for (const std::uint32_t vertex : used) kept.push_back(items[vertex]);
+  kept.reserve(used.size());
+  for (const std::uint32_t vertex : used) {
+    if (steps.stopped()) break;
+    kept.push_back(items[vertex]);
+  }
   return kept;
 }
 
 template <class T>
-Column<T> keep_used(const Column<T>& items, const std::vector<std::uint32_t>& used) {
+Column<T> keep_used(const Column<T>& items, const std::vector<std::uint32_t>& used, CancelEvery& steps) {
   if (items.empty()) return {};
   Column<T> kept(used.size());
-  for (std::size_t i = 0; i < used.size(); ++i) kept.set(i, items[used[i]]);
+  for (std::size_t i = 0; i < used.size() && !steps.stopped(); ++i) kept.set(i, items[used[i]]);
   return kept;
 }
 
 /// `mesh` without the triangles that touch a vertex out of reach, and without vertices that nothing uses then.
-Mesh without_far_triangles(const Mesh& mesh) {
+Mesh without_far_triangles(const Mesh& mesh, const Cancel& cancel) {
   constexpr std::uint32_t unused = ~std::uint32_t{0};
   std::vector<std::uint32_t> place(mesh.positions.size(), unused);
   std::vector<std::uint32_t> used;
   Mesh kept;
   kept.color = mesh.color;
   std::size_t tile = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+  CancelEvery steps(cancel);
+  for (std::size_t t = 0; t < mesh.triangles.size() && !steps.stopped(); ++t) {
     const auto& triangle = mesh.triangles[t];
     if (std::all_of(triangle.begin(), triangle.end(),
                     [&](std::uint32_t v) { return within_reach(mesh.positions[v]); })) {
@@ -65,24 +71,14 @@ Mesh without_far_triangles(const Mesh& mesh) {
       ++tile;
     }
   }
-  kept.positions = keep_used(mesh.positions, used);
-  kept.normals = keep_used(mesh.normals, used);
-  kept.uvs = keep_used(mesh.uvs, used);
-  kept.colors = keep_used(mesh.colors, used);
+  kept.positions = keep_used(mesh.positions, used, steps);
+  kept.normals = keep_used(mesh.normals, used, steps);
+  kept.uvs = keep_used(mesh.uvs, used, steps);
+  kept.colors = keep_used(mesh.colors, used, steps);
   return kept;
 }
 
 }  // namespace
-
-void for_chunks(const Context& context, std::size_t size, const std::function<void(std::size_t, std::size_t)>& work) {
-  constexpr std::size_t chunk = 4096;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, size, chunk), [&](const auto& range) {
-    for (std::size_t begin = range.begin(); begin < range.end(); begin += chunk) {
-      if (context.cancel().stopped()) return;
-      work(begin, std::min(begin + chunk, range.end()));
-    }
-  });
-}
 
 kernels::ConstPoints spread(const Batch<Point>& points, std::size_t size, std::vector<double>& storage) {
   if (!points.constant) return {points.components[0], points.components[1], points.components[2]};
@@ -114,7 +110,7 @@ std::optional<Failure> apply_to_points(const Versor& versor, const Batch<Point>&
 SharedMesh apply_to_mesh(const Context& context, const Versor& versor, const SharedMesh& mesh) {
   Column<Point> positions(mesh->positions.size());
   Column<Vector> normals(mesh->normals.size());
-  for_chunks(context, positions.size(), [&](std::size_t begin, std::size_t end) {
+  for_chunks(context.cancel(), positions.size(), [&](std::size_t begin, std::size_t end) {
     kernels::transform_points(versor, components(mesh->positions, begin), components(positions, begin), end - begin);
     for (std::size_t i = begin; i < end && !normals.empty(); ++i) {
       const Vector normal = normalized(apply_at(versor, mesh->positions[i], mesh->normals[i]));
@@ -124,13 +120,16 @@ SharedMesh apply_to_mesh(const Context& context, const Versor& versor, const Sha
   return with_positions(context, *mesh, std::move(positions), std::move(normals));
 }
 
-SharedMesh with_positions(const Context& context, const Mesh& mesh, Column<Point> positions, Column<Vector> normals) {
-  auto moved = std::make_shared<Mesh>(mesh);
+std::shared_ptr<Mesh> with_positions(const Context& context, const Mesh& mesh, Column<Point> positions,
+                                     Column<Vector> normals) {
+  auto moved = std::make_shared<Mesh>(copied_frame(mesh, context.cancel()));
+  moved->colors = copied(mesh.colors, context.cancel());
   moved->positions = std::move(positions);
   moved->normals = std::move(normals);
-  for (std::size_t i = 0; i < moved->positions.size(); ++i) {
+  CancelEvery steps(context.cancel());
+  for (std::size_t i = 0; i < moved->positions.size() && !steps.stopped(); ++i) {
     if (within_reach(moved->positions[i])) continue;
-    auto kept = std::make_shared<Mesh>(without_far_triangles(*moved));
+    auto kept = std::make_shared<Mesh>(without_far_triangles(*moved, context.cancel()));
     context.warn({"at-infinity", std::to_string(moved->triangles.size() - kept->triangles.size()) +
                                      " triangles reach infinity and are left out"});
     return kept;

@@ -3,7 +3,6 @@
 // What transforms do to each kind of shape. One node, one function per shape type behind it.
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 #include "algebra/kernels.h"
@@ -11,9 +10,6 @@
 #include "graph/lift.h"
 
 namespace dini {
-
-/// Runs `work(begin, end)` over 0 ... size in chunks on all threads and stops between chunks when cancelled.
-void for_chunks(const Context& context, std::size_t size, const std::function<void(std::size_t, std::size_t)>& work);
 
 /// The points of a batch as component arrays of `size` values; spreads a constant over `storage` when needed.
 kernels::ConstPoints spread(const Batch<Point>& points, std::size_t size, std::vector<double>& storage);
@@ -29,6 +25,7 @@ SharedMesh apply_to_mesh(const Context& context, const Versor& versor, const Sha
 
 /// The mesh with new positions: triangles with a corner at infinity or farther than any file can hold are left out with
 /// a warning.
-SharedMesh with_positions(const Context& context, const Mesh& mesh, Column<Point> positions, Column<Vector> normals);
+std::shared_ptr<Mesh> with_positions(const Context& context, const Mesh& mesh, Column<Point> positions,
+                                     Column<Vector> normals);
 
 }  // namespace dini

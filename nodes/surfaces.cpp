@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "algebra/extract.h"
+#include "geometry/chunks.h"
 #include "geometry/circle_grid.h"
 #include "geometry/sampling.h"
 #include "geometry/surface.h"
@@ -9,6 +10,7 @@
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 #include "nodes/choices.h"
+#include "nodes/costs.h"
 #include "nodes/draft.h"
 #include "nodes/finish_surface.h"
 #include "nodes/shapes.h"
@@ -23,35 +25,43 @@ Attempt<SharedMesh> surface_of_points(const Context& context, const Block<Point,
   const std::size_t rows = shape.size(0);
   const std::size_t columns = shape.size(1);
   Column<Point> points(rows * columns);
-  for (std::size_t i = 0; i < rows; ++i) {
-    for (std::size_t j = 0; j < columns; ++j) points.set(i * columns + j, shape(i, j));
-  }
+  for_chunks(context.cancel(), points.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) points.set(k, shape(k / columns, k % columns));
+  });
   return finish_surface(context, {points, rows, columns, shape.axis(0).closed, shape.axis(1).closed}, at_infinity,
-                        clip_radius, shape.axis(0));
+                        clip_radius, &shape.axis(0));
 }
 
 Attempt<SharedMesh> surface_of_circles(const Context& context, const Block<Circle, 1>& shape, std::int64_t segments,
                                        AtInfinity at_infinity, double clip_radius, const std::string&,
                                        const std::string&) {
   std::vector<std::optional<CircleCoordinates>> circles;
-  for (std::size_t i = 0; i < shape.size(); ++i) circles.push_back(coordinates(shape(i)));
+  CancelEvery steps(context.cancel());
+  for (std::size_t i = 0; i < shape.size() && !steps.stopped(); ++i) circles.push_back(coordinates(shape(i)));
   const auto columns = static_cast<std::size_t>(segments);
-  const Column<Point> points = sample_circle_row(circles, columns, shape.axis().closed, clip_radius);
+  const Column<Point> points = sample_circle_row(circles, columns, shape.axis().closed, clip_radius, context.cancel());
   return finish_surface(context, {points, circles.size(), columns, shape.axis().closed, true}, at_infinity, clip_radius,
-                        shape.axis());
+                        &shape.axis());
 }
 
 SharedMesh tube_along(const Context& context, const Polyline& curve, double radius, std::int64_t sides,
                       double clip_radius) {
-  const Segments used = tube_within_budget(context, curve.points.size(), sides);
-  return std::make_shared<const Mesh>(
-      tube(thinned(curve, used.along), {radius, used.across, clip_radius}, context.cancel()));
+  TubeSegments used = tube_within_budget(context, curve.points.size(), curve.closed, sides);
+  const std::size_t budget = context.triangle_budget(), fewest = curve.closed ? 3 : 2;
+  for (;;) {
+    Mesh mesh = tube(thinned(curve, used.points), {radius, used.sides, clip_radius, used.capped}, context.cancel());
+    const std::size_t triangles = mesh.triangles.size();
+    if (budget == 0 || triangles <= budget || used.points <= fewest) return std::make_shared<const Mesh>(std::move(mesh));
+    // The clip radius cuts the curve into pieces, each with ends of its own.
+    used.points = std::max(fewest, std::min(used.points - 1, used.points * budget / triangles));
+  }
 }
 
 SharedMesh tube_of_points(const Context& context, const Block<Point, 1>& shape, double radius, std::int64_t,
                           std::int64_t sides, double clip_radius, const std::string&) {
   Polyline curve{Column<Point>(shape.size()), shape.axis().closed};
-  for (std::size_t i = 0; i < shape.size(); ++i) curve.points.set(i, shape(i));
+  CancelEvery steps(context.cancel());
+  for (std::size_t i = 0; i < shape.size() && !steps.stopped(); ++i) curve.points.set(i, shape(i));
   return tube_along(context, curve, radius, sides, clip_radius);
 }
 
@@ -59,7 +69,7 @@ Attempt<SharedMesh> tube_of_circle(const Context& context, const Circle& shape, 
                                    std::int64_t sides, double clip_radius, const std::string&) {
   const std::optional<CircleCoordinates> found = coordinates(shape);
   if (!found) return Failure{"degenerate", "there is no circle to put a tube around", "shape"};
-  const std::size_t used = tube_within_budget(context, static_cast<std::size_t>(segments), sides).along;
+  const std::size_t used = tube_within_budget(context, static_cast<std::size_t>(segments), true, sides).points;
   Polyline curve{Column<Point>(found->line ? 2 : used), !found->line};
   if (found->line) {
     // The chord of the clip sphere, a hair shorter so that round-off leaves its ends inside.
@@ -68,7 +78,7 @@ Attempt<SharedMesh> tube_of_circle(const Context& context, const Circle& shape, 
     curve.points.set(0, point_at(*found, -0.5, chord));
     curve.points.set(1, point_at(*found, 0.5, chord));
   } else {
-    curve.points = sample_circle_row({found}, used, false, clip_radius);
+    curve.points = sample_circle_row({found}, used, false, clip_radius, context.cancel());
   }
   return tube_along(context, curve, radius, sides, clip_radius);
 }
@@ -79,21 +89,23 @@ Attempt<SharedMesh> patch_mesh(const Context& context, const Generator& a, const
                                AtInfinity at_infinity, double clip_radius) {
   const auto rows = static_cast<std::size_t>(count_u);
   const auto columns = static_cast<std::size_t>(count_v);
-  const Column<double> u = spaced(0, 1, rows, false);
-  const Column<double> v = spaced(0, 1, columns, false);
+  const Column<double> u = spaced(0, 1, rows, false, context.cancel());
+  const Column<double> v = spaced(0, 1, columns, false, context.cancel());
   Column<Point> points(rows * columns);
   const kernels::BilinearCorners corners{a, b, c, d};
-  for (std::size_t i = 0; i < rows; ++i) {
-    if (context.cancel().stopped()) break;
-    for (std::size_t j = 0; j < columns; ++j) {
-      points.set(i * columns + j, to_point(to_vector(center) + (2 * u[i] - 1) * u_vector + (2 * v[j] - 1) * v_vector));
+  for_chunks(context.cancel(), rows, std::max<std::size_t>(1, usual_chunk / columns), [&](auto begin, auto end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      for (std::size_t j = 0; j < columns; ++j) {
+        points.set(i * columns + j,
+                   to_point(to_vector(center) + (2 * u[i] - 1) * u_vector + (2 * v[j] - 1) * v_vector));
+      }
+      const double along = u[i];
+      kernels::transform_points_bilinear(corners, {&along, true}, {v.component(0), false}, {&amount, true}, rule,
+                                         components(std::as_const(points), i * columns),
+                                         components(points, i * columns), columns);
     }
-    const double along = u[i];
-    kernels::transform_points_bilinear(corners, {&along, true}, {v.component(0), false}, {&amount, true}, rule,
-                                       components(std::as_const(points), i * columns), components(points, i * columns),
-                                       columns);
-  }
-  return finish_surface(context, {points, rows, columns, false, false}, at_infinity, clip_radius, {"u", rows, false});
+  });
+  return finish_surface(context, {points, rows, columns, false, false}, at_infinity, clip_radius, nullptr);
 }
 
 std::size_t surface_vertices(const Literals& literals, const Axes& consumed) {
@@ -101,6 +113,15 @@ std::size_t surface_vertices(const Literals& literals, const Axes& consumed) {
       consumed.size() == 2 ? consumed[1].size : static_cast<std::size_t>(integer_at(literals, "segments"));
   return consumed[0].size * across;
 }
+
+/// Two for a quad; three quads around each closed axis, as around a circle.
+std::size_t fewest_of_surface(const Axes& consumed) {
+  const bool closed = consumed.size() < 2 || consumed[1].closed;
+  return std::size_t{2} * (consumed[0].closed ? 3 : 1) * (closed ? 3 : 1);
+}
+
+/// Three sides and one step, or three steps around a closed curve.
+std::size_t fewest_of_tube(const Axes& consumed) { return consumed.empty() || consumed[0].closed ? 18 : 6; }
 
 std::size_t tube_vertices(const Literals& literals, const Axes& consumed) {
   const std::size_t along =
@@ -138,7 +159,8 @@ void add_surfaces(Registry& registry) {
           .input("along", "The axis along a row of points; empty means the last.", defaults("").names_axis())
           .over({"over", "along"})
           .vertices(surface_vertices)
-          .depends_on_quality()
+          .thinned_to(fewest_of_surface)
+          .cost(cost_of_grid_surface)
           .output("mesh", "The mesh; one for each value of the axes that are left."));
 
   registry.add(node("tube", tube_of_points, tube_of_circle)
@@ -159,7 +181,8 @@ void add_surfaces(Registry& registry) {
                    .input("over", "The axis along the curve; empty means the last.", defaults("").names_axis())
                    .over({"over"})
                    .vertices(tube_vertices)
-                   .depends_on_quality()
+                   .thinned_to(fewest_of_tube)
+                   .cost([](const RunSize& size) { return RunCost{50 * size.vertices, 80 * size.vertices}; })
                    .output("mesh", "The mesh; one for each value of the axes that are left."));
 
   registry.add(
@@ -186,7 +209,8 @@ void add_surfaces(Registry& registry) {
           .input("at_infinity", "What to do where the surface leaves the clip radius.", defaults("clip"))
           .input("clip_radius", "Distance from the origin that counts as infinity.", clip_radius_input(100))
           .vertices(patch_vertices)
-          .depends_on_quality()
+          .thinned_to(2)
+          .cost(cost_of_grid_surface)
           .output("mesh", "The mesh."));
 }
 

@@ -4,6 +4,7 @@
 #include "algebra/extract.h"
 #include "nodes/all.h"
 #include "nodes/choices.h"
+#include "nodes/costs.h"
 #include "nodes/versor_node.h"
 
 namespace dini {
@@ -67,6 +68,7 @@ NodeBuilder exponential_node(const char* id) {
       .input("generator", "The generator B of the rotor exp(amount B).")
       .input("amount", "How much of it.", defaults(1).soft(-2, 2))
       .input("rule", "The true exponential, or the paper's with the scalar part of the square only.", defaults("exact"))
+      .cost(cost_of_moved_mesh)
       .output("shape", "The transformed shape.");
 }
 

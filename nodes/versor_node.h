@@ -9,6 +9,7 @@
 
 #include "algebra/extract.h"
 #include "graph/node_builder.h"
+#include "nodes/costs.h"
 #include "nodes/shapes.h"
 
 namespace dini {
@@ -54,7 +55,7 @@ struct VersorNode {
   }
 
   static NodeBuilder declare(const char* id) {
-    return node(id, points, element<Circle>, element<Sphere>, element<Generator>, mesh);
+    return node(id, points, element<Circle>, element<Sphere>, element<Generator>, mesh).cost(cost_of_moved_mesh);
   }
 };
 

@@ -22,6 +22,7 @@ Reply version(const Context& context) {
                        {"vertices", limits.vertices},
                        {"triangles", limits.triangles},
                        {"request_bytes", limits.request_bytes},
+                       {"work", limits.work},
                        {"cache_bytes", limits.cache_bytes},
                        {"interactive_milliseconds", limits.interactive_milliseconds},
                        {"previews", limits.previews},

@@ -29,7 +29,7 @@ void ControlLines::strip(const std::vector<Vector>& points, bool closed) {
 }
 
 void ControlLines::curve(const Polyline& curve) {
-  for (const CurvePiece& piece : curve_pieces(curve, frame_.reach)) {
+  for (const CurvePiece& piece : curve_pieces(curve, frame_.reach, cancel_)) {
     Polyline line{Column<Point>(piece.points.size()), piece.closed};
     for (std::size_t i = 0; i < piece.points.size(); ++i) line.points.set(i, to_point(piece.points[i]));
     lines_.push_back(std::move(line));

@@ -3,16 +3,17 @@
 #include <vector>
 
 #include "algebra/extract.h"
+#include "geometry/cancel.h"
 #include "geometry/mesh.h"
 #include "service/preview_frame.h"
 
 namespace dini {
 
 /// Straight and round lines that control geometry is made of, in proportion to a frame. What leaves the reach of the
-/// frame is cut there.
+/// frame is cut there. Stopped early: some lines are not whole.
 class ControlLines {
  public:
-  explicit ControlLines(const PreviewFrame& frame) : frame_(frame) {}
+  ControlLines(const PreviewFrame& frame, const Cancel& cancel) : frame_(frame), cancel_(cancel) {}
 
   void segment(const Vector& from, const Vector& to);
   /// Along `by`, at most as far as the frame reaches and never too short to be seen; a zero vector draws nothing.
@@ -35,6 +36,7 @@ class ControlLines {
   void line(const CircleCoordinates& line);
 
   const PreviewFrame& frame_;
+  const Cancel& cancel_;
   std::vector<Polyline> lines_;
 };
 

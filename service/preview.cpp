@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "gltf/encode_cost.h"
 #include "gltf/glb_groups.h"
+#include "graph/cost.h"
 #include "graph/stopped.h"
 #include "service/places.h"
 #include "service/preview_parts.h"
@@ -72,6 +74,28 @@ std::optional<std::size_t> curve_axis(const Plan& plan, std::size_t node, const 
 
 bool is_drawn(WireType type) { return type != WireType::number && type != WireType::asset; }
 
+/// How many points all lines of one of so many outputs have at most.
+std::size_t points_of_lines(std::size_t outputs) {
+  return std::min(most_line_points, line_points / std::max<std::size_t>(1, outputs));
+}
+
+/// What is drawn of an output at most.
+void add_drawn(const WireShape& shape, const Limits& limits, std::size_t points, DrawnSizes& drawn) {
+  constexpr double points_of_element = 800;  // control geometry of a generator that is no simple motion
+  const auto samples = static_cast<double>(sample_count(shape.axes));
+  const double elements = std::min(samples, static_cast<double>(limits.preview_elements));
+  if (shape.type == WireType::mesh) {
+    drawn.meshes += elements;
+    drawn.vertices += static_cast<double>(shape.vertices) * elements / std::max(1.0, samples);
+  } else if (shape.type == WireType::point) {
+    drawn.curves += elements;
+    drawn.curve_points += std::min(samples, static_cast<double>(points));
+  } else if (is_drawn(shape.type)) {
+    drawn.curves += elements;
+    drawn.curve_points += points_of_element * elements;
+  }
+}
+
 PreviewedOutput previewed(const Plan& plan, const Evaluation& evaluation, std::size_t node, std::size_t output) {
   PreviewedOutput found{plan.nodes[node].type->outputs[output].name, evaluation.value(plan, node, output)};
   if (found.value.type() == WireType::point) found.curve_axis = curve_axis(plan, node, found.value.axes);
@@ -103,7 +127,7 @@ Result<PreviewNames> read_previews(const Registry& registry, const Document& doc
   return names;
 }
 
-Result<std::vector<Preview>> plan_previews(const Plan& plan, const PreviewNames& names, const Limits& limits) {
+Result<std::vector<Preview>> plan_previews(Plan& plan, const PreviewNames& names, const Limits& limits) {
   std::vector<Preview> previews;
   std::size_t vertices = 0;
   for (const auto& [id, outputs] : names) {
@@ -119,6 +143,22 @@ Result<std::vector<Preview>> plan_previews(const Plan& plan, const PreviewNames&
                    "the previewed meshes would have " + std::to_string(vertices) + " vertices together, at most " +
                        std::to_string(limits.vertices) + " are accepted",
                    "", "", "/preview"};
+  }
+  std::size_t outputs = 0;
+  for (const Preview& preview : previews) outputs += preview.outputs.size();
+  DrawnSizes drawn;
+  for (const Preview& preview : previews) {
+    for (const std::size_t output : preview.outputs) {
+      add_drawn(plan.nodes[preview.node].outputs[output], limits, points_of_lines(outputs), drawn);
+    }
+  }
+  const EncodeCost cost = encode_cost(drawn, EncodeOptions().speed);
+  constexpr double line_point_bytes = 128;  // as they are drawn, before they are written
+  plan.cost.work += static_cast<std::size_t>(cost.work);
+  plan.cost.bytes += static_cast<std::size_t>(cost.bytes + 2 * cost.file_bytes + line_point_bytes * drawn.curve_points);
+  if (auto problem = over_limits(plan.cost, limits, "with these previews the request")) {
+    problem->pointer = "/preview";
+    return *problem;
   }
   return previews;
 }
@@ -148,15 +188,16 @@ Result<std::string> draw_previews(const Plan& plan, const Evaluation& evaluation
       values.push_back(of_node.back().value);
     }
   }
-  const PreviewFrame frame = frame_of(values, limits.preview_elements);
-  const std::size_t points = std::min(most_line_points, line_points / std::max<std::size_t>(1, values.size()));
+  const PreviewFrame frame = frame_of(values, limits.preview_elements, cancel);
+  const std::size_t points = points_of_lines(values.size());
   std::vector<GlbGroup> groups;
   for (std::size_t k = 0; k < previews.size(); ++k) {
     const PlannedNode& node = plan.nodes[previews[k].node];
     GlbGroup& group = groups.emplace_back(GlbGroup{node.id, {{"id", node.id}, {"type", node.type->id}}, {}});
     for (const PreviewedOutput& output : outputs[k]) {
       if (cancel.stopped()) break;
-      for (GlbChild& child : drawn_parts(output, frame, limits, points)) group.children.push_back(std::move(child));
+      for (GlbChild& child : drawn_parts(output, frame, limits, points, cancel))
+        group.children.push_back(std::move(child));
     }
   }
   EncodeResult<std::string> encoded = encode_groups(groups, {}, cancel);

@@ -23,8 +23,9 @@ using PreviewNames = std::map<std::string, std::set<std::size_t>>;
 Result<PreviewNames> read_previews(const Registry& registry, const Document& document,
                                    const std::vector<std::string>& asked, const Limits& limits);
 
-/// The same nodes in a plan that has them. Their meshes together keep within the limit of one result.
-Result<std::vector<Preview>> plan_previews(const Plan& plan, const PreviewNames& names, const Limits& limits);
+/// The same nodes in a plan that has them; what drawing them needs is added to its cost. Their meshes together keep
+/// within the limit of one result, and everything within those of the request.
+Result<std::vector<Preview>> plan_previews(Plan& plan, const PreviewNames& names, const Limits& limits);
 
 /// Everything that the bytes of the drawn previews depend on, before they are computed.
 Digest preview_digest(const Plan& plan, const std::vector<Preview>& previews, const Limits& limits);

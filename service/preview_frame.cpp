@@ -86,12 +86,13 @@ Vector median_center(const std::vector<Ball>& balls) {
 
 }  // namespace
 
-PreviewFrame frame_of(const std::vector<Value>& values, std::size_t elements) {
+PreviewFrame frame_of(const std::vector<Value>& values, std::size_t elements, const Cancel& cancel) {
   std::vector<Ball> balls;
   for (const Value& value : values) {
     std::visit(
         [&](const auto& column) {
           for (const std::size_t i : spread_indices(column->size(), elements)) {
+            if (cancel.stopped()) return;
             const std::optional<Ball> ball = ball_of((*column)[i]);
             if (ball && is_finite(ball->center) && std::isfinite(ball->radius)) balls.push_back(*ball);
           }

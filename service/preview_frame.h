@@ -16,8 +16,9 @@ struct PreviewFrame {
 };
 
 /// The frame of some values by medians, so that a few things near infinity do not stretch it. At most `elements` of
-/// each value are looked at. Nothing with a place gives a frame of one meter about the origin.
-PreviewFrame frame_of(const std::vector<Value>& values, std::size_t elements);
+/// each value are looked at. Nothing with a place gives a frame of one meter about the origin. Stopped early: some
+/// frame.
+PreviewFrame frame_of(const std::vector<Value>& values, std::size_t elements, const Cancel& cancel);
 
 /// Indices of at most `most` of `count` things, evenly spread, in order.
 std::vector<std::size_t> spread_indices(std::size_t count, std::size_t most);

@@ -12,17 +12,11 @@ namespace dini {
 
 namespace {
 
-// The colors of the sockets, linear.
-constexpr Color point_color = {0.95, 1.0, 0.44, 1};
-constexpr Color curve_color = {0.95, 0.69, 0.13, 1};
-constexpr Color sphere_color = {0.24, 0.62, 0.68, 1};
-constexpr Color vector_color = {0.38, 0.5, 0.8, 1};
-constexpr Color generator_color = {0.85, 0.3, 0.42, 1};
-
 class Drawing {
  public:
-  Drawing(const PreviewedOutput& output, const PreviewFrame& frame, const Limits& limits, std::size_t points)
-      : output_(output), frame_(frame), limits_(limits), points_(points) {}
+  Drawing(const PreviewedOutput& output, const PreviewFrame& frame, const Limits& limits, std::size_t points,
+          const Cancel& cancel)
+      : output_(output), frame_(frame), limits_(limits), points_(points), color_(linear_color(output.value.type())), cancel_(cancel) {}
 
   std::vector<GlbChild> run() {
     std::visit([this]<class T>(const std::shared_ptr<const Column<T>>& column) { draw(*column); },
@@ -36,7 +30,7 @@ class Drawing {
 
   void draw(const Column<SharedMesh>& meshes) {
     const std::vector<std::size_t> shown = spread_indices(meshes.size(), limits_.preview_elements);
-    GlbChild& child = add_child("mesh", meshes.size(), shown.size());
+    GlbChild& child = add_child(meshes.size(), shown.size());
     for (const std::size_t i : shown) child.parts.push_back({"", meshes[i], meshes[i]->color});
   }
 
@@ -48,9 +42,9 @@ class Drawing {
     for (const std::size_t i : chosen) {
       if (length(to_vector(points[i])) <= frame_.reach) shown.set(count++, points[i]);
     }
-    Column<Point> within(count);
-    for (std::size_t i = 0; i < count; ++i) within.set(i, shown[i]);
-    add_child("point", points.size(), count).parts.push_back({"", std::move(within), point_color});
+    auto within = std::make_shared<Column<Point>>(count);
+    for (std::size_t i = 0; i < count; ++i) within->set(i, shown[i]);
+    add_child(points.size(), count).parts.push_back({"", SharedColumn<Point>(within), color_});
   }
 
   /// One line along the curve axis for every index of the others.
@@ -61,30 +55,30 @@ class Drawing {
     const std::size_t count = along.size == 0 ? 0 : points.size() / along.size;
     const std::vector<std::size_t> shown = spread_indices(count, limits_.preview_elements);
     const std::size_t each = std::max<std::size_t>(2, points_ / std::max<std::size_t>(1, shown.size()));
-    ControlLines lines(frame_);
+    ControlLines lines(frame_, cancel_);
     for (const std::size_t curve : shown) {
+      if (cancel_.stopped()) break;
       const std::size_t base = curve / stride * stride * along.size + curve % stride;
       const std::vector<std::size_t> kept = spread_indices(along.size, each);
       Polyline line{Column<Point>(kept.size()), along.closed};
       for (std::size_t i = 0; i < kept.size(); ++i) line.points.set(i, points[base + kept[i] * stride]);
       lines.curve(line);
     }
-    add_lines("point", count, shown.size(), lines, curve_color);
+    add_lines(count, shown.size(), lines);
   }
 
   void draw(const Column<Circle>& circles) {
-    draw_each("circle", circles, curve_color, [](const Circle& circle, ControlLines& lines) {
+    draw_each(circles, [](const Circle& circle, ControlLines& lines) {
       if (const auto found = coordinates(circle)) lines.round(*found);
     });
   }
 
   void draw(const Column<Vector>& vectors) {
-    draw_each("vector", vectors, vector_color,
-              [](const Vector& vector, ControlLines& lines) { lines.arrow({}, vector); });
+    draw_each(vectors, [](const Vector& vector, ControlLines& lines) { lines.arrow({}, vector); });
   }
 
   void draw(const Column<Sphere>& spheres) {
-    draw_each("sphere", spheres, sphere_color, [](const Sphere& sphere, ControlLines& lines) {
+    draw_each(spheres, [](const Sphere& sphere, ControlLines& lines) {
       const auto found = coordinates(sphere);
       if (!found) return;
       found->plane ? draw_plane(*found, lines) : draw_sphere(*found, lines);
@@ -119,43 +113,45 @@ class Drawing {
     std::map<GeneratorKind, std::vector<std::size_t>> kinds;
     for (const std::size_t i : shown) kinds[kind_of(generators[i])].push_back(i);
     for (const auto& [kind, members] : kinds) {
-      ControlLines lines(frame_);
+      ControlLines lines(frame_, cancel_);
       for (const std::size_t i : members) dini::draw(generators[i], kind, lines);
-      add_lines("generator", generators.size(), members.size(), lines, generator_color);
+      add_lines(generators.size(), members.size(), lines);
       children_.back().extras["kind"] = word_for(kind);
     }
   }
 
   template <class T, class Draw>
-  void draw_each(const char* type, const Column<T>& column, const Color& color, const Draw& draw_one) {
+  void draw_each(const Column<T>& column, const Draw& draw_one) {
     const std::vector<std::size_t> shown = spread_indices(column.size(), limits_.preview_elements);
-    ControlLines lines(frame_);
+    ControlLines lines(frame_, cancel_);
     for (const std::size_t i : shown) draw_one(column[i], lines);
-    add_lines(type, column.size(), shown.size(), lines, color);
+    add_lines(column.size(), shown.size(), lines);
   }
 
-  GlbChild& add_child(const char* type, std::size_t count, std::size_t drawn) {
+  GlbChild& add_child(std::size_t count, std::size_t drawn) {
     children_.push_back(
-        {output_.name, {{"output", output_.name}, {"type", type}, {"count", count}, {"drawn", drawn}}, {}});
+        {output_.name, {{"output", output_.name}, {"type", name(output_.value.type())}, {"count", count}, {"drawn", drawn}}, {}});
     return children_.back();
   }
 
-  void add_lines(const char* type, std::size_t count, std::size_t drawn, ControlLines& lines, const Color& color) {
-    add_child(type, count, drawn).parts.push_back({"", lines.take(), color});
+  void add_lines(std::size_t count, std::size_t drawn, ControlLines& lines) {
+    add_child(count, drawn).parts.push_back({"", lines.take(), color_});
   }
 
   const PreviewedOutput& output_;
   const PreviewFrame& frame_;
   const Limits& limits_;
   const std::size_t points_;
+  const Color color_;  ///< of the socket
+  const Cancel& cancel_;
   std::vector<GlbChild> children_;
 };
 
 }  // namespace
 
 std::vector<GlbChild> drawn_parts(const PreviewedOutput& output, const PreviewFrame& frame, const Limits& limits,
-                                  std::size_t points) {
-  return Drawing(output, frame, limits, points).run();
+                                  std::size_t points, const Cancel& cancel) {
+  return Drawing(output, frame, limits, points, cancel).run();
 }
 
 }  // namespace dini

@@ -1,6 +1,7 @@
 #include "service/report.h"
 
 #include "graph/order.h"
+#include "graph/thinning.h"
 #include "graph/value_json.h"
 #include "service/engine.h"
 #include "service/version.h"
@@ -24,6 +25,15 @@ Json node_json(const PlannedNode& node, const NodeRun* run, bool needed) {
           {"outputs", std::move(outputs)}};
 }
 
+/// What the graph was predicted to need.
+Json cost_json(const Cost& cost) {
+  return {{"samples", cost.samples},
+          {"vertices", cost.vertices},
+          {"triangles", cost.triangles},
+          {"bytes", cost.bytes},
+          {"work", cost.work}};
+}
+
 /// Everything that had to run, or stands behind what is cached.
 std::set<std::string> needed_nodes(const PreparedGraph& prepared) {
   std::vector<std::string> ids;
@@ -45,7 +55,7 @@ std::map<Digest, std::shared_ptr<const NodeWarnings>> warnings_of(const Evaluati
 
 void add_warnings(Json& list, const PlannedNode& node, const NodeWarnings& said) {
   for (const Warning& warning : said.warnings) {
-    Json entry = {{"code", warning.code}, {"node", node.id}, {"detail", warning.detail}};
+    Json entry = {{"code", warning.code}, {"node", node.id}, {"detail", told(warning, node.consumed)}};
     if (!warning.port.empty()) entry["port"] = warning.port;
     list.push_back(std::move(entry));
   }
@@ -87,10 +97,16 @@ Json evaluation_report(const PreparedGraph& prepared, const ComputedGraph& compu
   for (Json& problem : to_json(prepared.elsewhere)) warnings.push_back(std::move(problem));
   std::map<std::string, double> milliseconds = computed.milliseconds;
   milliseconds.emplace("prepare", prepared.milliseconds);
+  if (computed.model_file != nullptr) {
+    if (const auto warning = unkept_budget(plan, computed.model_file->triangles)) {
+      warnings.push_back({{"code", warning->code}, {"node", prepared.output}, {"detail", warning->detail}});
+    }
+  }
   Json report = {{"engine", engine_version},
                  {"etag", prepared.model_tag},
                  {"quality", plan.detail.quality == Quality::draft ? "draft" : "final"},
                  {"milliseconds", milliseconds},
+                 {"cost", cost_json(plan.cost)},
                  {"nodes", std::move(nodes)},
                  {"checks", std::move(checks)},
                  {"warnings", std::move(warnings)}};
@@ -121,14 +137,11 @@ Json validation_report(const CheckReport& report, const Problems& problems) {
       wires[node.id + "." + node.type->outputs[output].name] = wire_json(node.outputs[output]);
     }
   }
-  const Cost& cost = report.plan.cost;
-  return {
-      {"valid", problems.empty()},
-      {"errors", to_json(problems)},
-      {"blocked", report.blocked},
-      {"wires", std::move(wires)},
-      {"cost",
-       {{"samples", cost.samples}, {"vertices", cost.vertices}, {"triangles", cost.triangles}, {"bytes", cost.bytes}}}};
+  return {{"valid", problems.empty()},
+          {"errors", to_json(problems)},
+          {"blocked", report.blocked},
+          {"wires", std::move(wires)},
+          {"cost", cost_json(report.plan.cost)}};
 }
 
 }  // namespace dini

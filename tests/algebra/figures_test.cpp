@@ -116,7 +116,7 @@ TEST_CASE("figure 9: the same generators as warps, both weights") {
       for (const Rule rule : {Rule::exact, Rule::paper}) {
         const kernels::WarpSettings settings{item["s"], 2, softening, rule, kernels::WarpMethod::sum_generators};
         Point p = point_of(item["point"]);
-        kernels::warp_points(sources, settings, {&p.x, &p.y, &p.z}, {&p.x, &p.y, &p.z}, 1);
+        kernels::warp_points(kernels::WarpField(sources), settings, {&p.x, &p.y, &p.z}, {&p.x, &p.y, &p.z}, 1);
         require_close(p, point_of(item[rule == Rule::exact ? "exact_exp" : "paper_rule"]));
       }
     }
@@ -130,7 +130,8 @@ TEST_CASE("figure 9: one rotor of the sum and the sum of displacements") {
   for (const Json& item : reference()["l"]["items"]) {
     const auto warped = [&](Rule rule, WarpMethod method) {
       Point p = point_of(item["point"]);
-      kernels::warp_points(sources, {item["s"], 2, 0, rule, method}, {&p.x, &p.y, &p.z}, {&p.x, &p.y, &p.z}, 1);
+      kernels::warp_points(kernels::WarpField(sources), {item["s"], 2, 0, rule, method}, {&p.x, &p.y, &p.z},
+                           {&p.x, &p.y, &p.z}, 1);
       return p;
     };
     require_close(warped(Rule::paper, WarpMethod::sum_generators), point_of(item["sum_then_one_rotor"]));

@@ -55,7 +55,7 @@ std::vector<WarpSource> random_sources(int count, double scale = 0.5) {
 
 Cloud warped(const Cloud& cloud, const std::vector<WarpSource>& sources, const WarpSettings& settings) {
   Cloud result(cloud.size());
-  warp_points(sources, settings, cloud.in(), result.out(), cloud.size());
+  warp_points(WarpField(sources), settings, cloud.in(), result.out(), cloud.size());
   return result;
 }
 Point warped(const Point& p, const std::vector<WarpSource>& sources, const WarpSettings& settings) {

@@ -1,6 +1,7 @@
 #include <bit>
 
 #include "geometry/angle.h"
+#include "geometry/decimate.h"
 #include "geometry/merge.h"
 #include "geometry/normals.h"
 #include "geometry/primitives.h"
@@ -64,21 +65,21 @@ TEST_CASE("angles match the library") {
 }
 
 TEST_CASE("spaced samples hit both ends exactly and leave the end of closed ranges out") {
-  const Column<double> open = spaced(0.1, 0.7, 7, false);
+  const Column<double> open = spaced(0.1, 0.7, 7, false, never_stopped);
   CHECK(open[0] == 0.1);
   CHECK(open[6] == 0.7);
   CHECK(open[3] == Approx(0.4));
-  const Column<double> closed = spaced(0, 1, 3, true);
+  const Column<double> closed = spaced(0, 1, 3, true, never_stopped);
   CHECK(closed[1] == 1.0 / 3);
   CHECK(closed[2] == 2.0 / 3);
-  const Column<double> whole = spaced(-5, 5, 11, false);
+  const Column<double> whole = spaced(-5, 5, 11, false, never_stopped);
   for (std::size_t i = 0; i < 11; ++i) CHECK(whole[i] == static_cast<double>(i) - 5);
-  CHECK(spaced(3, 4, 1, false)[0] == 3);
-  CHECK(spaced(3, 4, 1, true)[0] == 3);
-  CHECK(spaced(3, 4, 0, false).empty());
-  CHECK(spaced(3, 4, 0, true).empty());
-  const Column<double> same = spaced(0.1, 0.1, 50, false);
-  const Column<double> huge = spaced(-1.7e308, 1.7e308, 50, false);
+  CHECK(spaced(3, 4, 1, false, never_stopped)[0] == 3);
+  CHECK(spaced(3, 4, 1, true, never_stopped)[0] == 3);
+  CHECK(spaced(3, 4, 0, false, never_stopped).empty());
+  CHECK(spaced(3, 4, 0, true, never_stopped).empty());
+  const Column<double> same = spaced(0.1, 0.1, 50, false, never_stopped);
+  const Column<double> huge = spaced(-1.7e308, 1.7e308, 50, false, never_stopped);
   for (std::size_t i = 0; i < 50; ++i) {
     CHECK(same[i] == 0.1);
     CHECK(std::isfinite(huge[i]));
@@ -238,4 +239,32 @@ TEST_CASE("every broken invariant of a mesh is named") {
   CHECK(defect([](Mesh& mesh) { mesh.colors.resize(26, {0, 0, 2, 1}); }) == "color 0 is outside [0, 1]");
   CHECK(defect([](Mesh& mesh) { mesh.tile_ends = {4, 4, 48}; }) == "tile 1 is empty or out of order");
   CHECK(defect([](Mesh& mesh) { mesh.tile_ends = {4}; }) == "the last tile does not end at the last triangle");
+}
+
+TEST_CASE("A decimated mesh keeps to its number and its shape") {
+  const Mesh fine = sphere_mesh({1, 2, 3}, 2, 200, 100, never_stopped);
+  for (const std::size_t most : {12, 100, 1000, 10'000}) {
+    CAPTURE(most);
+    const Mesh coarse = decimate(fine, most, never_stopped);
+    CHECK(mesh_defect(coarse) == std::nullopt);
+    CHECK(coarse.triangles.size() <= most);
+    CHECK(coarse.triangles.size() > most / 4);
+    CHECK(coarse.normals.size() == coarse.positions.size());
+    CHECK(coarse.uvs.size() == coarse.positions.size());
+    for (std::size_t i = 0; i < coarse.positions.size(); ++i) {
+      CHECK(length(to_vector(coarse.positions[i]) - Vector{1, 2, 3}) == Approx(2));
+    }
+    if (most < 1000) continue;
+    CHECK(measured(coarse).area == Approx(measured(fine).area).epsilon(0.1));
+  }
+}
+
+TEST_CASE("A mesh that is coarse enough stays, and something is left of any with area") {
+  const Mesh mesh = sphere_mesh({}, 1, 8, 4, never_stopped);
+  CHECK(decimate(mesh, mesh.triangles.size(), never_stopped).triangles == mesh.triangles);
+  CHECK_FALSE(decimate(mesh, 1, never_stopped).triangles.empty());
+  CHECK(decimate(Mesh{}, 1, never_stopped).triangles.empty());
+  Mesh point = mesh;
+  point.positions = Column<Point>(mesh.positions.size());
+  CHECK(decimate(point, 1, never_stopped).triangles.empty());
 }

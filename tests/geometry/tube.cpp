@@ -72,10 +72,10 @@ TEST_CASE("frames do not turn about the curve") {
   const Polyline helix = curve_of(400, false, [](double t) {
     return Point{sine_cosine(2 * t).cosine, sine_cosine(2 * t).sine, 3 * t};
   });
-  const std::vector<CurvePiece> pieces = curve_pieces(helix, 1e3);
+  const std::vector<CurvePiece> pieces = curve_pieces(helix, 1e3, never_stopped);
   REQUIRE(pieces.size() == 1);
   double total = 0;
-  const std::vector<Frame> frames = frames_along(pieces[0], total);
+  const std::vector<Frame> frames = frames_along(pieces[0], total, never_stopped);
   CHECK(total == Approx(std::sqrt(16 * pi * pi + 9)).epsilon(1e-4));
   for (std::size_t i = 1; i < frames.size(); ++i) {
     CHECK(std::abs(dot(frames[i].across, frames[i].tangent)) < 1e-14);

@@ -103,7 +103,7 @@ TEST_CASE("a scene with nothing to draw is the error empty") {
   CHECK(failure(shapes::scene_of(degenerate)).code == Code::empty);
   Scene scene;
   scene.parts.push_back({"lines", std::vector<Polyline>{}, {}});
-  scene.parts.push_back({"points", Column<Point>(), {}});
+  scene.parts.push_back({"points", SharedColumn<Point>(), {}});
   scene.parts.push_back({"nothing", SharedMesh(), {}});
   CHECK(failure(scene).code == Code::empty);
 }

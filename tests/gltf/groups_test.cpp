@@ -21,7 +21,7 @@ Part points_part(std::initializer_list<Point> points) {
   Column<Point> column(points.size());
   std::size_t i = 0;
   for (const Point& point : points) column.set(i++, point);
-  return {"", std::move(column), {1, 0, 0, 1}};
+  return {"", std::make_shared<const Column<Point>>(std::move(column)), {1, 0, 0, 1}};
 }
 
 Part mesh_part() {

@@ -21,10 +21,14 @@ Polyline polyline_of(const std::vector<double>& xs, bool closed) {
 
 std::vector<std::vector<float>> runs_of(const std::vector<double>& xs, bool closed) {
   std::vector<std::vector<float>> result;
-  for (const FloatPoints& run : drawable_runs(polyline_of(xs, closed))) {
+  FloatRuns runs;
+  add_drawable_runs(polyline_of(xs, closed), runs, Cancel());
+  std::size_t begin = 0;
+  for (const std::size_t end : runs.ends) {
     auto& target = result.emplace_back();
-    for (const auto& point : run) target.push_back(point[0]);
+    for (; begin < end; ++begin) target.push_back(runs.points[begin][0]);
   }
+  CHECK(begin == runs.points.size());
   return result;
 }
 
@@ -77,11 +81,11 @@ TEST_CASE("points come back without those that cannot be drawn") {
   points.set(2, {0.1, 0.2, 0.3});
   points.set(3, {0, std::nan(""), 0});
   Scene scene;
-  scene.parts.push_back({"dots", points, {}});
+  scene.parts.push_back({"dots", std::make_shared<const Column<Point>>(points), {}});
   const EncodedScene encoded = encode(scene);
   CHECK(encoded.vertices == 2);
   const Scene decoded = decode(encoded.glb);
-  const auto& back = std::get<Column<Point>>(decoded.parts[0].shape);
+  const Column<Point>& back = *std::get<SharedColumn<Point>>(decoded.parts[0].shape);
   REQUIRE(back.size() == 2);
   CHECK(back[0] == Point{1, 2, 3});
   CHECK(back[1].x == Approx(0.1).margin(encoded.position_error));

@@ -22,23 +22,30 @@ Mesh mesh_with_runs(std::size_t triangles, std::vector<std::size_t> ends) {
   return mesh;
 }
 
+const TileSizes sizes;
+
+TEST_CASE("where compressing is slow tiles are half as large") {
+  CHECK(tile_sizes({.speed = 4}).largest == sizes.largest);
+  CHECK(2 * tile_sizes({.speed = 3}).largest == sizes.largest);
+}
+
 TEST_CASE("small meshes stay in one piece and large ones are cut evenly") {
-  CHECK(plan_tiles(mesh_with_runs(0, {})).empty());
-  CHECK(plan_tiles(mesh_with_runs(1, {})) == std::vector<std::size_t>{1});
-  CHECK(plan_tiles(mesh_with_runs(largest_tile_triangles, {})).size() == 1);
-  CHECK(plan_tiles(mesh_with_runs(largest_tile_triangles + 1, {})).size() == 2);
-  CHECK(plan_tiles(mesh_with_runs(100 * tile_triangles, {})).size() == 100);
+  CHECK(plan_tiles(mesh_with_runs(0, {}), sizes).empty());
+  CHECK(plan_tiles(mesh_with_runs(1, {}), sizes) == std::vector<std::size_t>{1});
+  CHECK(plan_tiles(mesh_with_runs(sizes.largest, {}), sizes).size() == 1);
+  CHECK(plan_tiles(mesh_with_runs(sizes.largest + 1, {}), sizes).size() == 2);
+  CHECK(plan_tiles(mesh_with_runs(100 * sizes.usual, {}), sizes).size() == 100);
 }
 
 TEST_CASE("small neighboring runs are joined and long ones cut") {
-  CHECK(plan_tiles(mesh_with_runs(40, {10, 20, 30, 40})) == std::vector<std::size_t>{40});
-  CHECK(plan_tiles(mesh_with_runs(80000, {32768, 65536, 80000})) == std::vector<std::size_t>{65536, 80000});
-  const auto ends = plan_tiles(mesh_with_runs(200100, {100, 200100}));
+  CHECK(plan_tiles(mesh_with_runs(40, {10, 20, 30, 40}), sizes) == std::vector<std::size_t>{40});
+  CHECK(plan_tiles(mesh_with_runs(80000, {32768, 65536, 80000}), sizes) == std::vector<std::size_t>{65536, 80000});
+  const auto ends = plan_tiles(mesh_with_runs(200100, {100, 200100}), sizes);
   CHECK(ends.back() == 200100);
   std::size_t begin = 0;
   for (const std::size_t end : ends) {
     CHECK(end > begin);
-    CHECK(end - begin <= largest_tile_triangles);
+    CHECK(end - begin <= sizes.largest);
     begin = end;
   }
 }

@@ -119,7 +119,7 @@ int write_samples(const char* directory) {
   Scene scene;
   scene.parts.push_back({"few rings", rings(5), {1, 0, 0, 1}});
   scene.parts.push_back({"many rings", rings(100), {0, 1, 0, 0.5}});
-  scene.parts.push_back({"dots", dots(), {0, 0, 1, 1}});
+  scene.parts.push_back({"dots", std::make_shared<const Column<Point>>(dots()), {0, 0, 1, 1}});
   writer.write("lines_and_points", scene);
   scene.parts.push_back(mesh_part("torus", shapes::torus(20, 10)));
   scene.parts.push_back(mesh_part("empty", Mesh{}));

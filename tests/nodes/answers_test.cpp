@@ -99,7 +99,7 @@ TEST_CASE("an exported file holds what was exported, within the announced bound"
   for (std::size_t i = 0; i < mesh->positions.size(); ++i) {
     CHECK(std::abs(length(to_vector(mesh->positions[i])) - 1) <= 2 * asset->position_error + 1e-12);
   }
-  const Column<Point> dots = std::get<Column<Point>>(scene->parts[2].shape);
+  const Column<Point>& dots = *std::get<SharedColumn<Point>>(scene->parts[2].shape);
   REQUIRE(dots.size() == 5);
   for (std::size_t i = 0; i < dots.size(); ++i) {
     CHECK(distance(dots[i], graph.all<Point>("dots")[i]) <= 1e-6);
@@ -117,11 +117,11 @@ TEST_CASE("what an export leaves out is a warning, and nothing at all is an erro
   graph.one<SharedAsset>("out");
   REQUIRE(graph.warnings().size() == 1);
   CHECK(graph.warnings()[0].code == "at-infinity");
-  CHECK(graph.warnings()[0].detail.starts_with("2 of 3 points of model 1 "));
+  CHECK(graph.warnings()[0].detail.starts_with("2 of 3 points of spots "));
   const Problems problems = graph.problems("none");
-  CHECK(codes(problems) == std::multiset<std::string>{"encode-failed none.model"});
-  CHECK(problems.front().detail.find("model 1 has nothing nearer") != std::string::npos);
-  CHECK(problems.front().detail.find("model 2 has no triangles") != std::string::npos);
+  CHECK(codes(problems) == std::multiset<std::string>{"nothing-to-export none.model"});
+  CHECK(problems.front().detail.find("lost (Point), has nothing nearer") != std::string::npos);
+  CHECK(problems.front().detail.find("ball (Sphere mesh), has no triangles") != std::string::npos);
 }
 
 TEST_CASE("a draft is coarser and a final answer is not bounded") {

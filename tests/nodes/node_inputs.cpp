@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace dini::support {
 
@@ -18,8 +19,8 @@ const Json& literals_without_default() {
 /// rank says.
 class Source {
  public:
-  Source(Json& nodes, std::string prefix, std::string drive, int rank)
-      : nodes_(nodes), prefix_(std::move(prefix)), drive_(from(drive)), rank_(rank) {}
+  Source(Json& nodes, std::string prefix, std::string drive, int rank, const Wiring& wiring)
+      : nodes_(nodes), prefix_(std::move(prefix)), drive_(from(drive)), rank_(rank), wiring_(wiring) {}
 
   std::string make(WireType type, bool axis_wanted) {
     switch (type) {
@@ -42,7 +43,10 @@ class Source {
                    {{"center", {0.2, -0.1, 0.4 * static_cast<double>(prefix_.size())}}, {"radius", drive_}});
       case WireType::mesh:
         return add("mesh", "sphere_mesh",
-                   {{"center", {0.3, -0.2, 0.5}}, {"radius", drive_}, {"segments", 6}, {"rings", 4}});
+                   {{"center", {0.3, -0.2, 0.5}},
+                    {"radius", drive_},
+                    {"segments", wiring_.vertices == 0 ? 6 : side_of(wiring_.vertices)},
+                    {"rings", wiring_.vertices == 0 ? 4 : side_of(wiring_.vertices)}});
       default:
         FAIL("no source makes a " << name(type));
     }
@@ -50,6 +54,11 @@ class Source {
   }
 
  private:
+  static std::size_t side_of(std::size_t whole) {
+    return static_cast<std::size_t>(std::sqrt(static_cast<double>(whole)));
+  }
+  std::size_t along_one(std::size_t usual) const { return wiring_.consumed == 0 ? usual : wiring_.consumed; }
+
   std::string add(const std::string& id, const std::string& type, Json inputs) {
     nodes_[prefix_ + id] = support::make(type, std::move(inputs));
     return prefix_ + id;
@@ -57,7 +66,7 @@ class Source {
 
   /// Numbers over "rows" that depend on the drive.
   std::string spread() {
-    return add("rows", "range", {{"from", 0.25}, {"to", 1.5}, {"count", 4}, {"axis", "rows"}}),
+    return add("rows", "range", {{"from", 0.25}, {"to", 1.5}, {"count", along_one(4)}, {"axis", "rows"}}),
            add("spread", "expression", {{"formula", "x + y"}, {"x", from(prefix_ + "rows")}, {"y", drive_}});
   }
   Json along(double otherwise) { return rank_ == 0 ? Json(otherwise) : from(spread()); }
@@ -70,10 +79,14 @@ class Source {
       add("place", "point", {{"position", {0.4 + mark(), -0.3, 0.6 + mark() * mark()}}});
     } else if (rank_ == 1) {
       add("ring", "circle", {{"normal", {0.2, 0.1, 1}}});
-      add("place", "sample", {{"shape", from(prefix_ + "ring")}, {"count", 5}, {"axis", "rows"}});
+      add("place", "sample", {{"shape", from(prefix_ + "ring")}, {"count", along_one(5)}, {"axis", "rows"}});
     } else {
       add("place", "grid",
-          {{"v_vector", {0, 1, 0.5}}, {"count_u", 4}, {"count_v", 3}, {"axis_u", "rows"}, {"axis_v", "columns"}});
+          {{"v_vector", {0, 1, 0.5}},
+           {"count_u", wiring_.consumed == 0 ? 4 : side_of(wiring_.consumed)},
+           {"count_v", wiring_.consumed == 0 ? 3 : side_of(wiring_.consumed)},
+           {"axis_u", "rows"},
+           {"axis_v", "columns"}});
     }
     return add("point", "translate", {{"shape", from(prefix_ + "place")}, {"vector", from(shift())}});
   }
@@ -95,6 +108,7 @@ class Source {
   std::string prefix_;
   Json drive_;
   int rank_;
+  const Wiring& wiring_;
 };
 
 /// A circle that is not the shape itself is an axis to turn about, and so a line.
@@ -104,12 +118,17 @@ void add_source(Json& nodes, const Subject& subject, std::size_t port, const Wir
   const InputPort& card = subject.type->inputs[port];
   const std::string drive = "drive_" + card.name;
   const bool driven = wiring.driven == card.name;
-  nodes[drive] = driven && wiring.drive.is_array()
-                     ? make("list", {{"items", wiring.drive}, {"axis", "extra"}})
-                     : make("number", {{"value", driven ? wiring.drive : Json(usual_drive)}});
+  if (driven && wiring.drive.is_array()) {
+    nodes[drive] = make("list", {{"items", wiring.drive}, {"axis", "extra"}});
+  } else if (driven && wiring.drive.is_object()) {
+    nodes[drive] =
+        make("range", {{"from", usual_drive}, {"to", 0.9}, {"count", wiring.drive["count"]}, {"axis", "extra"}});
+  } else {
+    nodes[drive] = make("number", {{"value", driven ? wiring.drive : Json(usual_drive)}});
+  }
   const int rank = subject.overload->input_is_block[port] ? subject.overload->consumed_axes : 0;
   const std::string source =
-      Source(nodes, card.name + "_", drive, rank).make(subject.overload->inputs[port], wants_line(card));
+      Source(nodes, card.name + "_", drive, rank, wiring).make(subject.overload->inputs[port], wants_line(card));
   nodes["subject"]["inputs"][card.name] = from(source);
 }
 
@@ -162,6 +181,15 @@ Json wired_nodes(const Subject& subject, const Wiring& wiring) {
     }
   }
   return nodes;
+}
+
+Json consumed_names(const Subject& subject) {
+  Json literals = Json::object();
+  const std::vector<std::string> names = {"rows", "columns"};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(subject.overload->consumed_axes); ++k) {
+    literals[subject.type->over[k]] = names[k];
+  }
+  return literals;
 }
 
 bool can_be_lifted(const Subject& subject, std::size_t port) {

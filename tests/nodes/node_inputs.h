@@ -30,14 +30,21 @@ struct Wiring {
   bool everything = false;
   /// The port whose source is made from `drive` instead of the usual number; none when empty.
   std::string driven = {};
-  /// A number, or a list of numbers that runs over the axis "extra".
+  /// A number, or a list of numbers that runs over the axis "extra"; or {"count": n} for n numbers along that axis.
   Json drive = usual_drive;
+  /// How many values there are along the axes that the subject consumes together; some when 0.
+  std::size_t consumed = 0;
+  /// About how many vertices the meshes have that it is given; some when 0.
+  std::size_t vertices = 0;
   /// Literals that replace those of the card, by port.
   Json literals = Json::object();
 };
 
 /// A document's nodes: the subject as the node "subject" and, before it, a source for every wired port.
 Json wired_nodes(const Subject& subject, const Wiring& wiring);
+
+/// Literals that name the axes to consume, so that one to lift over is left.
+Json consumed_names(const Subject& subject);
 
 /// True for a port that takes links and so can run over an axis of its own.
 bool can_be_lifted(const Subject& subject, std::size_t port);

@@ -122,23 +122,32 @@ TEST_CASE("functions of formulas have their usual values") {
 }
 
 TEST_CASE("a formula that cannot be read is a problem with its place") {
-  for (const auto& [text, place] : {std::pair{"1 + * 2", "character 5"},
-                                    {"sin(x", "character 6"},
-                                    {"x + q", "character 5"},
-                                    {"2 2", "character 3"}}) {
+  for (const auto& [text, reason] : {std::pair{"1 + * 2", "at character 5: unexpected token \"* 2\""},
+                                     {"sin(x", "at character 6: missing parenthesis"},
+                                     {"x + q", "at character 5: unexpected token \"q\""},
+                                     {"2 2", "at character 3: unexpected value \"2\""},
+                                     {"x +", "at character 4: unexpected end of expression"},
+                                     {"2 \u00d7 x", "at character 3: unexpected token \"\u00d7 x\""},
+                                     {"max(1) + x", "at character 6: too few parameters for function \"max\""},
+                                     {"x ? 2", "at character 6: if-then-else operator is missing an else clause"}}) {
     const Problem problem = wrong(text);
     CAPTURE(text, problem.detail);
     CHECK(problem.code == "invalid-formula");
     CHECK(problem.port == "formula");
     CHECK(problem.pointer == "/graph/nodes/f/inputs/formula");
-    CHECK(problem.detail.find(place) != std::string::npos);
+    CHECK(problem.detail == "formula: the formula cannot be read " + std::string(reason));
   }
-  CHECK(wrong("").detail == "the formula is empty");
-  CHECK(wrong("x, y").detail == "the formula must have one value, not 2");
+  CHECK(wrong("").detail == "formula: the formula is empty");
+  CHECK(wrong("x, y").detail == "formula: the formula must have one value, not 2");
   CHECK(wrong(std::string(2000, '(')).code == "invalid-formula");
   CHECK(wrong(std::string(999, '(')).code == "invalid-formula");
   CHECK(wrong("x = 3").code == "invalid-formula");
   CHECK(wrong("system(1)").code == "invalid-formula");
+}
+
+TEST_CASE("a formula that cannot be read is found when the graph is checked, by whatever way it is given") {
+  CHECK(codes(formula("x +").static_problems()) == std::multiset<std::string>{"invalid-formula f.formula"});
+  CHECK(formula("x + 1").static_problems().empty());
 }
 
 TEST_CASE("a formula without a value for its variables is a problem with their place") {
@@ -146,6 +155,6 @@ TEST_CASE("a formula without a value for its variables is a problem with their p
                                    {"f", make("expression", {{"formula", "sqrt(x)"}, {"x", from("k")}})}});
   const Problems problems = graph.problems("f");
   REQUIRE(codes(problems) == std::multiset<std::string>{"non-finite f"});
-  CHECK(problems.front().detail.ends_with("at k = 3"));
+  CHECK(problems.front().detail.ends_with("at index 3 of axis k"));
   CHECK(formula("1 / x").problems("f").front().code == "non-finite");
 }

@@ -35,16 +35,6 @@ std::vector<double> drives_of(const Subject& subject, const std::string& port) {
   return {0.35, 0.5, 0.85};
 }
 
-/// Literals that name the axes to consume, so that the one to lift over is left.
-Json consumed_names(const Subject& subject) {
-  Json literals = Json::object();
-  const std::vector<std::string> names = {"rows", "columns"};
-  for (std::size_t k = 0; k < static_cast<std::size_t>(subject.overload->consumed_axes); ++k) {
-    literals[subject.type->over[k]] = names[k];
-  }
-  return literals;
-}
-
 }  // namespace
 
 TEST_CASE("every card is complete") {

@@ -1,6 +1,7 @@
 // Every graph in examples/, as it is served, and at the ends of what it lets people change.
 
 #include <catch2/catch.hpp>
+#include <random>
 
 #include "gltf/glb_container.h"
 #include "gltf/glb_reader.h"
@@ -29,6 +30,40 @@ std::vector<Json> extremes(const Json& parameter) {
 Json another(const Json& parameter) {
   const std::vector<Json> values = extremes(parameter);
   return values[1] == parameter["default"] ? values[0] : values[1];
+}
+
+/// Every combination of the ends of some parameters.
+std::vector<Json> corners(const Json& parameters) {
+  std::vector<Json> settings = {Json::object()};
+  for (const auto& [name, parameter] : parameters.items()) {
+    std::vector<Json> longer;
+    for (const Json& setting : settings) {
+      for (const Json& value : extremes(parameter)) {
+        longer.push_back(setting);
+        longer.back()[name] = value;
+      }
+    }
+    settings = std::move(longer);
+  }
+  return settings;
+}
+
+/// One of a thousand places along each slider, or one of the words.
+Json random_setting(const Json& parameters, std::mt19937& random) {
+  Json setting = Json::object();
+  for (const auto& [name, parameter] : parameters.items()) {
+    const std::vector<Json> ends = extremes(parameter);
+    if (!ends.front().is_number()) {
+      setting[name] = ends[random() % ends.size()];
+    } else if (parameter["type"] == "integer") {
+      const auto least = ends[0].get<std::int64_t>(), most = ends[1].get<std::int64_t>();
+      setting[name] = least + static_cast<std::int64_t>(random()) % (most - least + 1);
+    } else {
+      const double share = static_cast<double>(random() % 1001) / 1000;
+      setting[name] = (1 - share) * ends[0].get<double>() + share * ends[1].get<double>();
+    }
+  }
+  return setting;
 }
 
 std::string tag(const Engine& asked, const EvaluateRequest& request) {
@@ -102,6 +137,22 @@ TEST_CASE("every parameter of every example works at its bounds and says so beyo
       CAPTURE(id, name);
       REQUIRE_FALSE(refused);
       CHECK(refused.problems().front().pointer == "/parameters/" + name);
+    }
+  }
+}
+
+TEST_CASE("every example works with its sliders at every combination of ends, and at thirty settings between them") {
+  for (const auto& [id, graph] : examples()) {
+    std::vector<Json> settings = corners(graph["parameters"]);
+    std::mt19937 random(2017);
+    for (int k = 0; k < 30; ++k) settings.push_back(random_setting(graph["parameters"], random));
+    for (const Json& setting : settings) {
+      CAPTURE(id, setting.dump());
+      EvaluateRequest request{.graph = graph, .parameters = setting, .output = "", .quality = Quality::draft};
+      request.triangle_budget = 2000;
+      const Result<Answered> answer = answered(engine(), request);
+      require_none(answer ? Problems{} : answer.problems());
+      CHECK(answer->report()["model"]["triangles"] > 0);
     }
   }
 }

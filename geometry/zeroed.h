@@ -1,0 +1,61 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <type_traits>
+#include <utility>
+
+namespace dini {
+
+/// A fixed number of elements that begin with all bits zero. Unlike those of a std::vector, the zeros of a large array
+/// are not written: the system gives memory that is zero when it is first touched, so making one takes no time, and
+/// kernels touch it in parallel. For elements without pointers, whose zero is all bits zero. Throws std::bad_alloc.
+template <class T>
+class Zeroed {
+  static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+
+ public:
+  Zeroed() = default;
+  explicit Zeroed(std::size_t size) : size_(size), elements_(size == 0 ? nullptr : allocate(size)) {}
+  Zeroed(const Zeroed& other) : Zeroed(other.size_) {
+    if (size_ > 0) std::memcpy(static_cast<void*>(data()), other.data(), size_ * sizeof(T));
+  }
+  Zeroed(Zeroed&& other) noexcept : size_(std::exchange(other.size_, 0)), elements_(std::move(other.elements_)) {}
+  Zeroed& operator=(Zeroed other) noexcept {
+    std::swap(size_, other.size_);
+    std::swap(elements_, other.elements_);
+    return *this;
+  }
+  ~Zeroed() = default;
+
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+  T* data() { return elements_.get(); }
+  const T* data() const { return elements_.get(); }
+  T& operator[](std::size_t index) { return elements_[index]; }
+  const T& operator[](std::size_t index) const { return elements_[index]; }
+
+  friend bool operator==(const Zeroed& a, const Zeroed& b) {
+    return std::equal(a.data(), a.data() + a.size_, b.data(), b.data() + b.size_);
+  }
+
+ private:
+  struct Free {
+    void operator()(T* elements) const { std::free(elements); }
+  };
+
+  static T* allocate(std::size_t size) {
+    void* elements = std::calloc(size, sizeof(T));
+    if (elements == nullptr) throw std::bad_alloc();
+    return static_cast<T*>(elements);
+  }
+
+  std::size_t size_ = 0;
+  std::unique_ptr<T[], Free> elements_;
+};
+
+}  // namespace dini

@@ -1,0 +1,173 @@
+#include "gltf/scene_encoding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tbb/parallel_for.h>
+#include <utility>
+
+namespace dini {
+namespace {
+
+constexpr int uv_bits = 12;
+
+// GLB counts bytes in 32 bits, the JSON included, and many readers in an int.
+constexpr std::size_t largest_binary = std::numeric_limits<std::int32_t>::max();
+
+EncodeError cancelled() { return {EncodeError::Code::cancelled, "Encoding was stopped.", ""}; }
+
+}  // namespace
+
+std::optional<EncodeError> SceneEncoding::prepare() {
+  if (auto error = plan()) return error;
+  if (auto error = for_each_job([this](TileJob& job) { build(job); })) return error;
+  make_grids();
+  return for_each_job([this](TileJob& job) { encode(job); });
+}
+
+std::optional<EncodeError> SceneEncoding::write_next(GlbModel& model) {
+  if (cancel_.stopped()) return cancelled();
+  const Part& part = scene_.parts[next_part_];
+  const bool drawn = std::visit([&](const auto& shape) { return write(part, shape, model); }, part.shape);
+  if (cancel_.stopped()) return cancelled();
+  if (!drawn) result_.empty_parts.push_back(part.name);
+  if (model.binary_size() > largest_binary) {
+    return EncodeError{EncodeError::Code::too_large, "The model is larger than 2 GB.", part.name};
+  }
+  ++next_part_;
+  return std::nullopt;
+}
+
+std::optional<EncodeError> SceneEncoding::plan() {
+  for (std::size_t part = 0; part < scene_.parts.size(); ++part) {
+    if (cancel_.stopped()) return cancelled();
+    const auto* mesh = std::get_if<SharedMesh>(&scene_.parts[part].shape);
+    if (mesh == nullptr || *mesh == nullptr) continue;
+    if (auto error = check_mesh(**mesh)) {
+      error->part = scene_.parts[part].name;
+      return error;
+    }
+    std::size_t begin = 0;
+    for (const std::size_t end : plan_tiles(**mesh, tile_sizes(options_))) {
+      TileJob& job = jobs_.emplace_back();
+      job.part = part;
+      job.begin = std::exchange(begin, end);
+      job.end = end;
+    }
+  }
+  return std::nullopt;
+}
+
+// Runs `work` on every tile in parallel; the error of the first tile that has one, so errors do not depend on timing.
+template <class Work>
+std::optional<EncodeError> SceneEncoding::for_each_job(const Work& work) {
+  tbb::parallel_for(std::size_t{0}, jobs_.size(), [&](std::size_t i) {
+    if (!cancel_.stopped()) work(jobs_[i]);
+  });
+  if (cancel_.stopped()) return cancelled();
+  for (TileJob& job : jobs_) {
+    if (!job.error) continue;
+    job.error->part = scene_.parts[job.part].name;
+    return std::move(job.error);
+  }
+  return std::nullopt;
+}
+
+void SceneEncoding::build(TileJob& job) const {
+  auto built = build_tile(mesh_of(job), job.begin, job.end, options_);
+  if (auto* error = std::get_if<EncodeError>(&built)) {
+    job.error = std::move(*error);
+  } else {
+    job.tile = std::move(std::get<Tile>(built));
+  }
+}
+
+void SceneEncoding::make_grids() {
+  FloatBox positions;
+  std::vector<FloatBox> uvs(scene_.parts.size());
+  for (const TileJob& job : jobs_) {
+    positions.include(job.tile.position_box);
+    uvs[job.part].include(job.tile.uv_box);
+  }
+  position_grid_ = QuantizationGrid(positions, options_.position_bits);
+  uv_grids_.reserve(uvs.size());
+  for (const FloatBox& box : uvs) uv_grids_.emplace_back(box, uv_bits);
+  if (!positions.empty()) result_.position_error = position_grid_.position_error();
+}
+
+void SceneEncoding::encode(TileJob& job) const {
+  if (job.tile.triangles.empty()) return;
+  auto encoded = encoder_.encode(job.tile, {position_grid_, uv_grids_[job.part]}, options_);
+  if (auto* error = std::get_if<EncodeError>(&encoded)) {
+    job.error = std::move(*error);
+    return;
+  }
+  job.encoded = std::move(std::get<EncodedTile>(encoded));
+  Tile boxes;
+  boxes.position_box = job.tile.position_box;
+  job.tile = std::move(boxes);  // frees the vertices
+}
+
+bool SceneEncoding::write(const Part&, const SharedMesh& mesh, GlbModel& model) {
+  bool drawn = false, translucent = false;
+  for (; next_job_ < jobs_.size() && jobs_[next_job_].part == next_part_; ++next_job_) {
+    TileJob& job = jobs_[next_job_];
+    if (job.encoded.bytes.empty()) continue;
+    if (!drawn) {
+      translucent = job.encoded.color_id >= 0 && std::any_of(mesh->colors.begin(), mesh->colors.end(),
+                                                             [](const auto& color) { return color[3] < 1; });
+    }
+    drawn = true;
+    model.add_tile(job.encoded, position_grid_.decoded(job.tile.position_box), mesh->color, translucent);
+    result_.vertices += job.encoded.vertices;
+    result_.triangles += job.encoded.triangles;
+    if (job.encoded.normal_id >= 0) result_.normal_error = octahedral_error(options_.normal_bits);
+    job.encoded.bytes = {};  // they are in the file now
+    if (cancel_.stopped()) break;
+  }
+  return drawn;
+}
+
+bool SceneEncoding::write(const Part& part, const std::vector<Polyline>& polylines, GlbModel& model) {
+  FloatRuns runs;
+  for (const Polyline& polyline : polylines) {
+    if (cancel_.stopped()) return false;
+    add_drawable_runs(polyline, runs, cancel_);
+  }
+  return write_runs(part, runs, model);
+}
+
+bool SceneEncoding::write(const Part& part, const CurveSource& curves, GlbModel& model) {
+  FloatRuns runs;
+  for (std::size_t i = 0; i < curves.count; ++i) {
+    if (cancel_.stopped()) return false;
+    add_drawable_runs(curves.curve(i), runs, cancel_);
+  }
+  return write_runs(part, runs, model);
+}
+
+bool SceneEncoding::write_runs(const Part& part, const FloatRuns& runs, GlbModel& model) {
+  if (runs.ends.empty()) return false;
+  model.add_runs(runs, part.color, cancel_);
+  count_plain_points(runs.points);
+  return true;
+}
+
+bool SceneEncoding::write(const Part& part, const SharedColumn<Point>& points, GlbModel& model) {
+  const FloatPoints drawable = points == nullptr ? FloatPoints() : drawable_points(*points, cancel_);
+  if (drawable.empty()) return false;
+  model.add_points(drawable, part.color);
+  count_plain_points(drawable);
+  return true;
+}
+
+// Plain points are rounded to float, nothing else.
+void SceneEncoding::count_plain_points(const FloatPoints& points) {
+  result_.vertices += points.size();
+  FloatBox box;
+  for (const auto& point : points) box.include(point);
+  const double rounding = std::ldexp(static_cast<double>(box.largest()), -24);
+  result_.position_error = std::max(result_.position_error, rounding);
+}
+
+}  // namespace dini

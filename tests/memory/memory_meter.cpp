@@ -1,0 +1,106 @@
+#include "tests/memory/memory_meter.h"
+
+#include <atomic>
+#include <cerrno>
+#include <cstdint>
+#include <malloc.h>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define DINI_SANITIZER_ALLOCATES
+#include <sanitizer/allocator_interface.h>
+#endif
+
+namespace {
+
+// Constant initialization: memory is asked for before anything else is initialized.
+std::atomic<std::int64_t> held = 0;
+std::atomic<std::int64_t> most = 0;
+std::atomic<std::int64_t> held_at_restart = 0;
+
+void add(std::size_t bytes) {
+  const auto size = static_cast<std::int64_t>(bytes);
+  const std::int64_t now = held.fetch_add(size, std::memory_order_relaxed) + size;
+  std::int64_t known = most.load(std::memory_order_relaxed);
+  while (known < now && !most.compare_exchange_weak(known, now, std::memory_order_relaxed)) {
+  }
+}
+
+void take_away(std::size_t bytes) { held.fetch_sub(static_cast<std::int64_t>(bytes), std::memory_order_relaxed); }
+
+}  // namespace
+
+#ifdef DINI_SANITIZER_ALLOCATES
+
+namespace {
+
+void on_allocation(const volatile void*, std::size_t bytes) { add(bytes); }
+
+void on_release(const volatile void* memory) {
+  if (memory != nullptr) take_away(__sanitizer_get_allocated_size(const_cast<const void*>(memory)));
+}
+
+const int installed = __sanitizer_install_malloc_and_free_hooks(on_allocation, on_release);
+
+}  // namespace
+
+#else
+
+extern "C" {
+
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+void __libc_free(void*);
+
+void* malloc(std::size_t size) noexcept {
+  void* memory = __libc_malloc(size);
+  add(malloc_usable_size(memory));
+  return memory;
+}
+
+void* calloc(std::size_t count, std::size_t size) noexcept {
+  void* memory = __libc_calloc(count, size);
+  add(malloc_usable_size(memory));
+  return memory;
+}
+
+void* realloc(void* old, std::size_t size) noexcept {
+  take_away(malloc_usable_size(old));
+  void* memory = __libc_realloc(old, size);
+  add(malloc_usable_size(memory));
+  return memory;
+}
+
+void* memalign(std::size_t alignment, std::size_t size) noexcept {
+  void* memory = __libc_memalign(alignment, size);
+  add(malloc_usable_size(memory));
+  return memory;
+}
+
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept { return memalign(alignment, size); }
+
+int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexcept {
+  *memory = memalign(alignment, size);
+  return *memory == nullptr ? ENOMEM : 0;
+}
+
+void free(void* memory) noexcept {
+  take_away(malloc_usable_size(memory));
+  __libc_free(memory);
+}
+
+}  // extern "C"
+
+#endif
+
+namespace dini::support {
+
+void restart_memory_meter() {
+  held_at_restart = held.load();
+  most = held.load();
+}
+
+std::size_t most_memory() { return static_cast<std::size_t>(most - held_at_restart); }
+
+}  // namespace dini::support
