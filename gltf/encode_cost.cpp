@@ -7,17 +7,17 @@ namespace dini {
 namespace {
 
 // Measured with libdraco 1.5 at 14 bits, with normals and texture coordinates, and rounded up.
-constexpr double vertex_work = 1000;      ///< at speeds from 5
-constexpr double slow_factor = 3;         ///< below
-constexpr double mesh_work = 60'000;      ///< of a mesh, however small
-constexpr double point_work = 100;        ///< of a point of a curve, or a loose one
-constexpr double tile_bytes = 72;         ///< of a vertex that waits to be compressed
-constexpr double compressing_bytes = 400; ///< of a vertex that is being compressed
+constexpr double vertex_work = 1000;             ///< at speeds from 5
+constexpr double slow_factor = 3;                ///< below
+constexpr double mesh_work = 60'000;             ///< of a mesh, however small
+constexpr double point_work = 100;               ///< of a point of a curve, or a loose one
+constexpr double tile_bytes = 72;                ///< of a vertex that waits to be compressed
+constexpr double compressing_bytes = 400;        ///< of a vertex that is being compressed
 constexpr double most_compressing = 32 * 32768;  ///< vertices of the tiles that are compressed at once
-constexpr double written_bytes = 32;      ///< of a vertex in the file
-constexpr double part_bytes = 2048;       ///< of what a file says about a mesh or a few curves
+constexpr double written_bytes = 32;             ///< of a vertex in the file
+constexpr double part_bytes = 2048;              ///< of what a file says about a mesh or a few curves
 constexpr double point_bytes = 3 * sizeof(float);
-constexpr double segment_bytes = 2 * 4;   ///< indices of the ends of a segment
+constexpr double segment_bytes = 2 * 4;  ///< indices of the ends of a segment
 constexpr double document_bytes = 64 * 1024;
 
 }  // namespace

@@ -58,7 +58,7 @@ RunSize run_size(const PlannedNode& node, double runs) {
   }
   for (std::size_t port = 0; port < node.inputs.size(); ++port) {
     const PlannedInput& input = node.inputs[port];
-    if (!node.overload->is_mixed(port)) {
+    if (!node.overload->inputs[port].is_mixed()) {
       const double meshes = std::max(1.0, samples_of(input.shape.axes));
       size.given_vertices += static_cast<double>(input.shape.vertices) / meshes;
       continue;
@@ -113,8 +113,7 @@ std::optional<Problem> over_limits(const Cost& cost, const Limits& limits, const
   }
   if (cost.work > limits.work) {
     constexpr std::size_t units_per_second = 1'000'000'000;
-    return Problem{"limit-exceeded", what + " would compute for about " +
-                                         std::to_string(cost.work / units_per_second) +
+    return Problem{"limit-exceeded", what + " would compute for about " + std::to_string(cost.work / units_per_second) +
                                          " seconds of one processor, at most " +
                                          std::to_string(limits.work / units_per_second) + " are accepted"};
   }
