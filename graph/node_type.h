@@ -101,7 +101,7 @@ struct NodeType {
   VertexFactor vertex_factor;  ///< where there is no rule; 1 when absent
   CostRule cost;               ///< nothing beyond the usual when absent
   bool depends_on_quality = false;
-  FewestRule fewest_triangles;  ///< of each mesh that a draft thins; absent for nodes that make none
+  FewestRule fewest_triangles;    ///< of each mesh that a draft thins; absent for nodes that make none
   bool names_parts = false;       ///< its result holds the names of the nodes that its values come from
   bool passes_on = false;         ///< gives on what it is given at its first input
   bool makes_curves = false;      ///< points along the axis that it makes belong to one curve

@@ -104,7 +104,8 @@ void share_triangles(Plan& plan, const std::set<std::string>& needed) {
 
 std::optional<Warning> unkept_budget(const Plan& plan, std::size_t triangles) {
   if (plan.detail.quality == Quality::final || triangles <= plan.detail.triangle_budget) return std::nullopt;
-  return Warning{"triangle-budget", "the draft has " + std::to_string(triangles) + " triangles, more than its budget of " +
+  return Warning{"triangle-budget", "the draft has " + std::to_string(triangles) +
+                                        " triangles, more than its budget of " +
                                         std::to_string(plan.detail.triangle_budget) +
                                         ": its meshes are as thin as they can be, or were cut at infinity"};
 }

@@ -47,7 +47,7 @@ struct WireInfo {
   std::string_view name;
   std::string_view family;  ///< Types of one family share a color.
   std::string_view color;   ///< "#RRGGBB" in sRGB, as pages write it.
-  std::string_view shape;  ///< How a socket is drawn: one shape per type.
+  std::string_view shape;   ///< How a socket is drawn: one shape per type.
   std::string_view doc;
   bool literal_only;
 };

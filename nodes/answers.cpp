@@ -40,7 +40,9 @@ void add_answers(Registry& registry) {
                             "faces. Vertices are "
                             "counted by position.")
                    .input("model", "The mesh.")
-                   .cost([](const RunSize& size) { return RunCost{150 * size.given_vertices, 120 * size.given_vertices}; })
+                   .cost([](const RunSize& size) {
+                     return RunCost{150 * size.given_vertices, 120 * size.given_vertices};
+                   })
                    .output("area", "Sum of the triangles, in square meters.")
                    .output("volume", "By the divergence theorem, in cubic meters.")
                    .output("vertices", "Distinct positions in use.")

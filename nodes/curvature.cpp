@@ -156,7 +156,9 @@ void add_curvature(Registry& registry) {
                  defaults(100).hard(1e-3, 1e6).soft(1, 1000).unit("m"))
           .vertices(patch_vertices)
           .thinned_to(2)
-          .cost([](const RunSize& size) { return RunCost{600 * size.vertices, 190 * size.vertices}; })
+          .cost([](const RunSize& size) {
+            return RunCost{600 * size.vertices, 190 * size.vertices};
+          })
           .output("mesh", "The mesh."));
 }
 

@@ -82,7 +82,9 @@ void add_import(Registry& registry) {
           .input("center", "Whether the middle of the mesh moves to the origin.", defaults(false))
           .vertices(vertices_of)
           .thinned_to(12)
-          .cost([](const RunSize& size) { return RunCost{100 * size.vertices, 120 * size.vertices}; })
+          .cost([](const RunSize& size) {
+            return RunCost{100 * size.vertices, 64 * size.vertices};
+          })
           .output("mesh", "The mesh."));
 }
 

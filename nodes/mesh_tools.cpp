@@ -104,7 +104,9 @@ void add_mesh_tools(Registry& registry) {
           .input("segments", "Quads along each edge; more of them bend better.", defaults(16).hard(1, 512).soft(1, 128))
           .vertices(box_vertices)
           .thinned_to(12)
-          .cost([](const RunSize& size) { return RunCost{0, 64 * size.vertices}; })
+          .cost([](const RunSize& size) {
+            return RunCost{0, 64 * size.vertices};
+          })
           .output("mesh", "The mesh."));
 
   registry.add(
@@ -117,7 +119,9 @@ void add_mesh_tools(Registry& registry) {
           .input("levels", "How many times; each makes four triangles of one.", defaults(1).hard(0, 6).soft(0, 4))
           .vertex_factor(subdivided_factor)
           .thinned_to(1)
-          .cost([](const RunSize& size) { return RunCost{250 * size.vertices, 120 * size.vertices}; })
+          .cost([](const RunSize& size) {
+            return RunCost{250 * size.vertices, 120 * size.vertices};
+          })
           .output("shape", "The finer mesh."));
 
   registry.add(node("curvature_color", colored_by_curvature)
@@ -135,7 +139,9 @@ void add_mesh_tools(Registry& registry) {
                    .input("range", "Curvature at the ends of the palette; 0 means the largest magnitude found.",
                           defaults(0).hard(0, 1e9).soft(0, 10))
                    .input("palette", palette_doc, defaults("diverging"))
-                   .cost([](const RunSize& size) { return RunCost{200 * size.vertices, 120 * size.vertices}; })
+                   .cost([](const RunSize& size) {
+                     return RunCost{200 * size.vertices, 120 * size.vertices};
+                   })
                    .output("shape", "The colored mesh.")
                    .output("minimum", "Least curvature, in 1/m for mean and 1/m^2 for Gauss.")
                    .output("maximum", "Greatest curvature."));

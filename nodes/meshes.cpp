@@ -86,7 +86,9 @@ void add_meshes(Registry& registry) {
                    .family("meshes")
                    .doc("One mesh from many: all links, and all values of their axes.")
                    .input("meshes", "Meshes, over any axes.", required().several())
-                   .cost([](const RunSize& size) { return RunCost{0, 60 * size.vertices}; })
+                   .cost([](const RunSize& size) {
+                     return RunCost{0, 60 * size.vertices};
+                   })
                    .output("mesh", "The merged mesh."));
 
   registry.add(node("color", colored)

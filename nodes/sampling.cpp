@@ -70,7 +70,9 @@ void add_sampling(Registry& registry) {
           .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
           .axes(one_axis("count", "axis", "closed"))
           .makes_curves()
-          .cost([](const RunSize& size) { return RunCost{200 * size.values, 8 * size.values}; })
+          .cost([](const RunSize& size) {
+            return RunCost{200 * size.values, 8 * size.values};
+          })
           .output("points", "The points, over the new axis."));
 
   registry.add(

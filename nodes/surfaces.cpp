@@ -51,7 +51,8 @@ SharedMesh tube_along(const Context& context, const Polyline& curve, double radi
   for (;;) {
     Mesh mesh = tube(thinned(curve, used.points), {radius, used.sides, clip_radius, used.capped}, context.cancel());
     const std::size_t triangles = mesh.triangles.size();
-    if (budget == 0 || triangles <= budget || used.points <= fewest) return std::make_shared<const Mesh>(std::move(mesh));
+    if (budget == 0 || triangles <= budget || used.points <= fewest)
+      return std::make_shared<const Mesh>(std::move(mesh));
     // The clip radius cuts the curve into pieces, each with ends of its own.
     used.points = std::max(fewest, std::min(used.points - 1, used.points * budget / triangles));
   }
@@ -182,7 +183,9 @@ void add_surfaces(Registry& registry) {
                    .over({"over"})
                    .vertices(tube_vertices)
                    .thinned_to(fewest_of_tube)
-                   .cost([](const RunSize& size) { return RunCost{50 * size.vertices, 80 * size.vertices}; })
+                   .cost([](const RunSize& size) {
+                     return RunCost{50 * size.vertices, 80 * size.vertices};
+                   })
                    .output("mesh", "The mesh; one for each value of the axes that are left."));
 
   registry.add(
