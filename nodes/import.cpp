@@ -91,7 +91,7 @@ void add_import(Registry& registry) {
                    .vertices(vertices_of)
                    .thinned_to(12)
                    .cost([](const RunSize& size) {
-                     return RunCost{100 * size.vertices, 120 * size.vertices};
+                     return RunCost{100 * size.vertices, 64 * size.vertices};
                    })
                    .output("mesh", "The mesh."));
 }

@@ -111,8 +111,9 @@ void add_numbers(Registry& registry) {
           .input("z", &ExpressionInputs::z, "Third variable.", defaults(0).soft(-10, 10))
           .input("w", &ExpressionInputs::w, "Fourth variable.", defaults(0).soft(-10, 10))
           .cost([](const RunSize& size) {
-            constexpr double work_of_character = 5;
-            return RunCost{work_of_character * static_cast<double>(text_at(size.literals, "formula").size())};
+            constexpr double work_of_character = 5, parser_bytes = 32'000;
+            return RunCost{work_of_character * static_cast<double>(text_at(size.literals, "formula").size()),
+                           parser_bytes};
           })
           .output("value", "The value of the formula."));
 }

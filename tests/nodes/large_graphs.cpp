@@ -16,6 +16,12 @@ bool is_count(const InputPort& port) {
          port.name != "seed";
 }
 
+/// Quads along each edge of a box, and the like: as many squared as the faces have.
+bool is_small_count(const InputPort& port) {
+  constexpr double small = 500;
+  return port.types.front() == WireType::integer && port.spec.maximum && *port.spec.maximum >= small && !is_count(port);
+}
+
 /// All counts alike, so that what they make together is about `size`; nothing for a node without.
 Json counts_for(const NodeType& type, std::size_t size) {
   Json counts = Json::object();
@@ -23,6 +29,7 @@ Json counts_for(const NodeType& type, std::size_t size) {
   const double each = std::pow(static_cast<double>(size), 1.0 / static_cast<double>(std::max<long>(1, number)));
   for (const InputPort& port : type.inputs) {
     if (is_count(port)) counts[port.name] = static_cast<std::int64_t>(std::min(each, *port.spec.maximum));
+    if (is_small_count(port)) counts[port.name] = static_cast<std::int64_t>(std::sqrt(static_cast<double>(size) / 6));
   }
   return counts;
 }
