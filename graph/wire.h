@@ -95,6 +95,17 @@ struct Wire<SharedAsset> {
   static constexpr WireType type = WireType::asset;
 };
 
+/// The C++ types of wires in the order of WireType, as far as values travel on them.
+template <class... T>
+struct WireList {
+  static constexpr bool in_order = [] {
+    std::size_t place = 0;
+    return ((static_cast<std::size_t>(Wire<T>::type) == place++) && ...);
+  }();
+};
+using WireTypes = WireList<double, Vector, Point, Generator, Circle, Sphere, SharedMesh, SharedAsset>;
+static_assert(WireTypes::in_order, "the list of wires is not in the order of WireType");
+
 template <class T>
 concept WireValue = requires {
   Wire<T>::type;
