@@ -190,7 +190,7 @@ void add_curvature(Registry& registry) {
           .input("clip_radius", &CurvaturePatchInputs::clip_radius, "Distance from the origin that counts as infinity.",
                  defaults(100).hard(1e-3, 1e6).soft(1, 1000).unit("m"))
           .vertices(patch_vertices)
-          .thinned_to(2)
+          .thinned_to(8)
           .cost([](const RunSize& size) {
             return RunCost{600 * size.vertices, 190 * size.vertices};
           })

@@ -55,7 +55,8 @@ struct TubeInputs {
 
 SharedMesh tube_along(const Context& context, const Polyline& curve, const TubeInputs& in) {
   TubeSegments used = tube_within_budget(context, curve.points.size(), curve.closed, in.sides);
-  const std::size_t budget = context.triangle_budget(), fewest = curve.closed ? 3 : 2;
+  const std::size_t budget = context.triangle_budget(), fewest = fewest_points(curve);
+  used.points = std::max(used.points, std::min(fewest, curve.points.size()));
   for (;;) {
     Mesh mesh =
         tube(thinned(curve, used.points), {in.radius, used.sides, in.clip_radius, used.capped}, context.cancel());
@@ -132,10 +133,10 @@ std::size_t surface_vertices(const Literals& literals, const Axes& consumed) {
   return consumed[0].size * across;
 }
 
-/// Two for a quad; three quads around each closed axis, as around a circle.
+/// Two for a quad; two quads along an open axis, and three around a closed one, as around a circle.
 std::size_t fewest_of_surface(const Axes& consumed) {
   const bool closed = consumed.size() < 2 || consumed[1].closed;
-  return std::size_t{2} * (consumed[0].closed ? 3 : 1) * (closed ? 3 : 1);
+  return std::size_t{2} * (consumed[0].closed ? 3 : 2) * (closed ? 3 : 2);
 }
 
 /// Three sides and one step, or three steps around a closed curve.
@@ -234,7 +235,7 @@ void add_surfaces(Registry& registry) {
           .input("clip_radius", &PatchInputs::clip_radius, "Distance from the origin that counts as infinity.",
                  clip_radius_input(100))
           .vertices(patch_vertices)
-          .thinned_to(2)
+          .thinned_to(8)
           .cost(cost_of_grid_surface)
           .output("mesh", "The mesh."));
 }
