@@ -17,6 +17,7 @@
 #include "algebra/kernels.h"
 #include "algebra/quaternion-inl.h"
 #include "algebra/tolerance.h"
+#include "algebra/versor.h"
 #include "hwy/highway.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -133,7 +134,7 @@ HWY_INLINE void place_infinite(LaneMask infinite, const Bivector<Lanes>& b, Rule
                       {lane[3][i], lane[4][i], lane[5][i]},
                       lane[6][i],
                       {lane[7][i], lane[8][i], lane[9][i]}};
-    const Point moved = kernels::image_of_infinity(g, rule);
+    const Point moved = apply(exponential(g, rule), Point::at_infinity()).value_or(Point::at_infinity());
     x[i] = moved.x;
     y[i] = moved.y;
     z[i] = moved.z;

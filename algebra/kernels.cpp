@@ -3,7 +3,6 @@
 #include <array>
 #include <string_view>
 
-#include "algebra/versor.h"
 #include "hwy/highway.h"
 
 namespace dini::kernels {
@@ -54,10 +53,6 @@ const char* current_instruction_set() {
     if ((targets & all.targets[i]) != 0) return all.names[i];
   }
   return "";
-}
-
-Point image_of_infinity(const Generator& generator, Rule rule) {
-  return apply(exponential(generator, rule), Point::at_infinity()).value_or(Point::at_infinity());
 }
 
 }  // namespace dini::kernels

@@ -113,9 +113,6 @@ struct WarpSettings {
 void warp_points(const WarpField& field, const WarpSettings& settings, ConstPoints in, Points out, std::size_t count,
                  Stop stop = {});
 
-/// Where exp(generator) sends the point at infinity.
-Point image_of_infinity(const Generator& generator, Rule rule);
-
 /// Names of the instruction sets this program can run here, best first, and a way to force one (tests, benchmarks).
 std::span<const char* const> instruction_sets();
 bool force_instruction_set(const char* name);  ///< "" restores the choice by processor; false when not available.

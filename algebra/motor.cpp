@@ -86,10 +86,4 @@ std::optional<Versor> motor_between(const Circle& from, const Circle& to) {
   return exponential(0.5 * logarithm(*ratio));
 }
 
-std::optional<Versor> motor_square_root(const Versor& motor) {
-  const auto generator = motor_logarithm(motor);
-  if (!generator) return std::nullopt;
-  return exponential(0.5 * *generator);
-}
-
 }  // namespace dini

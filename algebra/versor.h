@@ -61,7 +61,5 @@ std::optional<Generator> motor_logarithm(const Versor& motor);
 /// about the axis perpendicular to both, chosen by a fixed rule. Nothing when an argument is no line.
 std::optional<Versor> motor_between(const Circle& from, const Circle& to);
 
-/// A square root of a motor: half the turn, half the slide. Nothing when the versor is no motor.
-std::optional<Versor> motor_square_root(const Versor& motor);
 
 }  // namespace dini

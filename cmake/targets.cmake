@@ -18,11 +18,21 @@ if(DINI_SANITIZE)
   target_link_options(dini_options INTERFACE -fsanitize=${DINI_SANITIZE})
 endif()
 
+# What the layers call when they count their work; it does not count itself.
+if(DINI_COUNT_WORK)
+  add_library(dini_work_count STATIC ${PROJECT_SOURCE_DIR}/tests/work/work_count.cpp)
+  target_include_directories(dini_work_count PRIVATE ${PROJECT_SOURCE_DIR})
+endif()
+
 # dini_layer(NAME SOURCES... LINK LIBRARIES...): the static library of one folder.
 function(dini_layer name)
   cmake_parse_arguments(PARSE_ARGV 1 layer "" "" "SOURCES;LINK")
   add_library(dini_${name} STATIC ${layer_SOURCES})
   target_link_libraries(dini_${name} PUBLIC dini_options ${layer_LINK})
+  if(DINI_COUNT_WORK)
+    target_compile_options(dini_${name} PRIVATE -fsanitize-coverage=trace-pc)
+    target_link_libraries(dini_${name} PUBLIC dini_work_count)
+  endif()
 endfunction()
 
 # dini_test(NAME SOURCES... LINK LIBRARIES...): one test program, every case a ctest of its own.

@@ -12,7 +12,8 @@ struct Steps {
   std::size_t all = 0, least = 0;
 
   Steps(std::size_t size, bool closed)
-      : all(closed ? size : size - 1), least(std::min<std::size_t>(all, closed ? 3 : 1)) {}
+      : all(closed ? size : size - 1),
+        least(std::min<std::size_t>(all, closed ? 3 : 2)) {}  // between two poles there is a row
   std::size_t clamped(std::size_t wanted) const { return std::clamp(wanted, least, all); }
 };
 

@@ -36,8 +36,8 @@ struct GridAxis {
 };
 
 /// The two axes of a grid, thinned out evenly and near the same proportion until two triangles per quad are within
-/// `triangle_budget` (0: no limit); open axes keep both ends, closed ones three samples. Closed axes of fewer than
-/// three samples become open.
+/// `triangle_budget` (0: no limit); open axes keep both ends and a sample between them, closed ones three samples.
+/// Closed axes of fewer than three samples become open.
 std::pair<GridAxis, GridAxis> grid_axes(std::size_t rows, bool closed_rows, std::size_t columns, bool closed_columns,
                                         std::size_t triangle_budget);
 

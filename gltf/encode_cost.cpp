@@ -7,17 +7,18 @@ namespace dini {
 namespace {
 
 // Measured with libdraco 1.5 at 14 bits, with normals and texture coordinates, and rounded up.
-constexpr double vertex_work = 1000;      ///< at speeds from 5
-constexpr double slow_factor = 3;         ///< below
-constexpr double mesh_work = 60'000;      ///< of a mesh, however small
-constexpr double point_work = 100;        ///< of a point of a curve, or a loose one
-constexpr double tile_bytes = 72;         ///< of a vertex that waits to be compressed
-constexpr double compressing_bytes = 400; ///< of a vertex that is being compressed
-constexpr double most_compressing = 32 * 32768;  ///< vertices of the tiles that are compressed at once
-constexpr double written_bytes = 32;      ///< of a vertex in the file
-constexpr double part_bytes = 2048;       ///< of what a file says about a mesh or a few curves
+constexpr double vertex_work = 1000;       ///< at speeds from 5
+constexpr double slow_factor = 3;          ///< below
+constexpr double mesh_work = 60'000;       ///< of a mesh, however small
+constexpr double point_work = 100;         ///< of a point of a curve, or a loose one
+constexpr double tile_bytes = 72;          ///< of a vertex that waits to be compressed
+constexpr double compressing_bytes = 240;  ///< of a vertex that is being compressed
+constexpr double tile_vertices = 32768;
+constexpr double written_bytes = 16;  ///< of a vertex in the file
+constexpr double stored_bytes = 40;   ///< the same at speed 10, which hardly compresses
+constexpr double part_bytes = 2048;   ///< of what a file says about a mesh or a few curves
 constexpr double point_bytes = 3 * sizeof(float);
-constexpr double segment_bytes = 2 * 4;   ///< indices of the ends of a segment
+constexpr double segment_bytes = 2 * 4;  ///< indices of the ends of a segment
 constexpr double document_bytes = 64 * 1024;
 
 }  // namespace
@@ -28,10 +29,12 @@ EncodeCost encode_cost(const DrawnSizes& sizes, int speed) {
   EncodeCost cost;
   cost.work = factor * vertex_work * sizes.vertices + mesh_work * sizes.meshes + point_work * points;
   cost.file_bytes = document_bytes + part_bytes * (sizes.meshes + std::min(sizes.curves, 64.0)) +
-                    written_bytes * sizes.vertices + point_bytes * points + segment_bytes * sizes.curve_points;
+                    (speed < 10 ? written_bytes : stored_bytes) * sizes.vertices + point_bytes * points +
+                    segment_bytes * sizes.curve_points;
   // The file exists twice, as its parts and whole; points also as they are before they are written.
   cost.bytes = 2 * cost.file_bytes + (point_bytes + segment_bytes) * points + part_bytes * sizes.meshes +
-               tile_bytes * sizes.vertices + compressing_bytes * std::min(sizes.vertices, most_compressing);
+               tile_bytes * sizes.vertices +
+               compressing_bytes * std::min(sizes.vertices, most_tiles_at_once * tile_vertices);
   return cost;
 }
 

@@ -2,6 +2,9 @@
 
 namespace dini {
 
+/// Tiles that are compressed at once at most, whatever threads there are: each needs some megabytes.
+inline constexpr int most_tiles_at_once = 16;
+
 /// What is drawn into a file, in numbers.
 struct DrawnSizes {
   double meshes = 0;

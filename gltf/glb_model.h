@@ -43,9 +43,8 @@ class GlbModel {
   /// One POINTS primitive; `points` is not empty.
   void add_points(const FloatPoints& points, const Color& color);
 
-  /// Bytes of binary data so far, and room for more.
+  /// Bytes of binary data so far.
   std::size_t binary_size() const { return binary_.size(); }
-  void reserve_binary(std::size_t more) { binary_.reserve(binary_.size() + more); }
 
   /// The finished file; empty when it would be larger than GLB can address.
   std::string write();

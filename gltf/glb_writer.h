@@ -26,8 +26,8 @@ struct EncodedScene {
 
 /// Writes `scene` as a GLB: meshes with KHR_draco_mesh_compression in tiles on one common quantization grid, polylines
 /// and points as plain floats, one node per part, one root node that turns Z up into Y up. The bytes depend on the
-/// scene, the options and the encoder, not on the number of threads. Runs its tiles in the caller's oneTBB arena and
-/// looks at `cancel` before every tile. A scene with nothing to draw is the error `empty`.
+/// scene, the options and the encoder, not on the number of threads. Looks at `cancel` before every tile. A scene with
+/// nothing to draw is the error `empty`.
 EncodeResult<EncodedScene> encode_scene(const Scene& scene, const EncodeOptions& options, const Cancel& cancel);
 
 /// The same with another compressor for the tiles.

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #include <utility>
+
+#include "gltf/encode_cost.h"
 
 namespace dini {
 namespace {
@@ -61,8 +64,11 @@ std::optional<EncodeError> SceneEncoding::plan() {
 // Runs `work` on every tile in parallel; the error of the first tile that has one, so errors do not depend on timing.
 template <class Work>
 std::optional<EncodeError> SceneEncoding::for_each_job(const Work& work) {
-  tbb::parallel_for(std::size_t{0}, jobs_.size(), [&](std::size_t i) {
-    if (!cancel_.stopped()) work(jobs_[i]);
+  tbb::task_arena arena(std::min(tbb::this_task_arena::max_concurrency(), most_tiles_at_once));
+  arena.execute([&] {
+    tbb::parallel_for(std::size_t{0}, jobs_.size(), [&](std::size_t i) {
+      if (!cancel_.stopped()) work(jobs_[i]);
+    });
   });
   if (cancel_.stopped()) return cancelled();
   for (TileJob& job : jobs_) {

@@ -46,7 +46,7 @@ Json input_card(const InputPort& port) {
 bool follows_first_input(const NodeType& type, std::size_t output) {
   if (type.overloads.size() < 2) return false;
   for (const Overload& overload : type.overloads) {
-    if (overload.inputs.empty() || overload.outputs[output] != overload.inputs.front()) return false;
+    if (overload.inputs.empty() || overload.outputs[output].type != overload.inputs.front().type) return false;
   }
   return true;
 }

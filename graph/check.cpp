@@ -222,7 +222,8 @@ class Checker {
     if (node.type->overloads.size() > 1 && resolved.first_input_is_wrong) return false;
     // Axes and sizes are made from literals.
     for (std::size_t port = 0; port < node.inputs.size(); ++port) {
-      const bool literal = !node.overload->is_mixed(port) && info(node.overload->inputs[port]).literal_only;
+      const InputSlot& slot = node.overload->inputs[port];
+      const bool literal = !slot.is_mixed() && info(slot.type).literal_only;
       if (literal && !node.literals.contains(node.type->inputs[port].name)) return false;
     }
     return true;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dini {
 
@@ -11,6 +12,7 @@ namespace {
 constexpr double most_at_once = 32;
 
 constexpr double node_bytes = 4096;    ///< of the bookkeeping of one node
+constexpr double call_bytes = 1024;    ///< of one call of a function
 constexpr double mesh_bytes = 1024;    ///< of a mesh beside its vertices and triangles
 constexpr double vertex_bytes = 80;    ///< position, normal, texture coordinate and color
 constexpr double triangle_bytes = 12;  ///< of which a vertex has two
@@ -58,7 +60,7 @@ RunSize run_size(const PlannedNode& node, double runs) {
   }
   for (std::size_t port = 0; port < node.inputs.size(); ++port) {
     const PlannedInput& input = node.inputs[port];
-    if (!node.overload->is_mixed(port)) {
+    if (!node.overload->inputs[port].is_mixed()) {
       const double meshes = std::max(1.0, samples_of(input.shape.axes));
       size.given_vertices += static_cast<double>(input.shape.vertices) / meshes;
       continue;
@@ -95,7 +97,12 @@ NodeCost cost_of(const PlannedNode& node) {
   for (const WireShape& shape : node.outputs) cost.work += samples_of(shape.axes) * work_of_value(shape.type);
   cost.kept_bytes = node_bytes + runs * of_run.kept_bytes;
   for (const WireShape& shape : node.outputs) cost.kept_bytes += kept_by(shape);
-  cost.run_bytes = std::min(runs, most_at_once) * of_run.bytes;
+  double made_bytes = 0;  // by a run, before they are put beside those of other runs
+  for (std::size_t output = 0; output < node.outputs.size(); ++output) {
+    if (node.made[output].empty()) continue;
+    made_bytes += samples_of(node.made[output]) * bytes_of_value(node.outputs[output].type);
+  }
+  cost.run_bytes = std::min(runs, most_at_once) * (of_run.bytes + made_bytes + call_bytes);
   for (std::size_t port = 0; port < node.inputs.size(); ++port) {
     const PlannedInput& input = node.inputs[port];
     if (!input.list_axis) continue;  // else its items are stacked into a column of their own
@@ -113,26 +120,80 @@ std::optional<Problem> over_limits(const Cost& cost, const Limits& limits, const
   }
   if (cost.work > limits.work) {
     constexpr std::size_t units_per_second = 1'000'000'000;
-    return Problem{"limit-exceeded", what + " would compute for about " +
-                                         std::to_string(cost.work / units_per_second) +
+    return Problem{"limit-exceeded", what + " would compute for about " + std::to_string(cost.work / units_per_second) +
                                          " seconds of one processor, at most " +
                                          std::to_string(limits.work / units_per_second) + " are accepted"};
   }
   return std::nullopt;
 }
 
+namespace {
+
+/// The nodes of a plan in chains: each node stands behind the one before it in its chain, so no two of a chain run at
+/// once. Any chains will do for a bound; these follow the first source that does not end in another chain yet.
+class Chains {
+ public:
+  explicit Chains(std::size_t nodes) : chain_of_(nodes, none) {}
+
+  /// Adds a node that needs so many bytes while it runs.
+  void add(std::size_t index, const PlannedNode& node, double bytes) {
+    std::size_t& chain = chain_of_[index];
+    chain = chain_to_continue(node);
+    if (chain == none) {
+      chain = chains_.size();
+      chains_.push_back({index, 0});
+    }
+    chains_[chain].last = index;
+    const double more = std::max(0.0, bytes - chains_[chain].most);
+    chains_[chain].most += more;
+    total_ += more;
+  }
+
+  /// What all nodes so far can need at once.
+  double total() const { return total_; }
+
+ private:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  struct Chain {
+    std::size_t last;
+    double most;
+  };
+
+  std::size_t chain_to_continue(const PlannedNode& node) const {
+    for (const PlannedInput& input : node.inputs) {
+      for (const PlannedItem& item : input.items) {
+        const auto* source = std::get_if<Source>(&item.from);
+        if (source == nullptr) continue;
+        const std::size_t chain = chain_of_[source->node];
+        if (chain != none && chains_[chain].last == source->node) return chain;
+      }
+    }
+    return none;
+  }
+
+  std::vector<std::size_t> chain_of_;
+  std::vector<Chain> chains_;
+  double total_ = 0;
+};
+
+}  // namespace
+
 std::optional<Problem> add_up(Plan& plan, const std::set<std::string>& running, const Limits& limits) {
-  double bytes = 0, work = 0;
-  for (const PlannedNode& node : plan.nodes) {
+  double kept = 0, work = 0;
+  Chains chains(plan.nodes.size());
+  for (std::size_t index = 0; index < plan.nodes.size(); ++index) {
+    const PlannedNode& node = plan.nodes[index];
     if (node.bypass || node.doubtful || !running.contains(node.id)) continue;
     for (const WireShape& shape : node.outputs) {
       plan.cost.samples += sample_count(shape.axes);
       if (shape.type == WireType::mesh) plan.cost.vertices = std::max(plan.cost.vertices, shape.vertices);
     }
     const NodeCost cost = cost_of(node);
-    bytes += cost.kept_bytes + cost.run_bytes;
+    kept += cost.kept_bytes;
     work += cost.work;
-    plan.cost.bytes = to_size(bytes);
+    chains.add(index, node, cost.run_bytes);
+    plan.cost.bytes = to_size(kept + chains.total());
     plan.cost.work = to_size(work);
     if (auto problem = over_limits(plan.cost, limits, "up to here the graph")) {
       problem->node = node.id;

@@ -19,9 +19,9 @@ struct NodeCost {
 
 NodeCost cost_of(const PlannedNode& node);
 
-/// Adds up what the `running` nodes of a plan need. Results are all kept until the end, and what nodes need while they
-/// run counts as if all ran at once, so the memory is a bound whatever runs beside what. The first node at which a
-/// limit is passed is the problem; its pointer is left to the caller.
+/// Adds up what the `running` nodes of a plan need. Results are all kept until the end. Of nodes that stand one behind
+/// another only one runs at a time, all others may run at once, so the memory is a bound whatever runs beside what. The
+/// first node at which a limit is passed is the problem; its pointer is left to the caller.
 std::optional<Problem> add_up(Plan& plan, const std::set<std::string>& running, const Limits& limits);
 
 /// What is said when something needs more memory, or more work, than is accepted; nothing when it does not. `what` is

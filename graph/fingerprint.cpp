@@ -50,7 +50,7 @@ Digest fingerprint(const PlannedNode& node, const Plan& plan) {
   const NodeType& type = *node.type;
   DigestBuilder digest;
   digest.text(type.id).integer(static_cast<std::uint64_t>(type.version));
-  digest.integer(static_cast<std::uint64_t>(node.overload - type.overloads.data()));
+  digest.integer(node.overload->number);
   if (type.makes_meshes_by_quality()) {
     digest.integer(node.triangle_budget);  // a mesh that a draft need not thin is the final one
   } else if (type.depends_on_quality) {

@@ -28,8 +28,8 @@ class Inference {
 
   std::optional<Problem> run() {
     name_lists();
-    for (PlannedInput& input : node_.inputs) {
-      if (auto problem = join_items(input)) return problem;
+    for (std::size_t port = 0; port < node_.inputs.size(); ++port) {
+      if (auto problem = join_items(port)) return problem;
     }
     if (auto problem = find_consumed()) return problem;
     if (auto problem = unite()) return problem;
@@ -37,59 +37,47 @@ class Inference {
   }
 
  private:
-  const std::string& port_name(const PlannedInput& input) const {
-    return node_.type->inputs[static_cast<std::size_t>(&input - node_.inputs.data())].name;
-  }
+  const std::string& port_name(std::size_t port) const { return node_.type->inputs[port].name; }
+  const InputSlot& slot(std::size_t port) const { return node_.overload->inputs[port]; }
 
   Problem problem(std::string code, const std::string& port, std::string detail) const {
     return {std::move(code), std::move(detail), node_.id, port, ""};
   }
 
-  bool is_mixed(const PlannedInput& input) const {
-    return node_.overload->is_mixed(static_cast<std::size_t>(&input - node_.inputs.data()));
-  }
-
-  /// The first input whose axes the function consumes.
-  PlannedInput* primary() {
-    for (std::size_t port = 0; port < node_.inputs.size(); ++port) {
-      if (node_.overload->input_is_block[port]) return &node_.inputs[port];
-    }
-    return nullptr;
-  }
-
   /// Whether an input that takes several is given one value over no axes, which is a list of one.
-  bool is_single(const PlannedInput& input) const {
-    return node_.type->inputs[static_cast<std::size_t>(&input - node_.inputs.data())].spec.takes_several &&
-           !input.list_axis && input.items.size() == 1 && input.items.front().shape.axes.empty() && !is_mixed(input);
+  bool is_single(std::size_t port) const {
+    const PlannedInput& input = node_.inputs[port];
+    return node_.type->inputs[port].spec.takes_several && !input.list_axis && input.items.size() == 1 &&
+           input.items.front().shape.axes.empty() && !slot(port).is_mixed();
   }
 
+  /// The text at a port; empty where there is none.
   std::string text_literal(const std::string& port) const {
     const auto found = node_.literals.find(port);
     return found == node_.literals.end() ? "" : std::get<std::string>(found->second);
   }
 
-  /// Lists of one node share an axis: the consumed one of a wired primary input, else what `axis` says, else the node's
-  /// id.
+  /// Lists of one node share an axis: the consumed one of a wired block, else the one that the card lets a text name,
+  /// else one called as the node.
   void name_lists() {
-    std::string name = text_literal("axis");
+    std::string name = text_literal(node_.type->list_axis);
     if (name.empty()) name = node_.id;
-    PlannedInput* first = primary();
-    if (first != nullptr && is_single(*first)) first->list_axis = Axis{name, 1, false};
-    if (first != nullptr && !first->list_axis && !first->items.empty()) {
+    const std::optional<std::size_t> block = node_.overload->first_block();
+    if (block && is_single(*block)) node_.inputs[*block].list_axis = Axis{name, 1, false};
+    const Axes* wired = nullptr;
+    if (block && !node_.inputs[*block].list_axis && !node_.inputs[*block].items.empty()) {
+      wired = &node_.inputs[*block].items.front().shape.axes;
       const std::string over = text_literal(node_.type->over.front());
-      const Axes& axes = first->items.front().shape.axes;
       if (!over.empty()) {
         name = over;
-      } else if (!axes.empty()) {
-        name = axes.back().name;
+      } else if (!wired->empty()) {
+        name = wired->back().name;
       }
     }
     for (PlannedInput& input : node_.inputs) {
       if (!input.list_axis) continue;
       input.list_axis->name = name;
-      const Axis* paired = first != nullptr && !first->list_axis && !first->items.empty()
-                               ? find_axis(first->items.front().shape.axes, name)
-                               : nullptr;
+      const Axis* paired = wired == nullptr ? nullptr : find_axis(*wired, name);
       if (paired != nullptr) input.list_axis->closed = paired->closed;
     }
   }
@@ -111,10 +99,11 @@ class Inference {
   }
 
   /// The shape of an input from its items.
-  std::optional<Problem> join_items(PlannedInput& input) const {
+  std::optional<Problem> join_items(std::size_t port) const {
+    PlannedInput& input = node_.inputs[port];
     if (input.items.empty()) return std::nullopt;
     input.shape = input.items.front().shape;
-    if (is_mixed(input)) {
+    if (slot(port).is_mixed()) {
       input.shape.axes.clear();
       input.shape.vertices = 0;
       for (const PlannedItem& item : input.items) input.shape.vertices += item.shape.vertices;
@@ -122,19 +111,19 @@ class Inference {
     }
     if (!input.list_axis) return std::nullopt;
     for (const PlannedItem& item : input.items) {
-      if (auto found = add_axes(input.shape.axes, item.shape.axes, port_name(input), port_name(input))) return found;
+      if (auto found = add_axes(input.shape.axes, item.shape.axes, port_name(port), port_name(port))) return found;
     }
-    return add_axes(input.shape.axes, {*input.list_axis}, port_name(input), port_name(input));
+    return add_axes(input.shape.axes, {*input.list_axis}, port_name(port), port_name(port));
   }
 
   std::optional<Problem> find_consumed() {
-    const auto wanted = static_cast<std::size_t>(node_.overload->consumed_axes);
+    const std::size_t wanted = node_.overload->consumed_axes();
     if (wanted == 0) return std::nullopt;
-    const PlannedInput& first = *primary();
-    const Axes& axes = first.shape.axes;
+    const std::size_t block = *node_.overload->first_block();
+    const Axes& axes = node_.inputs[block].shape.axes;
     if (axes.size() < wanted) {
-      return problem("axis-mismatch", port_name(first),
-                     port_name(first) + " needs " + std::to_string(wanted) + (wanted == 1 ? " axis" : " axes") +
+      return problem("axis-mismatch", port_name(block),
+                     port_name(block) + " needs " + std::to_string(wanted) + (wanted == 1 ? " axis" : " axes") +
                          ", it has " + names_of(axes));
     }
     std::vector<std::string> names;
@@ -154,7 +143,7 @@ class Inference {
       if (axis == nullptr) {
         return problem(
             "axis-mismatch", node_.type->over[k],
-            "there is no axis " + excerpt(names[k]) + " at " + port_name(first) + ", it has " + names_of(axes));
+            "there is no axis " + excerpt(names[k]) + " at " + port_name(block) + ", it has " + names_of(axes));
       }
       if (find_axis(node_.consumed, names[k]) != nullptr) {
         return problem("axis-mismatch", node_.type->over[k], "the axis " + names[k] + " is named twice");
@@ -168,20 +157,18 @@ class Inference {
   std::optional<Problem> unite() {
     Axes all;
     std::map<std::string, std::string> from;
-    for (const PlannedInput& input : node_.inputs) {
-      for (const Axis& axis : input.shape.axes) {
-        const std::string& other = from.emplace(axis.name, port_name(input)).first->second;
-        if (auto found = add_axes(all, {axis}, port_name(input), other)) return found;
+    for (std::size_t port = 0; port < node_.inputs.size(); ++port) {
+      for (const Axis& axis : node_.inputs[port].shape.axes) {
+        const std::string& other = from.emplace(axis.name, port_name(port)).first->second;
+        if (auto found = add_axes(all, {axis}, port_name(port), other)) return found;
       }
     }
     for (const Axis& axis : all) {
-      const bool consumed = find_axis(node_.consumed, axis.name) != nullptr;
-      const PlannedInput* block = consumed ? primary() : nullptr;
-      if (!consumed) {
+      if (find_axis(node_.consumed, axis.name) == nullptr) {
         node_.lifted.push_back(axis);
-      } else if (block != nullptr && !only_blocks_have(axis.name)) {
+      } else if (!only_blocks_have(axis.name)) {
         return problem("axis-mismatch", from[axis.name],
-                       "the axis " + axis.name + " is used up by " + port_name(*block) +
+                       "the axis " + axis.name + " is used up by " + port_name(*node_.overload->first_block()) +
                            ", so no other input of this node may run over it");
       }
     }
@@ -190,8 +177,7 @@ class Inference {
 
   bool only_blocks_have(const std::string& axis) const {
     for (std::size_t port = 0; port < node_.inputs.size(); ++port) {
-      if (!node_.overload->input_is_block[port] && find_axis(node_.inputs[port].shape.axes, axis) != nullptr)
-        return false;
+      if (!slot(port).is_block() && find_axis(node_.inputs[port].shape.axes, axis) != nullptr) return false;
     }
     return true;
   }
@@ -199,8 +185,9 @@ class Inference {
   std::size_t vertices_per_run() const {
     if (node_.type->vertices) return node_.type->vertices(node_.literals, node_.consumed);
     std::size_t total = 0;
-    for (const PlannedInput& input : node_.inputs) {
-      const std::size_t meshes = is_mixed(input) ? 1 : std::max<std::size_t>(1, sample_count(input.shape.axes));
+    for (std::size_t port = 0; port < node_.inputs.size(); ++port) {
+      const PlannedInput& input = node_.inputs[port];
+      const std::size_t meshes = slot(port).is_mixed() ? 1 : std::max<std::size_t>(1, sample_count(input.shape.axes));
       total += input.shape.vertices / meshes;
     }
     if (node_.type->vertex_factor) total *= node_.type->vertex_factor(node_.literals);
@@ -226,11 +213,11 @@ class Inference {
       std::vector<Axes> made = node_.type->axes(node_.literals, node_.id);
       made.resize(overload.outputs.size());
       for (std::size_t output = 0; output < overload.outputs.size(); ++output) {
-        if (overload.output_makes_axes[output]) node_.made[output] = made[output];
+        if (overload.outputs[output].makes_axes) node_.made[output] = made[output];
       }
     }
     for (std::size_t output = 0; output < overload.outputs.size(); ++output) {
-      WireShape shape{overload.outputs[output], node_.lifted, 0};
+      WireShape shape{overload.outputs[output].type, node_.lifted, 0};
       for (const Axis& axis : node_.made[output]) {
         if (find_axis(node_.lifted, axis.name) != nullptr) {
           return problem(

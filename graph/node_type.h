@@ -8,6 +8,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,17 +28,18 @@ const AssetFile& file_at(const Literals& literals, std::string_view port);
 
 /// One function behind a node, for one type of its first input.
 struct Overload {
-  std::vector<WireType> inputs;
-  std::vector<std::vector<WireType>> mixed_types;  ///< what an input that keeps its values apart takes; else empty
-  std::vector<bool> input_is_optional;
-  std::vector<bool> input_is_block;
-  std::vector<bool> input_is_file;
-  std::vector<WireType> outputs;
-  std::vector<bool> output_makes_axes;
-  int consumed_axes = 0;
-  std::function<LiftedResult(const Call&)> run;
+  std::size_t number = 0;         ///< among the functions of its node
+  std::vector<InputSlot> inputs;  ///< by port; a port that only the card has is a text
+  std::vector<OutputSlot> outputs;
+  PortBindings bindings;  ///< of the ports that the function takes
+  std::function<LiftedResult(const Call&, const PortBindings&)> function;
 
-  bool is_mixed(std::size_t port) const { return !mixed_types[port].empty(); }
+  LiftedResult run(const Call& call) const { return function(call, bindings); }
+
+  /// How many axes each call sees at once.
+  std::size_t consumed_axes() const;
+  /// The first port whose axes are consumed; nothing for a function that consumes none.
+  std::optional<std::size_t> first_block() const;
 };
 
 /// The axes that a node makes, per output, from its literals and its id.
@@ -92,16 +94,16 @@ struct NodeType {
 
   std::vector<InputPort> inputs;
   std::vector<OutputPort> outputs;
-  std::vector<std::vector<std::string>> choices;
   std::vector<Overload> overloads;
 
   std::vector<std::string> over;  ///< text inputs that name the consumed axes, in order
+  std::string list_axis;          ///< the text input that names the axis of lists; empty where the node's id does
   AxisRule axes;
   VertexRule vertices;
   VertexFactor vertex_factor;  ///< where there is no rule; 1 when absent
   CostRule cost;               ///< nothing beyond the usual when absent
   bool depends_on_quality = false;
-  FewestRule fewest_triangles;  ///< of each mesh that a draft thins; absent for nodes that make none
+  FewestRule fewest_triangles;    ///< of each mesh that a draft thins; absent for nodes that make none
   bool names_parts = false;       ///< its result holds the names of the nodes that its values come from
   bool passes_on = false;         ///< gives on what it is given at its first input
   bool makes_curves = false;      ///< points along the axis that it makes belong to one curve
@@ -112,7 +114,9 @@ struct NodeType {
 
   const InputPort* find_input(std::string_view name) const;
   const OutputPort* find_output(std::string_view name) const;
+  /// The places of ports that are there.
   std::size_t input_index(std::string_view name) const;
+  std::size_t output_index(std::string_view name) const;
 };
 
 }  // namespace dini

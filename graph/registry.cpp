@@ -24,15 +24,16 @@ void complete_ports(NodeType& type) {
   for (std::size_t port = 0; port < type.inputs.size(); ++port) {
     InputPort& input = type.inputs[port];
     for (const Overload& overload : type.overloads) {
-      for (const WireType type_taken : overload.mixed_types[port]) add_type(input.types, type_taken);
-      if (!overload.is_mixed(port)) add_type(input.types, overload.inputs[port]);
-      input.optional = overload.input_is_optional[port];
-      input.names_file = overload.input_is_file[port];
+      const InputSlot& slot = overload.inputs[port];
+      for (const WireType mixed : slot.mixed) add_type(input.types, mixed);
+      if (!slot.is_mixed()) add_type(input.types, slot.type);
+      input.optional = slot.optional;
+      input.names_file = slot.file;
+      input.choices = slot.words;
     }
-    input.choices = type.choices[port];
   }
   for (std::size_t port = 0; port < type.outputs.size(); ++port) {
-    for (const Overload& overload : type.overloads) add_type(type.outputs[port].types, overload.outputs[port]);
+    for (const Overload& overload : type.overloads) add_type(type.outputs[port].types, overload.outputs[port].type);
   }
 }
 
@@ -80,11 +81,10 @@ void check_names(const NodeType& type, const Ports& ports) {
 void Registry::add(NodeType type) {
   if (type.title.empty() || type.family.empty() || type.doc.empty()) refuse(type, "title, family or doc is missing");
   for (const Overload& overload : type.overloads) {
-    if (overload.inputs.size() != type.inputs.size()) refuse(type, "the card does not describe every input");
     if (overload.outputs.size() != type.outputs.size()) refuse(type, "the card does not describe every output");
-    if (overload.consumed_axes > static_cast<int>(type.over.size()))
-      refuse(type, "a consumed axis has no input to name it");
-    const bool makes = std::count(overload.output_makes_axes.begin(), overload.output_makes_axes.end(), true) > 0;
+    if (overload.consumed_axes() > type.over.size()) refuse(type, "a consumed axis has no input to name it");
+    const bool makes = std::any_of(overload.outputs.begin(), overload.outputs.end(),
+                                   [](const OutputSlot& output) { return output.makes_axes; });
     if (makes != static_cast<bool>(type.axes)) refuse(type, "made axes and the axis rule do not agree");
   }
   complete_ports(type);
@@ -94,8 +94,8 @@ void Registry::add(NodeType type) {
     check_input(type, input);
     check_handle(type, input);
   }
-  for (const std::string& port : type.over) {
-    if (type.find_input(port) == nullptr) refuse(type, "no input names the consumed axis " + port);
+  if (!type.list_axis.empty() && type.find_input(type.list_axis) == nullptr) {
+    refuse(type, "no input names the axis of lists " + type.list_axis);
   }
   const std::string id = type.id;
   if (!types_.emplace(id, std::move(type)).second) throw std::logic_error("node type \"" + id + "\" is declared twice");
@@ -115,11 +115,12 @@ std::string axis_name(const Literals& literals, const std::string& port, const s
 
 }  // namespace
 
-AxisRule one_axis(std::string count, std::string axis, std::string closed) {
-  return [count = std::move(count), axis = std::move(axis), closed = std::move(closed)](const Literals& literals,
-                                                                                        const std::string& node_id) {
+AxisRule one_axis(std::string count, std::string axis, std::string closed, std::size_t outputs) {
+  return [count = std::move(count), axis = std::move(axis), closed = std::move(closed), outputs](
+             const Literals& literals, const std::string& node_id) {
     const auto size = static_cast<std::size_t>(integer_at(literals, count));
-    return std::vector<Axes>{{{axis_name(literals, axis, node_id), size, boolean_at(literals, closed)}}};
+    const Axis made{axis_name(literals, axis, node_id), size, !closed.empty() && boolean_at(literals, closed)};
+    return std::vector<Axes>(outputs, Axes{made});
   };
 }
 

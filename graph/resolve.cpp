@@ -107,7 +107,7 @@ class Resolver {
     const PlannedNode& source = plan_.nodes[index];
     std::size_t output = 0;
     if (!link.output.empty()) {
-      output = static_cast<std::size_t>(source.type->find_output(link.output) - source.type->outputs.data());
+      output = source.type->output_index(link.output);
     }
     if (!source.bypass) return {Source{index, output}, source.outputs[output]};
     if (output > 0) {
@@ -167,7 +167,7 @@ class Resolver {
         read_json(overload, port, item, resolved);
       }
     }
-    if (listed_[port] && !overload.is_mixed(port)) input.list_axis = Axis{"", given.size(), false};
+    if (listed_[port] && !overload.inputs[port].is_mixed()) input.list_axis = Axis{"", given.size(), false};
   }
 
   void use_default(const Overload& overload, std::size_t port, Resolved& resolved) const {
@@ -188,10 +188,10 @@ class Resolver {
 
   void read_wire(const Overload& overload, std::size_t port, const PlannedItem& item, Resolved& resolved) const {
     const InputPort& card = type_.inputs[port];
-    const WireType wanted = overload.inputs[port];
+    const WireType wanted = overload.inputs[port].type;
     const WireType type = item.shape.type;
-    const bool literal_only = !overload.is_mixed(port) && info(wanted).literal_only;
-    const bool fits = overload.is_mixed(port)
+    const bool literal_only = !overload.inputs[port].is_mixed() && info(wanted).literal_only;
+    const bool fits = overload.inputs[port].is_mixed()
                           ? std::find(card.types.begin(), card.types.end(), type) != card.types.end()
                           : type == wanted;
     if (literal_only) {
@@ -212,7 +212,7 @@ class Resolver {
 
   void read_json(const Overload& overload, std::size_t port, const Given& given, Resolved& resolved) const {
     const InputPort& card = type_.inputs[port];
-    const WireType wanted = overload.inputs[port];
+    const WireType wanted = overload.inputs[port].type;
     if (given.parameter != nullptr && !parameter_fits(given.parameter->second.type, wanted)) {
       add(resolved, card.name, [&] {
         return problem("type-mismatch", card.name,
@@ -221,7 +221,7 @@ class Resolver {
       });
       return;
     }
-    LiteralOutcome outcome = overload.is_mixed(port)
+    LiteralOutcome outcome = overload.inputs[port].is_mixed()
                                  ? LiteralProblem{"type-mismatch", "expected a link to a " + names_of(card.types)}
                                  : read_literal(given.literal, wanted, card);
     if (auto* wrong = std::get_if<LiteralProblem>(&outcome)) {

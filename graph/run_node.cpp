@@ -106,7 +106,7 @@ class NodeRunner {
 
   Argument argument(std::size_t port) const {
     const PlannedInput& input = node_.inputs[port];
-    const bool mixed = node_.overload->is_mixed(port);
+    const bool mixed = node_.overload->inputs[port].is_mixed();
     if (input.items.empty()) return std::monostate{};
     if (!input.list_axis && !mixed) return read(input.items.front());
     Items items;
@@ -130,8 +130,9 @@ class NodeRunner {
         first_where(cancel(), column.size(), [&](std::size_t i) { return !(column[i] >= least && column[i] <= most); });
     if (!outside) return std::nullopt;
     return problem("out-of-range", card.name,
-                   card.name + " of " + node_.id + " (" + node_.type->title + "): got " + to_text(column[*outside]) + place_text(value->axes, *outside) +
-                       ", accepted is " + range_text(card.spec.minimum, card.spec.maximum));
+                   card.name + " of " + node_.id + " (" + node_.type->title + "): got " + to_text(column[*outside]) +
+                       place_text(value->axes, *outside) + ", accepted is " +
+                       range_text(card.spec.minimum, card.spec.maximum));
   }
 
   const PlannedNode& node_;

@@ -65,7 +65,7 @@ class Prediction {
   double given(const PlannedNode& node) const {
     double sum = 0;
     for (std::size_t port = 0; port < node.inputs.size(); ++port) {
-      const bool all_at_once = node.overload->is_mixed(port);
+      const bool all_at_once = node.overload->inputs[port].is_mixed();
       for (const PlannedItem& item : node.inputs[port].items) {
         const auto* source = std::get_if<Source>(&item.from);
         if (source != nullptr) sum += of_one_[source->node] * (all_at_once ? meshes_on(item.shape) : 1);
@@ -104,7 +104,8 @@ void share_triangles(Plan& plan, const std::set<std::string>& needed) {
 
 std::optional<Warning> unkept_budget(const Plan& plan, std::size_t triangles) {
   if (plan.detail.quality == Quality::final || triangles <= plan.detail.triangle_budget) return std::nullopt;
-  return Warning{"triangle-budget", "the draft has " + std::to_string(triangles) + " triangles, more than its budget of " +
+  return Warning{"triangle-budget", "the draft has " + std::to_string(triangles) +
+                                        " triangles, more than its budget of " +
                                         std::to_string(plan.detail.triangle_budget) +
                                         ": its meshes are as thin as they can be, or were cut at infinity"};
 }

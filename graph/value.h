@@ -16,10 +16,15 @@
 
 namespace dini {
 
+template <class List>
+struct ColumnsOf;
+template <class... T>
+struct ColumnsOf<WireList<T...>> {
+  using Variant = std::variant<SharedColumn<T>...>;
+};
+
 /// A shared column of any wire type; the alternatives stand in the order of WireType.
-using AnyColumn =
-    std::variant<SharedColumn<double>, SharedColumn<Vector>, SharedColumn<Point>, SharedColumn<Generator>,
-                 SharedColumn<Circle>, SharedColumn<Sphere>, SharedColumn<SharedMesh>, SharedColumn<SharedAsset>>;
+using AnyColumn = ColumnsOf<WireTypes>::Variant;
 
 /// A family of any wire type.
 struct Value {

@@ -27,6 +27,14 @@ constexpr std::array<WireInfo, 13> types = {{
     {WireType::color, "color", "number", "#C1D7D0", "dot", "Linear red, green, blue and alpha from 0 to 1.", true},
 }};
 
+constexpr bool in_order() {
+  for (std::size_t k = 0; k < types.size(); ++k) {
+    if (types[k].type != static_cast<WireType>(k)) return false;
+  }
+  return true;
+}
+static_assert(in_order(), "the table of wire types is not in the order of WireType");
+
 /// One sRGB component of 0 to 255 made linear (IEC 61966-2-1).
 double linear(int component) {
   const double encoded = component / 255.0;

@@ -47,7 +47,7 @@ struct WireInfo {
   std::string_view name;
   std::string_view family;  ///< Types of one family share a color.
   std::string_view color;   ///< "#RRGGBB" in sRGB, as pages write it.
-  std::string_view shape;  ///< How a socket is drawn: one shape per type.
+  std::string_view shape;   ///< How a socket is drawn: one shape per type.
   std::string_view doc;
   bool literal_only;
 };
@@ -94,6 +94,17 @@ template <>
 struct Wire<SharedAsset> {
   static constexpr WireType type = WireType::asset;
 };
+
+/// The C++ types of wires in the order of WireType, as far as values travel on them.
+template <class... T>
+struct WireList {
+  static constexpr bool in_order = [] {
+    std::size_t place = 0;
+    return ((static_cast<std::size_t>(Wire<T>::type) == place++) && ...);
+  }();
+};
+using WireTypes = WireList<double, Vector, Point, Generator, Circle, Sphere, SharedMesh, SharedAsset>;
+static_assert(WireTypes::in_order, "the list of wires is not in the order of WireType");
 
 template <class T>
 concept WireValue = requires {

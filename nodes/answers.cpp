@@ -20,12 +20,16 @@ std::tuple<double, double, double, double, double, double, Point, Point> measure
           measures.maximum};
 }
 
-Attempt<double> checked(double value, const std::optional<double>& minimum, const std::optional<double>& maximum,
-                        const std::string& message) {
-  if ((!minimum || value >= *minimum) && (!maximum || value <= *maximum)) return value;
+struct CheckInputs {
+  std::optional<double> minimum, maximum;
+  std::string message;
+};
+
+Attempt<double> checked(double value, const CheckInputs& in) {
+  if ((!in.minimum || value >= *in.minimum) && (!in.maximum || value <= *in.maximum)) return value;
   return Failure{"check-failed",
-                 (message.empty() ? "the check failed" : message) + ": got " + to_text(value) + ", accepted is " +
-                     range_text(minimum, maximum),
+                 (in.message.empty() ? "the check failed" : in.message) + ": got " + to_text(value) + ", accepted is " +
+                     range_text(in.minimum, in.maximum),
                  "value"};
 }
 
@@ -40,7 +44,9 @@ void add_answers(Registry& registry) {
                             "faces. Vertices are "
                             "counted by position.")
                    .input("model", "The mesh.")
-                   .cost([](const RunSize& size) { return RunCost{150 * size.given_vertices, 120 * size.given_vertices}; })
+                   .cost([](const RunSize& size) {
+                     return RunCost{150 * size.given_vertices, 120 * size.given_vertices};
+                   })
                    .output("area", "Sum of the triangles, in square meters.")
                    .output("volume", "By the divergence theorem, in cubic meters.")
                    .output("vertices", "Distinct positions in use.")
@@ -56,9 +62,9 @@ void add_answers(Registry& registry) {
                    .doc("Passes a number on when it is within bounds; fails the whole evaluation when it is not.")
                    .details("A check runs in every evaluation of its graph, whether or not the output needs it.")
                    .input("value", "The number to check.")
-                   .input("minimum", "Least accepted value; none when left out.")
-                   .input("maximum", "Greatest accepted value; none when left out.")
-                   .input("message", "What to say when it fails.", defaults(""))
+                   .input("minimum", &CheckInputs::minimum, "Least accepted value; none when left out.")
+                   .input("maximum", &CheckInputs::maximum, "Greatest accepted value; none when left out.")
+                   .input("message", &CheckInputs::message, "What to say when it fails.", defaults(""))
                    .always_evaluated()
                    .output("value", "The same number."));
 }

@@ -10,8 +10,8 @@ namespace dini {
 /// A surface through a grid of points: samples, cuts, welds and normals.
 inline RunCost cost_of_grid_surface(const RunSize& size) { return {350 * size.vertices, 190 * size.vertices}; }
 
-/// A mesh with other positions; those that reach infinity are cut out of a copy.
-inline RunCost cost_of_moved_mesh(const RunSize& size) { return {0, 120 * size.vertices}; }
+/// A mesh with other positions, of which those that reach infinity are left out.
+inline RunCost cost_of_moved_mesh(const RunSize& size) { return {0, 48 * size.vertices}; }
 
 /// Generators that act together, as a kernel takes them.
 inline constexpr double source_bytes = 13 * sizeof(double);

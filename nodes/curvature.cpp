@@ -45,49 +45,71 @@ Generator bending(const CurvatureSource& source, const Vector& normal, const Vec
   return (-0.5 * source.along_u) * beside_v + (-0.5 * source.along_v) * beside_u;
 }
 
-Attempt<Generator> curvature_generator(const Point& position, const Vector& normal, const Vector& u_direction,
-                                       double curvature_u, double curvature_v, double u, double v,
-                                       CurvatureMethod method) {
-  if (normal == Vector{}) return Failure{"degenerate", "the normal must not be zero", "normal"};
-  const Vector up = normalized(normal);
-  Vector ahead = normalized(u_direction);
+struct CurvatureInputs {
+  Point position;
+  Vector normal, u_direction;
+  double curvature_u, curvature_v;
+  double u, v;
+  CurvatureMethod method;
+};
+
+Attempt<Generator> curvature_generator(const CurvatureInputs& in) {
+  if (in.normal == Vector{}) return Failure{"degenerate", "the normal must not be zero", "normal"};
+  const Vector up = normalized(in.normal);
+  Vector ahead = normalized(in.u_direction);
   ahead = normalized(ahead - dot(ahead, up) * up);
   if (ahead == Vector{}) ahead = any_perpendicular(up);
-  return bending({position, curvature_u, curvature_v}, up, u * ahead, v * cross(up, ahead), method);
+  return bending({in.position, in.curvature_u, in.curvature_v}, up, in.u * ahead, in.v * cross(up, ahead), in.method);
 }
 
 /// Weights 0 to 1 whose first and second derivative vanish at both ends, so that near a corner only that corner counts.
 double smooth_step(double t) { return t * t * t * (10 + t * (6 * t - 15)); }
 
-Attempt<SharedMesh> curvature_patch(const Context& context, double u_a, double v_a, double u_b, double v_b, double u_c,
-                                    double v_c, double u_d, double v_d, const Point& center, const Vector& u_vector,
-                                    const Vector& v_vector, double amount, std::int64_t count_u, std::int64_t count_v,
-                                    CurvatureMethod method, Rule rule, AtInfinity at_infinity, double clip_radius) {
-  const Vector normal = normalized(cross(u_vector, v_vector));
-  const auto corner = [&](double u, double v) { return to_point(to_vector(center) + u * u_vector + v * v_vector); };
-  const std::array<CurvatureSource, 4> corners = {
-      {{corner(-1, -1), u_a, v_a}, {corner(1, -1), u_b, v_b}, {corner(-1, 1), u_c, v_c}, {corner(1, 1), u_d, v_d}}};
-  const auto rows = static_cast<std::size_t>(count_u), columns = static_cast<std::size_t>(count_v);
+struct CurvaturePatchInputs {
+  double curvature_u_a, curvature_v_a;
+  double curvature_u_b, curvature_v_b;
+  double curvature_u_c, curvature_v_c;
+  double curvature_u_d, curvature_v_d;
+  Point center;
+  Vector u_vector, v_vector;
+  double amount;
+  std::int64_t count_u, count_v;
+  CurvatureMethod method;
+  Rule rule;
+  AtInfinity at_infinity;
+  double clip_radius;
+};
+
+Attempt<SharedMesh> curvature_patch(const Context& context, const CurvaturePatchInputs& in) {
+  const Vector normal = normalized(cross(in.u_vector, in.v_vector));
+  const auto corner = [&](double u, double v) {
+    return to_point(to_vector(in.center) + u * in.u_vector + v * in.v_vector);
+  };
+  const std::array<CurvatureSource, 4> corners = {{{corner(-1, -1), in.curvature_u_a, in.curvature_v_a},
+                                                   {corner(1, -1), in.curvature_u_b, in.curvature_v_b},
+                                                   {corner(-1, 1), in.curvature_u_c, in.curvature_v_c},
+                                                   {corner(1, 1), in.curvature_u_d, in.curvature_v_d}}};
+  const auto rows = static_cast<std::size_t>(in.count_u), columns = static_cast<std::size_t>(in.count_v);
   const Column<double> us = spaced(0, 1, rows, false, context.cancel()),
                        vs = spaced(0, 1, columns, false, context.cancel());
   Column<Point> points(rows * columns);
   for_chunks(context.cancel(), points.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const double u = us[i / columns], v = vs[i % columns];
-      const bool smooth = method == CurvatureMethod::exact;
+      const bool smooth = in.method == CurvatureMethod::exact;
       const double along = smooth ? smooth_step(u) : u, across = smooth ? smooth_step(v) : v;
       Generator sum;
       for (std::size_t k = 0; k < corners.size(); ++k) {
         const double at_u = k % 2 == 0 ? 0 : 1, at_v = k < 2 ? 0 : 1;
         const double weight = (at_u == 0 ? 1 - along : along) * (at_v == 0 ? 1 - across : across);
-        sum = sum +
-              weight * bending(corners[k], normal, (2 * (u - at_u)) * u_vector, (2 * (v - at_v)) * v_vector, method);
+        sum = sum + weight * bending(corners[k], normal, (2 * (u - at_u)) * in.u_vector, (2 * (v - at_v)) * in.v_vector,
+                                     in.method);
       }
-      const auto moved = apply(exponential(amount * sum, rule), corner(2 * u - 1, 2 * v - 1));
+      const auto moved = apply(exponential(in.amount * sum, in.rule), corner(2 * u - 1, 2 * v - 1));
       points.set(i, moved.value_or(Point::at_infinity()));
     }
   });
-  return finish_surface(context, {points, rows, columns, false, false}, at_infinity, clip_radius, nullptr);
+  return finish_surface(context, {points, rows, columns, false, false}, in.at_infinity, in.clip_radius, nullptr);
 }
 
 InputSpec curvature_input(double value) { return defaults(value).hard(-1e9, 1e9).soft(-2, 2).unit("1/m"); }
@@ -112,16 +134,22 @@ void add_curvature(Registry& registry) {
           .degenerate("zero direction",
                       "A zero normal is an error; a zero u_direction, or one along the normal, is replaced by "
                       "a fixed perpendicular.")
-          .input("position", "Where the curvatures hold.", defaults({0, 0, 0}).unit("m").position_handle())
-          .input("normal", "Normal of the plane, or of the line; of any length.",
+          .input("position", &CurvatureInputs::position, "Where the curvatures hold.",
+                 defaults({0, 0, 0}).unit("m").position_handle())
+          .input("normal", &CurvatureInputs::normal, "Normal of the plane, or of the line; of any length.",
                  defaults({0, 0, 1}).direction_handle("position"))
-          .input("u_direction", "Where u runs in the plane; v runs to its left.",
+          .input("u_direction", &CurvatureInputs::u_direction, "Where u runs in the plane; v runs to its left.",
                  defaults({1, 0, 0}).direction_handle("position"))
-          .input("curvature_u", "Curvature along u; above 0 it bends against the normal.", curvature_input(1))
-          .input("curvature_v", "Curvature along v; above 0 it bends against the normal.", curvature_input(0))
-          .input("u", "Place of the bent point along u.", defaults(0).hard(-1e9, 1e9).soft(-2, 2).unit("m"))
-          .input("v", "Place of the bent point along v.", defaults(0).hard(-1e9, 1e9).soft(-2, 2).unit("m"))
-          .input("method", "Curvatures as asked, or eq. (18) to the letter.", defaults("exact"))
+          .input("curvature_u", &CurvatureInputs::curvature_u,
+                 "Curvature along u; above 0 it bends against the normal.", curvature_input(1))
+          .input("curvature_v", &CurvatureInputs::curvature_v,
+                 "Curvature along v; above 0 it bends against the normal.", curvature_input(0))
+          .input("u", &CurvatureInputs::u, "Place of the bent point along u.",
+                 defaults(0).hard(-1e9, 1e9).soft(-2, 2).unit("m"))
+          .input("v", &CurvatureInputs::v, "Place of the bent point along v.",
+                 defaults(0).hard(-1e9, 1e9).soft(-2, 2).unit("m"))
+          .input("method", &CurvatureInputs::method, "Curvatures as asked, or eq. (18) to the letter.",
+                 defaults("exact"))
           .output("generator", "The generator; boost the point with amount 1."));
 
   registry.add(
@@ -134,29 +162,38 @@ void add_curvature(Registry& registry) {
                    "that the curvatures at each corner are the ones asked for, along both edges; the paper's blends "
                    "eq. (18) bilinearly. Since the corners stay, four equal curvatures make a wave rather than a dome.")
           .degenerate("zero direction", "Vectors that span no plane give an empty mesh.")
-          .input("curvature_u_a", "Along u at u = 0, v = 0.", curvature_input(1))
-          .input("curvature_v_a", "Along v at u = 0, v = 0.", curvature_input(1))
-          .input("curvature_u_b", "Along u at u = 1, v = 0.", curvature_input(1))
-          .input("curvature_v_b", "Along v at u = 1, v = 0.", curvature_input(1))
-          .input("curvature_u_c", "Along u at u = 0, v = 1.", curvature_input(1))
-          .input("curvature_v_c", "Along v at u = 0, v = 1.", curvature_input(1))
-          .input("curvature_u_d", "Along u at u = 1, v = 1.", curvature_input(1))
-          .input("curvature_v_d", "Along v at u = 1, v = 1.", curvature_input(1))
-          .input("center", "The middle.", defaults({0, 0, 0}).unit("m").position_handle())
-          .input("u_vector", "Half the extent along u.", defaults({1, 0, 0}).unit("m").direction_handle("center"))
-          .input("v_vector", "Half the extent along v.", defaults({0, 1, 0}).unit("m").direction_handle("center"))
-          .input("amount", "Factor of the blended generator.", defaults(1).soft(-2, 2))
-          .input("count_u", "How many points along u.", defaults(96).hard(2, 65536).soft(8, 256))
-          .input("count_v", "How many points along v.", defaults(96).hard(2, 65536).soft(8, 256))
-          .input("method", "Curvatures as asked, or eq. (18) to the letter.", defaults("exact"))
-          .input("rule", "The true exponential, or the paper's with the scalar part of the square only.",
+          .input("curvature_u_a", &CurvaturePatchInputs::curvature_u_a, "Along u at u = 0, v = 0.", curvature_input(1))
+          .input("curvature_v_a", &CurvaturePatchInputs::curvature_v_a, "Along v at u = 0, v = 0.", curvature_input(1))
+          .input("curvature_u_b", &CurvaturePatchInputs::curvature_u_b, "Along u at u = 1, v = 0.", curvature_input(1))
+          .input("curvature_v_b", &CurvaturePatchInputs::curvature_v_b, "Along v at u = 1, v = 0.", curvature_input(1))
+          .input("curvature_u_c", &CurvaturePatchInputs::curvature_u_c, "Along u at u = 0, v = 1.", curvature_input(1))
+          .input("curvature_v_c", &CurvaturePatchInputs::curvature_v_c, "Along v at u = 0, v = 1.", curvature_input(1))
+          .input("curvature_u_d", &CurvaturePatchInputs::curvature_u_d, "Along u at u = 1, v = 1.", curvature_input(1))
+          .input("curvature_v_d", &CurvaturePatchInputs::curvature_v_d, "Along v at u = 1, v = 1.", curvature_input(1))
+          .input("center", &CurvaturePatchInputs::center, "The middle.",
+                 defaults({0, 0, 0}).unit("m").position_handle())
+          .input("u_vector", &CurvaturePatchInputs::u_vector, "Half the extent along u.",
+                 defaults({1, 0, 0}).unit("m").direction_handle("center"))
+          .input("v_vector", &CurvaturePatchInputs::v_vector, "Half the extent along v.",
+                 defaults({0, 1, 0}).unit("m").direction_handle("center"))
+          .input("amount", &CurvaturePatchInputs::amount, "Factor of the blended generator.", defaults(1).soft(-2, 2))
+          .input("count_u", &CurvaturePatchInputs::count_u, "How many points along u.",
+                 defaults(96).hard(2, 65536).soft(8, 256))
+          .input("count_v", &CurvaturePatchInputs::count_v, "How many points along v.",
+                 defaults(96).hard(2, 65536).soft(8, 256))
+          .input("method", &CurvaturePatchInputs::method, "Curvatures as asked, or eq. (18) to the letter.",
                  defaults("exact"))
-          .input("at_infinity", "What to do where the surface leaves the clip radius.", defaults("clip"))
-          .input("clip_radius", "Distance from the origin that counts as infinity.",
+          .input("rule", &CurvaturePatchInputs::rule,
+                 "The true exponential, or the paper's with the scalar part of the square only.", defaults("exact"))
+          .input("at_infinity", &CurvaturePatchInputs::at_infinity,
+                 "What to do where the surface leaves the clip radius.", defaults("clip"))
+          .input("clip_radius", &CurvaturePatchInputs::clip_radius, "Distance from the origin that counts as infinity.",
                  defaults(100).hard(1e-3, 1e6).soft(1, 1000).unit("m"))
           .vertices(patch_vertices)
-          .thinned_to(2)
-          .cost([](const RunSize& size) { return RunCost{600 * size.vertices, 190 * size.vertices}; })
+          .thinned_to(8)
+          .cost([](const RunSize& size) {
+            return RunCost{600 * size.vertices, 190 * size.vertices};
+          })
           .output("mesh", "The mesh."));
 }
 

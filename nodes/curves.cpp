@@ -5,12 +5,10 @@
 #include "geometry/chunks.h"
 #include "geometry/field_line.h"
 #include "geometry/sampling.h"
-#include "graph/node_builder.h"
 #include "nodes/all.h"
-#include "nodes/choices.h"
 #include "nodes/costs.h"
 #include "nodes/shapes.h"
-#include "nodes/sources.h"
+#include "nodes/warp_inputs.h"
 
 namespace dini {
 
@@ -72,44 +70,58 @@ double clipped_end(const Orbit& orbit, const Column<double>& amounts, double sta
   return inside;
 }
 
-Made<Point> orbit_points(const Context& context, const Point& point, const Generator& generator, double from, double to,
-                         std::int64_t count, double clip_radius, const std::string&, Rule rule) {
+struct OrbitInputs {
+  Point point;
+  Generator generator;
+  double from, to;
+  std::int64_t count;
+  double clip_radius;
+  Rule rule;
+};
+
+Made<Point> orbit_points(const Context& context, const OrbitInputs& in) {
   const Cancel& cancel = context.cancel();
-  const auto size = static_cast<std::size_t>(count);
-  const Orbit orbit(point, generator, rule);
-  const Column<double> amounts = spaced(from, to, size, false, cancel);
-  Made<Point> made{orbit.at(amounts, cancel)};
-  const auto is_outside = [&](std::size_t i) { return !(length(to_vector(made.values[i])) <= clip_radius); };
+  const auto size = static_cast<std::size_t>(in.count);
+  const Orbit orbit(in.point, in.generator, in.rule);
+  Made<Point> made{orbit.at(spaced(in.from, in.to, size, false, cancel), cancel)};
+  const auto is_outside = [&](std::size_t i) { return !(length(to_vector(made.values[i])) <= in.clip_radius); };
   bool leaves = false;
   CancelEvery steps(cancel);
   for (std::size_t i = 0; i < size && !steps.stopped(); ++i) leaves = leaves || is_outside(i);
   if (!leaves) return made;
-  const double start = std::clamp(0.0, std::min(from, to), std::max(from, to));
-  if (!orbit.is_within(start, clip_radius)) {
+  const auto [least, most] = std::minmax({in.from, in.to});
+  const double start = std::clamp(0.0, least, most);
+  if (!orbit.is_within(start, in.clip_radius)) {
     for (std::size_t i = 0; i < size && !steps.stopped(); ++i) made.values.set(i, Point::at_infinity());
     return made;
   }
   // The amounts in rising order, whichever way the orbit runs.
-  const Column<double> rising = spaced(std::min(from, to), std::max(from, to), size, false, cancel);
-  double low = clipped_end(orbit, rising, start, false, clip_radius, cancel);
-  double high = clipped_end(orbit, rising, start, true, clip_radius, cancel);
-  if (from > to) std::swap(low, high);
+  const Column<double> rising = spaced(least, most, size, false, cancel);
+  double low = clipped_end(orbit, rising, start, false, in.clip_radius, cancel);
+  double high = clipped_end(orbit, rising, start, true, in.clip_radius, cancel);
+  if (in.from > in.to) std::swap(low, high);
   return {orbit.at(spaced(low, high, size, false, cancel), cancel)};
 }
 
-Attempt<Made<Point>> contour_points(const Context& context, const Point& point, const Block<Generator, 1>& generators,
-                                    const std::string&, const Vector& normal, double length, bool both_ways,
-                                    std::int64_t count, double clip_radius, const std::string&, double strength,
-                                    double power, double softening, Rule rule, kernels::WarpMethod method) {
-  if (normal == Vector{}) return Failure{"degenerate", "the normal of the plane must not be zero", "normal"};
-  const Attempt<std::vector<kernels::WarpSource>> sources = sources_of(context, generators);
+struct ContourInputs : kernels::WarpSettings {
+  Point point;
+  Block<Generator, 1> generators;
+  Vector normal;
+  double length;
+  bool both_ways;
+  std::int64_t count;
+  double clip_radius;
+};
+
+Attempt<Made<Point>> contour_points(const Context& context, const ContourInputs& in) {
+  if (in.normal == Vector{}) return Failure{"degenerate", "the normal of the plane must not be zero", "normal"};
+  const Attempt<std::vector<kernels::WarpSource>> sources = sources_of(context, in.generators);
   if (const auto* failure = std::get_if<Failure>(&sources)) return *failure;
   const kernels::Stop stop = context.cancel().for_kernels();
   const kernels::WarpField warp_field(std::get<0>(sources), stop);
-  const kernels::WarpSettings settings{strength, power, softening, rule, method};
-  const Vector up = normalized(normal);
-  kernels::WarpSettings backward = settings;
-  backward.strength = -strength;
+  const Vector up = normalized(in.normal);
+  kernels::WarpSettings backward = in;
+  backward.strength = -in.strength;
   const auto moved = [&](const Vector& place, const kernels::WarpSettings& how) {
     Vector there;
     kernels::warp_points(warp_field, how, {&place.x, &place.y, &place.z}, {&there.x, &there.y, &there.z}, 1, stop);
@@ -118,22 +130,14 @@ Attempt<Made<Point>> contour_points(const Context& context, const Point& point, 
   // Across the way from where the field would have come to where it goes, in the plane: of a finite displacement alone
   // the curvature of its path would be seen too.
   const DirectionField field = [&](const Vector& place) {
-    const Vector across = cross(up, moved(place, settings) - moved(place, backward));
+    const Vector across = cross(up, moved(place, in) - moved(place, backward));
     return is_finite(across) ? normalized(across) : Vector{};
   };
-  const FieldLine line = field_line(
-      field, to_vector(point), {length, static_cast<std::size_t>(count), clip_radius, both_ways}, context.cancel());
+  const FieldLineOptions options{in.length, static_cast<std::size_t>(in.count), in.clip_radius, in.both_ways};
+  const FieldLine line = field_line(field, to_vector(in.point), options, context.cancel());
   Made<Point> contour{Column<Point>(line.points.size())};
   for (std::size_t i = 0; i < line.points.size(); ++i) contour.values.set(i, to_point(line.points[i]));
   return contour;
-}
-
-AxisRule open_axis() {
-  return [](const Literals& literals, const std::string& node_id) {
-    const std::string& given = text_at(literals, "axis");
-    const auto size = static_cast<std::size_t>(integer_at(literals, "count"));
-    return std::vector<Axes>{{{given.empty() ? node_id : given, size, false}}};
-  };
 }
 
 RunCost cost_of_orbit(const RunSize& size) { return {60 * size.values, 40 * size.values}; }
@@ -163,16 +167,18 @@ void add_curves(Registry& registry) {
           .degenerate("point at a generator", "Every point of the orbit is that point.")
           .degenerate("isoclinic generators",
                       "The two equal turns have a closed form of their own; nothing is divided by their difference.")
-          .input("point", "Where the orbit passes at t = 0.", defaults({1, 0, 0}).unit("m").position_handle())
-          .input("generator", "What moves the point.")
-          .input("from", "First t.", defaults(0).hard(-1e6, 1e6).soft(-4, 4))
-          .input("to", "Last t.", defaults(1).hard(-1e6, 1e6).soft(-4, 4))
-          .input("count", "How many points.", defaults(64).hard(1, 1'000'000).soft(2, 256))
-          .input("clip_radius", "Distance from the origin at which the orbit ends.", clip_radius_input())
-          .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
-          .input("rule", "The true exponential, or the paper's with the scalar part of the square only.",
-                 defaults("exact"))
-          .axes(open_axis())
+          .input("point", &OrbitInputs::point, "Where the orbit passes at t = 0.",
+                 defaults({1, 0, 0}).unit("m").position_handle())
+          .input("generator", &OrbitInputs::generator, "What moves the point.")
+          .input("from", &OrbitInputs::from, "First t.", defaults(0).hard(-1e6, 1e6).soft(-4, 4))
+          .input("to", &OrbitInputs::to, "Last t.", defaults(1).hard(-1e6, 1e6).soft(-4, 4))
+          .input("count", &OrbitInputs::count, "How many points.", defaults(64).hard(1, 1'000'000).soft(2, 256))
+          .input("clip_radius", &OrbitInputs::clip_radius, "Distance from the origin at which the orbit ends.",
+                 clip_radius_input())
+          .made_axis("axis", "Name of the axis; empty means the id of this node.")
+          .input("rule", &OrbitInputs::rule,
+                 "The true exponential, or the paper's with the scalar part of the square only.", defaults("exact"))
+          .axes(one_axis("count", "axis"))
           .makes_curves()
           .cost(cost_of_orbit)
           .output("points", "The orbit, over the new axis."));
@@ -193,26 +199,25 @@ void add_curves(Registry& registry) {
                    "it. A start beyond the clip radius, or without a direction, gives that one point.")
           .degenerate("point at a generator", "There is no direction: every point is the start.")
           .degenerate("zero direction", "A zero normal is an error.")
-          .input("point", "Where the curve starts.", defaults({1, 0, 0}).unit("m").position_handle())
-          .input("generators", "Links to one or several, or one family of them.", required().several())
-          .input("over", "The axis to sum over; empty means the last of generators.", defaults("").names_axis())
-          .input("normal", "Normal of the plane of the curve.", defaults({0, 0, 1}).direction_handle("point"))
-          .input("length", "The curve is at most so long; below 0 it runs the other way.",
+          .input("point", &ContourInputs::point, "Where the curve starts.",
+                 defaults({1, 0, 0}).unit("m").position_handle())
+          .input("generators", &ContourInputs::generators, "Links to one or several, or one family of them.",
+                 required().several())
+          .consumed_axis("over", "The axis to sum over; empty means the last of generators.")
+          .input("normal", &ContourInputs::normal, "Normal of the plane of the curve.",
+                 defaults({0, 0, 1}).direction_handle("point"))
+          .input("length", &ContourInputs::length, "The curve is at most so long; below 0 it runs the other way.",
                  defaults(4).hard(-1e6, 1e6).soft(-10, 10).unit("m"))
-          .input("both_ways", "A curve that does not close runs to both sides of its start.", defaults(false))
-          .input("count", "How many points.", defaults(64).hard(1, 100'000).soft(2, 256))
-          .input("clip_radius", "Distance from the origin at which the curve ends.", clip_radius_input())
-          .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
-          .input("strength", "Factor of the sum.", defaults(1e-4).hard(-1e9, 1e9).soft(-2, 2))
-          .input("power", "Power of the distance; 0 gives every generator the same weight.",
-                 defaults(0).hard(0, 16).soft(0, 4))
-          .input("softening", "Added to the power of the distance.", defaults(0).hard(0, 1e9).soft(0, 2))
-          .input("rule", "The true exponential, or the paper's with the scalar part of the square only.",
-                 defaults("exact"))
-          .input("method", "One rotor from the summed generators, or the sum of what each would do alone.",
-                 defaults("sum_generators"))
-          .over({"over"})
-          .axes(open_axis())
+          .input("both_ways", &ContourInputs::both_ways, "A curve that does not close runs to both sides of its start.",
+                 defaults(false))
+          .input("count", &ContourInputs::count, "How many points.", defaults(64).hard(1, 100'000).soft(2, 256))
+          .input("clip_radius", &ContourInputs::clip_radius, "Distance from the origin at which the curve ends.",
+                 clip_radius_input())
+          .made_axis("axis", "Name of the axis; empty means the id of this node.")
+          .with(
+              warp_settings<ContourInputs>(1e-4, 0, "Power of the distance; 0 gives every generator the same weight."))
+          .lists_along("axis")
+          .axes(one_axis("count", "axis"))
           .makes_curves()
           .cost(cost_of_contour)
           .output("points", "The curve, over the new axis."));

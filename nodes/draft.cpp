@@ -35,6 +35,13 @@ TubeSegments tube_within_budget(const Context& context, std::size_t points, bool
   return {std::min(points, std::max<std::size_t>(closed ? 3 : 2, rings)), round, capped};
 }
 
+std::size_t fewest_points(const Polyline& curve) {
+  if (curve.closed) return 3;
+  const std::size_t size = curve.points.size();
+  const bool comes_back = size > 2 && curve.points[0] == curve.points[size - 1];
+  return comes_back ? 4 : 2;
+}
+
 Polyline thinned(const Polyline& curve, std::size_t points) {
   const std::size_t size = curve.points.size();
   if (points >= size || points < 2) return curve;

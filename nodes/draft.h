@@ -27,6 +27,9 @@ struct TubeSegments {
 };
 TubeSegments tube_within_budget(const Context& context, std::size_t points, bool closed, std::int64_t sides);
 
+/// How few points a curve can be thinned to without vanishing: more where it comes back to its start.
+std::size_t fewest_points(const Polyline& curve);
+
 /// Evenly chosen points of a curve; the ends of an open one stay.
 Polyline thinned(const Polyline& curve, std::size_t points);
 

@@ -10,26 +10,48 @@ namespace {
 
 Point point_at_position(const Point& position) { return position; }
 
-Attempt<Circle> circle_element(const Point& center, const Vector& normal, double radius) {
-  if (normal == Vector{}) return Failure{"degenerate", "the normal of a circle must not be zero", "normal"};
-  const Circle circle = circle_from(center, normal, radius);
-  if (const std::optional<CircleCoordinates> found = coordinates(circle); !found || lost(found->radius, radius)) {
-    return too_far_for(radius, center);
+struct CircleInputs {
+  Point center;
+  Vector normal;
+  double radius;
+};
+
+Attempt<Circle> circle_element(const CircleInputs& in) {
+  if (in.normal == Vector{}) return Failure{"degenerate", "the normal of a circle must not be zero", "normal"};
+  const Circle circle = circle_from(in.center, in.normal, in.radius);
+  if (const std::optional<CircleCoordinates> found = coordinates(circle); !found || lost(found->radius, in.radius)) {
+    return too_far_for(in.radius, in.center);
   }
   return circle;
 }
 
-Attempt<Circle> line_element(const Point& point, const Vector& direction) {
-  if (direction == Vector{}) return Failure{"degenerate", "the direction of a line must not be zero", "direction"};
-  return line_from(point, direction);
+struct LineInputs {
+  Point point;
+  Vector direction;
+};
+
+Attempt<Circle> line_element(const LineInputs& in) {
+  if (in.direction == Vector{}) return Failure{"degenerate", "the direction of a line must not be zero", "direction"};
+  return line_from(in.point, in.direction);
 }
 
-Generator point_pair(const Point& position, const Vector& direction, double split) {
-  return split_pair(position, direction, split);
-}
+struct PointPairInputs {
+  Point position;
+  Vector direction;
+  double split;
+};
 
-std::tuple<Generator, double> pair_through(const Point& a, double weight_a, const Point& b, double weight_b) {
-  const PointProduct product = point_product(a, weight_a, b, weight_b);
+Generator point_pair(const PointPairInputs& in) { return split_pair(in.position, in.direction, in.split); }
+
+struct TwoPointsInputs {
+  Point a;
+  double weight_a;
+  Point b;
+  double weight_b;
+};
+
+std::tuple<Generator, double> pair_through(const TwoPointsInputs& in) {
+  const PointProduct product = point_product(in.a, in.weight_a, in.b, in.weight_b);
   return {product.generator, product.scalar};
 }
 
@@ -54,29 +76,33 @@ void add_elements(Registry& registry) {
                    .passes_on()
                    .output("point", "The point."));
 
-  registry.add(node("circle", circle_element)
-                   .title("Circle")
-                   .family("elements")
-                   .doc("An oriented circle; it runs counter-clockwise about its normal.")
-                   .details("A radius below a few ten-millionths of the distance from the origin is lost in round-off "
-                            "and an error.")
-                   .degenerate("zero radius", "The degenerate circle at the center, which keeps its normal.")
-                   .degenerate("zero direction", "A zero normal is an error.")
-                   .input("center", "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
-                   .input("normal", "Axis direction, of any length.", defaults({0, 0, 1}).direction_handle("center"))
-                   .input("radius", "Its radius.",
-                          defaults(1).hard(0, 1e9).soft(0, 4).unit("m").radius_handle("center", "normal"))
-                   .output("circle", "The circle."));
+  registry.add(
+      node("circle", circle_element)
+          .title("Circle")
+          .family("elements")
+          .doc("An oriented circle; it runs counter-clockwise about its normal.")
+          .details("A radius below a few ten-millionths of the distance from the origin is lost in round-off "
+                   "and an error.")
+          .degenerate("zero radius", "The degenerate circle at the center, which keeps its normal.")
+          .degenerate("zero direction", "A zero normal is an error.")
+          .input("center", &CircleInputs::center, "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
+          .input("normal", &CircleInputs::normal, "Axis direction, of any length.",
+                 defaults({0, 0, 1}).direction_handle("center"))
+          .input("radius", &CircleInputs::radius, "Its radius.",
+                 defaults(1).hard(0, 1e9).soft(0, 4).unit("m").radius_handle("center", "normal"))
+          .output("circle", "The circle."));
 
-  registry.add(node("line", line_element)
-                   .title("Line")
-                   .family("elements")
-                   .doc("An oriented line: a circle through infinity.")
+  registry.add(
+      node("line", line_element)
+          .title("Line")
+          .family("elements")
+          .doc("An oriented line: a circle through infinity.")
 
-                   .degenerate("zero direction", "An error.")
-                   .input("point", "A point on it.", defaults({0, 0, 0}).unit("m").position_handle())
-                   .input("direction", "Where it runs, of any length.", defaults({0, 0, 1}).direction_handle("point"))
-                   .output("circle", "The line, as a circle through infinity."));
+          .degenerate("zero direction", "An error.")
+          .input("point", &LineInputs::point, "A point on it.", defaults({0, 0, 0}).unit("m").position_handle())
+          .input("direction", &LineInputs::direction, "Where it runs, of any length.",
+                 defaults({0, 0, 1}).direction_handle("point"))
+          .output("circle", "The line, as a circle through infinity."));
 
   registry.add(node("point_pair", point_pair)
                    .title("Point pair")
@@ -85,10 +111,12 @@ void add_elements(Registry& registry) {
                    .source("Boosted Surfaces, eqs. (1), (4), fig. 8")
                    .details("With split s the square of the pair is 2 s |direction|^2.")
                    .degenerate("zero direction", "The zero generator: its exponential is the identity.")
-                   .input("position", "Where the tangent sits.", defaults({0, 0, 0}).unit("m").position_handle())
-                   .input("direction", "The tangent; its length is the strength, in 1/m.",
+                   .input("position", &PointPairInputs::position, "Where the tangent sits.",
+                          defaults({0, 0, 0}).unit("m").position_handle())
+                   .input("direction", &PointPairInputs::direction, "The tangent; its length is the strength, in 1/m.",
                           defaults({0, 0, 1}).direction_handle("position"))
-                   .input("split", "0 null, above 0 real, below 0 imaginary.", defaults(0).hard(-1e9, 1e9).soft(-1, 1))
+                   .input("split", &PointPairInputs::split, "0 null, above 0 real, below 0 imaginary.",
+                          defaults(0).hard(-1e9, 1e9).soft(-1, 1))
                    .output("generator", "The point pair."));
 
   registry.add(
@@ -102,10 +130,12 @@ void add_elements(Registry& registry) {
           .degenerate(
               "w = -1",
               "With both weights -1 the scalar of a unit pair about the origin is 0 and the generator alone is left.")
-          .input("a", "First point.", defaults({0, 0, 1}).unit("m").position_handle())
-          .input("weight_a", "Weight of its no coefficient.", defaults(1).hard(-1e9, 1e9).soft(-1, 1))
-          .input("b", "Second point.", defaults({0, 0, -1}).unit("m").position_handle())
-          .input("weight_b", "Weight of its no coefficient.", defaults(1).hard(-1e9, 1e9).soft(-1, 1))
+          .input("a", &TwoPointsInputs::a, "First point.", defaults({0, 0, 1}).unit("m").position_handle())
+          .input("weight_a", &TwoPointsInputs::weight_a, "Weight of its no coefficient.",
+                 defaults(1).hard(-1e9, 1e9).soft(-1, 1))
+          .input("b", &TwoPointsInputs::b, "Second point.", defaults({0, 0, -1}).unit("m").position_handle())
+          .input("weight_b", &TwoPointsInputs::weight_b, "Weight of its no coefficient.",
+                 defaults(1).hard(-1e9, 1e9).soft(-1, 1))
           .output("generator", "The bivector part of the product.")
           .output("scalar", "The scalar part of the product."));
 

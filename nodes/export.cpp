@@ -77,16 +77,20 @@ RunCost cost_of_export(const RunSize& size) {
   return {cost.work, cost.bytes, cost.file_bytes};
 }
 
+struct ExportInputs {
+  std::int64_t position_bits, normal_bits, speed;
+  bool normals;
+};
+
 Attempt<SharedAsset> export_glb(const Context& context,
                                 const Several<WireType::mesh, WireType::point, WireType::circle>& model,
-                                std::int64_t position_bits, std::int64_t normal_bits, std::int64_t speed,
-                                bool normals) {
+                                const ExportInputs& in) {
   EncodeOptions options;
-  options.position_bits = static_cast<int>(position_bits);
-  options.normal_bits = static_cast<int>(normal_bits);
-  options.speed = static_cast<int>(speed);
+  options.position_bits = static_cast<int>(in.position_bits);
+  options.normal_bits = static_cast<int>(in.normal_bits);
+  options.speed = static_cast<int>(in.speed);
   if (context.quality() == Quality::draft) options.speed = std::max(options.speed, draft_speed);
-  options.normals = normals;
+  options.normals = in.normals;
   EncodeResult<EncodedScene> encoded = encode_scene(scene_of(model, context.cancel()), options, context.cancel());
   if (const auto* error = std::get_if<EncodeError>(&encoded)) {
     return error->code == EncodeError::Code::empty ? nothing_to_export(model) : failure_of(*error);
@@ -102,23 +106,25 @@ Attempt<SharedAsset> export_glb(const Context& context,
 }  // namespace
 
 void add_export(Registry& registry) {
-  registry.add(node("export", export_glb)
-                   .title("Export")
-                   .family("answers")
-                   .doc("Writes meshes, circles and points as one Draco-compressed glTF file.")
-                   .details("Everything shares one quantization grid, so seams never crack. Circles and points travel "
-                            "uncompressed; of more than 15 625 circles each has fewer than the usual 256 segments. "
-                            "Parts and materials have the ids of the nodes that made them. Graphs are Z up; the "
-                            "file's root node turns to Y up.")
-                   .input("model", "Meshes, circles or points, over any axes.", required().several())
-                   .input("position_bits", "Bits per coordinate over the largest extent.", defaults(14).hard(8, 20))
-                   .input("normal_bits", "Bits per normal coordinate.", defaults(10).hard(6, 16))
-                   .input("speed", "0 smallest file, 10 fastest.", defaults(7).hard(0, 10))
-                   .input("normals", "Whether normals are sent.", defaults(true))
-                   .depends_on_quality()
-                   .names_parts()
-                   .cost(cost_of_export)
-                   .output("asset", "The file."));
+  registry.add(
+      node("export", export_glb)
+          .title("Export")
+          .family("answers")
+          .doc("Writes meshes, circles and points as one Draco-compressed glTF file.")
+          .details("Everything shares one quantization grid, so seams never crack. Circles and points travel "
+                   "uncompressed; of more than 15 625 circles each has fewer than the usual 256 segments. "
+                   "Parts and materials have the ids of the nodes that made them. Graphs are Z up; the "
+                   "file's root node turns to Y up.")
+          .input("model", "Meshes, circles or points, over any axes.", required().several())
+          .input("position_bits", &ExportInputs::position_bits, "Bits per coordinate over the largest extent.",
+                 defaults(14).hard(8, 20))
+          .input("normal_bits", &ExportInputs::normal_bits, "Bits per normal coordinate.", defaults(10).hard(6, 16))
+          .input("speed", &ExportInputs::speed, "0 smallest file, 10 fastest.", defaults(7).hard(0, 10))
+          .input("normals", &ExportInputs::normals, "Whether normals are sent.", defaults(true))
+          .depends_on_quality()
+          .names_parts()
+          .cost(cost_of_export)
+          .output("asset", "The file."));
 }
 
 }  // namespace dini

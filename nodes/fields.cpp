@@ -2,12 +2,10 @@
 
 #include "geometry/chunks.h"
 #include "geometry/normals.h"
-#include "graph/node_builder.h"
 #include "nodes/all.h"
-#include "nodes/choices.h"
 #include "nodes/costs.h"
 #include "nodes/shapes.h"
-#include "nodes/sources.h"
+#include "nodes/warp_inputs.h"
 
 namespace dini {
 
@@ -52,28 +50,26 @@ void warp_chunks(const Context& context, const kernels::WarpField& field, const 
   });
 }
 
-std::optional<Failure> warp_point_batch(const Context& context, Batch<Point> shape,
-                                        const Block<Generator, 1>& generators, const std::string&, double strength,
-                                        double power, double softening, Rule rule, kernels::WarpMethod method,
-                                        BatchOut<Point> out) {
-  const Attempt<std::vector<kernels::WarpSource>> sources = sources_of(context, generators);
+struct WarpInputs : kernels::WarpSettings {
+  Block<Generator, 1> generators;
+};
+
+std::optional<Failure> warp_points(const Context& context, const Batch<Point>& shape, const WarpInputs& in,
+                                   BatchOut<Point> out) {
+  const Attempt<std::vector<kernels::WarpSource>> sources = sources_of(context, in.generators);
   if (const auto* failure = std::get_if<Failure>(&sources)) return *failure;
   const kernels::WarpField field(std::get<0>(sources), context.cancel().for_kernels());
   std::vector<double> storage;
-  warp_chunks(context, field, {strength, power, softening, rule, method}, spread(shape, out.size, storage),
-              components(out), out.size);
+  warp_chunks(context, field, in, spread(shape, out.size, storage), components(out), out.size);
   return std::nullopt;
 }
 
-Attempt<SharedMesh> warp_mesh(const Context& context, const SharedMesh& shape, const Block<Generator, 1>& generators,
-                              const std::string&, double strength, double power, double softening, Rule rule,
-                              kernels::WarpMethod method) {
-  const Attempt<std::vector<kernels::WarpSource>> sources = sources_of(context, generators);
+Attempt<SharedMesh> warp_mesh(const Context& context, const SharedMesh& shape, const WarpInputs& in) {
+  const Attempt<std::vector<kernels::WarpSource>> sources = sources_of(context, in.generators);
   if (const auto* failure = std::get_if<Failure>(&sources)) return *failure;
   const kernels::WarpField field(std::get<0>(sources), context.cancel().for_kernels());
   Column<Point> positions(shape->positions.size());
-  warp_chunks(context, field, {strength, power, softening, rule, method}, components(shape->positions, 0),
-              components(positions, 0), positions.size());
+  warp_chunks(context, field, in, components(shape->positions, 0), components(positions, 0), positions.size());
   // A warp is not conformal, so normals are made anew from the warped faces.
   const std::shared_ptr<Mesh> warped = with_positions(context, *shape, std::move(positions), {});
   if (!context.cancel().stopped()) warped->normals = smooth_normals(*warped, context.cancel());
@@ -85,14 +81,14 @@ RunCost cost_of_warp(const RunSize& size) {
   const auto sources = static_cast<double>(size.consumed.front().size);
   const double pair_work = text_at(size.literals, "method") == "sum_displacements" ? 10 : 4;
   const double points = std::max(1.0, size.vertices);
-  return {sources * (pair_work * points + 50) + 300 * size.vertices, source_bytes * sources + 170 * size.vertices};
+  return {sources * (pair_work * points + 50) + 300 * size.vertices, source_bytes * sources + 80 * size.vertices};
 }
 
 }  // namespace
 
 void add_fields(Registry& registry) {
   registry.add(
-      node("warp", warp_point_batch, warp_mesh)
+      node("warp", warp_points, warp_mesh)
           .title("Warp")
           .family("fields")
           .doc("Moves every point by all generators together, each weighted by its distance.")
@@ -108,16 +104,10 @@ void add_fields(Registry& registry) {
           .degenerate("isoclinic generators",
                       "The two equal turns have a closed form of their own; nothing is divided by their difference.")
           .input("shape", "Points or meshes.")
-          .input("generators", "Links to one or several, or one family of them.", required().several())
-          .input("over", "The axis to sum over; empty means the last of generators.", defaults("").names_axis())
-          .input("strength", "Factor of the sum.", defaults(1).hard(-1e9, 1e9).soft(-2, 2))
-          .input("power", "Power of the distance.", defaults(2).hard(0, 16).soft(0, 4))
-          .input("softening", "Added to the power of the distance.", defaults(0).hard(0, 1e9).soft(0, 2))
-          .input("rule", "The true exponential, or the paper's with the scalar part of the square only.",
-                 defaults("exact"))
-          .input("method", "One rotor from the summed generators, or the sum of what each would do alone.",
-                 defaults("sum_generators"))
-          .over({"over"})
+          .input("generators", &WarpInputs::generators, "Links to one or several, or one family of them.",
+                 required().several())
+          .consumed_axis("over", "The axis to sum over; empty means the last of generators.")
+          .with(warp_settings<WarpInputs>(1, 2, "Power of the distance."))
           .cost(cost_of_warp)
           .output("shape", "The warped shape."));
 }

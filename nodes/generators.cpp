@@ -5,39 +5,50 @@ namespace dini {
 
 namespace {
 
-Generator weighted_sum(const Context& context, const Block<Generator, 1>& generators, const Block<double, 1>& weights,
-                       const std::string&) {
+struct AddInputs {
+  Block<Generator, 1> generators;
+  Block<double, 1> weights;
+};
+
+Generator weighted_sum(const Context& context, const AddInputs& in) {
   Generator sum;
   CancelEvery steps(context.cancel());
-  for (std::size_t i = 0; i < generators.size() && !steps.stopped(); ++i) sum = sum + weights(i) * generators(i);
+  for (std::size_t i = 0; i < in.generators.size() && !steps.stopped(); ++i) {
+    sum = sum + in.weights(i) * in.generators(i);
+  }
   return sum;
 }
 
-Attempt<Generator> interpolated(const Generator& a, const Generator& b, const std::optional<Generator>& c,
-                                const std::optional<Generator>& d, double u, double v) {
-  if (c.has_value() != d.has_value()) {
+struct InterpolateInputs {
+  Generator a, b;
+  std::optional<Generator> c, d;
+  double u, v;
+};
+
+Attempt<Generator> interpolated(const InterpolateInputs& in) {
+  if (in.c.has_value() != in.d.has_value()) {
     return Failure{"required-input-missing", "c and d are given together for a bilinear blend, or both left out",
-                   c.has_value() ? "d" : "c"};
+                   in.c.has_value() ? "d" : "c"};
   }
-  const Generator first = (1 - u) * a + u * b;
-  if (!c) return first;
-  return (1 - v) * first + v * ((1 - u) * *c + u * *d);
+  const Generator first = (1 - in.u) * in.a + in.u * in.b;
+  if (!in.c) return first;
+  return (1 - in.v) * first + in.v * ((1 - in.u) * *in.c + in.u * *in.d);
 }
 
 }  // namespace
 
 void add_generators(Registry& registry) {
-  registry.add(
-      node("add", weighted_sum)
-          .title("Add")
-          .family("generators")
-          .doc("The weighted sum of generators, along one axis.")
-          .source("Boosted Surfaces, section 4.1")
-          .input("generators", "Links to one or several, or one family of them.", required().several())
-          .input("weights", "A weight for each, or one for all.", defaults(1).soft(-2, 2).several())
-          .input("over", "The axis to sum over; empty means the last of generators.", defaults("").names_axis())
-          .over({"over"})
-          .output("generator", "The sum."));
+  registry.add(node("add", weighted_sum)
+                   .title("Add")
+                   .family("generators")
+                   .doc("The weighted sum of generators, along one axis.")
+                   .source("Boosted Surfaces, section 4.1")
+                   .input("generators", &AddInputs::generators, "Links to one or several, or one family of them.",
+                          required().several())
+                   .input("weights", &AddInputs::weights, "A weight for each, or one for all.",
+                          defaults(1).soft(-2, 2).several())
+                   .consumed_axis("over", "The axis to sum over; empty means the last of generators.")
+                   .output("generator", "The sum."));
 
   registry.add(
       node("interpolate", interpolated)
@@ -47,12 +58,12 @@ void add_generators(Registry& registry) {
           .source("Boosted Surfaces, section 4.1, eq. (15)")
           .details(
               "a stands at (u, v) = (0, 0), b at (1, 0), c at (0, 1), d at (1, 1). Without c and d, v has no effect.")
-          .input("a", "Generator at u = 0, v = 0.")
-          .input("b", "Generator at u = 1, v = 0.")
-          .input("c", "Generator at u = 0, v = 1.")
-          .input("d", "Generator at u = 1, v = 1.")
-          .input("u", "Position from a to b.", defaults(0.5).soft(0, 1))
-          .input("v", "Position from a to c.", defaults(0.5).soft(0, 1))
+          .input("a", &InterpolateInputs::a, "Generator at u = 0, v = 0.")
+          .input("b", &InterpolateInputs::b, "Generator at u = 1, v = 0.")
+          .input("c", &InterpolateInputs::c, "Generator at u = 0, v = 1.")
+          .input("d", &InterpolateInputs::d, "Generator at u = 1, v = 1.")
+          .input("u", &InterpolateInputs::u, "Position from a to b.", defaults(0.5).soft(0, 1))
+          .input("v", &InterpolateInputs::v, "Position from a to c.", defaults(0.5).soft(0, 1))
           .output("generator", "The blend."));
 }
 

@@ -34,20 +34,25 @@ Vector middle_of(const Mesh& mesh) {
 
 Vector turned_upright(const Vector& v, bool y_up) { return y_up ? Vector{v.x, -v.z, v.y} : v; }
 
-Attempt<SharedMesh> imported(const Context& context, const SharedAssetFile& asset, UpAxis up, double scale,
-                             bool center) {
+struct ImportInputs {
+  UpAxis up;
+  double scale;
+  bool center;
+};
+
+Attempt<SharedMesh> imported(const Context& context, const SharedAssetFile& asset, const ImportInputs& in) {
   const Mesh& whole = asset->content.mesh;
   const bool thin = context.triangle_budget() > 0 && whole.triangles.size() > context.triangle_budget();
   const Mesh coarse = thin ? decimate(whole, context.triangle_budget(), context.cancel()) : Mesh{};
   const Mesh& mesh = thin ? coarse : whole;
-  const bool y_up = up == UpAxis::y || (up == UpAxis::format && asset->content.format == MeshFormat::glb);
+  const bool y_up = in.up == UpAxis::y || (in.up == UpAxis::format && asset->content.format == MeshFormat::glb);
   // The same memory: most graphs take the file as it is.
-  if (!thin && !y_up && scale == 1 && !center) return SharedMesh(asset, &mesh);
+  if (!thin && !y_up && in.scale == 1 && !in.center) return SharedMesh(asset, &mesh);
   auto copy = std::make_shared<Mesh>(copied(mesh, context.cancel()));
-  const Vector middle = center ? middle_of(whole) : Vector{};
+  const Vector middle = in.center ? middle_of(whole) : Vector{};
   CancelEvery steps(context.cancel());
   for (std::size_t i = 0; i < mesh.positions.size() && !steps.stopped(); ++i) {
-    const Vector place = scale * turned_upright(to_vector(mesh.positions[i]) - middle, y_up);
+    const Vector place = in.scale * turned_upright(to_vector(mesh.positions[i]) - middle, y_up);
     if (!is_within_reach(to_point(place))) {
       return Failure{"out-of-range", "scaled like this, the mesh has coordinates of 1e18 and more", "scale"};
     }
@@ -68,22 +73,27 @@ std::size_t vertices_of(const Literals& literals, const Axes&) {
 }  // namespace
 
 void add_import(Registry& registry) {
-  registry.add(
-      node("import", imported)
-          .title("Import")
-          .family("meshes")
-          .doc("A mesh from an OBJ, PLY or GLB file that was uploaded, or given on the command line.")
-          .details("Texture coordinates, vertex colors and normals are kept; missing normals are computed. "
-                   "Materials, textures, skins and animations are left out. Polygons become triangles. A "
-                   "file that is not known here is an error.")
-          .input("asset", "The sha256 of an uploaded file, or the name given to a file by --asset.")
-          .input("up", "Which axis of the file is up; by its format: y in GLB, z in OBJ and PLY.", defaults("format"))
-          .input("scale", "Factor from the file's unit to meters.", defaults(1).hard(1e-9, 1e9).soft(0.1, 10))
-          .input("center", "Whether the middle of the mesh moves to the origin.", defaults(false))
-          .vertices(vertices_of)
-          .thinned_to(12)
-          .cost([](const RunSize& size) { return RunCost{100 * size.vertices, 120 * size.vertices}; })
-          .output("mesh", "The mesh."));
+  registry.add(node("import", imported)
+                   .title("Import")
+                   .family("meshes")
+                   .doc("A mesh from an OBJ, PLY or GLB file that was uploaded, or given on the command line.")
+                   .details("Texture coordinates, vertex colors and normals are kept; missing normals are computed. "
+                            "Materials, textures, skins and animations are left out. Polygons become triangles. A "
+                            "file that is not known here is an error.")
+                   .input("asset", "The sha256 of an uploaded file, or the name given to a file by --asset.")
+                   .input("up", &ImportInputs::up,
+                          "Which axis of the file is up; by its format: y in GLB, z in OBJ and PLY.",
+                          defaults("format"))
+                   .input("scale", &ImportInputs::scale, "Factor from the file's unit to meters.",
+                          defaults(1).hard(1e-9, 1e9).soft(0.1, 10))
+                   .input("center", &ImportInputs::center, "Whether the middle of the mesh moves to the origin.",
+                          defaults(false))
+                   .vertices(vertices_of)
+                   .thinned_to(12)
+                   .cost([](const RunSize& size) {
+                     return RunCost{100 * size.vertices, 64 * size.vertices};
+                   })
+                   .output("mesh", "The mesh."));
 }
 
 }  // namespace dini

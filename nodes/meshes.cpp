@@ -10,18 +10,29 @@ namespace dini {
 
 namespace {
 
-SharedMesh sphere(const Context& context, const Point& center, double radius, std::int64_t segments,
-                  std::int64_t rings) {
-  const Segments used = within_budget(context, segments, rings, {3, 2});
-  return std::make_shared<const Mesh>(sphere_mesh(center, radius, used.along, used.across, context.cancel()));
+struct SphereMeshInputs {
+  Point center;
+  double radius;
+  std::int64_t segments, rings;
+};
+
+SharedMesh sphere(const Context& context, const SphereMeshInputs& in) {
+  const Segments used = within_budget(context, in.segments, in.rings, {3, 2});
+  return std::make_shared<const Mesh>(sphere_mesh(in.center, in.radius, used.along, used.across, context.cancel()));
 }
 
-Attempt<SharedMesh> torus(const Context& context, const Point& center, const Vector& axis, double major_radius,
-                          double minor_radius, std::int64_t segments, std::int64_t sides) {
-  if (axis == Vector{}) return Failure{"degenerate", "the axis of a torus must not be zero", "axis"};
-  const Segments used = within_budget(context, segments, sides, {3, 3});
+struct TorusMeshInputs {
+  Point center;
+  Vector axis;
+  double major_radius, minor_radius;
+  std::int64_t segments, sides;
+};
+
+Attempt<SharedMesh> torus(const Context& context, const TorusMeshInputs& in) {
+  if (in.axis == Vector{}) return Failure{"degenerate", "the axis of a torus must not be zero", "axis"};
+  const Segments used = within_budget(context, in.segments, in.sides, {3, 3});
   return std::make_shared<const Mesh>(
-      torus_mesh(center, axis, major_radius, minor_radius, used.along, used.across, context.cancel()));
+      torus_mesh(in.center, in.axis, in.major_radius, in.minor_radius, used.along, used.across, context.cancel()));
 }
 
 SharedMesh merged(const Context& context, const Several<WireType::mesh>& meshes) {
@@ -33,9 +44,13 @@ SharedMesh merged(const Context& context, const Several<WireType::mesh>& meshes)
   return std::make_shared<const Mesh>(merge(all, context.cancel()));
 }
 
-SharedMesh colored(const Context& context, const SharedMesh& shape, const Color& color) {
+struct ColorInputs {
+  Color color;
+};
+
+SharedMesh colored(const Context& context, const SharedMesh& shape, const ColorInputs& in) {
   auto copy = std::make_shared<Mesh>(copied_without_colors(*shape, context.cancel()));
-  copy->color = color;
+  copy->color = in.color;
   return copy;
 }
 
@@ -52,10 +67,12 @@ void add_meshes(Registry& registry) {
           .family("meshes")
           .doc("A sphere as a mesh with clean poles.")
           .degenerate("zero radius", "Refused as out of range.")
-          .input("center", "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
-          .input("radius", "Its radius.", defaults(1).hard(1e-9, 1e6).soft(0.1, 4).unit("m").radius_handle("center"))
-          .input("segments", "Around the vertical axis.", defaults(96).hard(3, 8192).soft(8, 256))
-          .input("rings", "From pole to pole.", defaults(48).hard(2, 8192).soft(4, 128))
+          .input("center", &SphereMeshInputs::center, "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
+          .input("radius", &SphereMeshInputs::radius, "Its radius.",
+                 defaults(1).hard(1e-9, 1e6).soft(0.1, 4).unit("m").radius_handle("center"))
+          .input("segments", &SphereMeshInputs::segments, "Around the vertical axis.",
+                 defaults(96).hard(3, 8192).soft(8, 256))
+          .input("rings", &SphereMeshInputs::rings, "From pole to pole.", defaults(48).hard(2, 8192).soft(4, 128))
           .vertices([](const Literals& literals, const Axes&) { return grid_vertices(literals, "segments", "rings"); })
           .thinned_to(6)
           .cost(cost_of_grid_surface)
@@ -69,13 +86,15 @@ void add_meshes(Registry& registry) {
 
           .degenerate("zero radius", "Refused as out of range.")
           .degenerate("zero direction", "A zero axis is an error.")
-          .input("center", "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
-          .input("axis", "Direction of its axis, of any length.", defaults({0, 0, 1}).direction_handle("center"))
-          .input("major_radius", "From the center to the middle of the tube.",
+          .input("center", &TorusMeshInputs::center, "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
+          .input("axis", &TorusMeshInputs::axis, "Direction of its axis, of any length.",
+                 defaults({0, 0, 1}).direction_handle("center"))
+          .input("major_radius", &TorusMeshInputs::major_radius, "From the center to the middle of the tube.",
                  defaults(1).hard(1e-9, 1e6).soft(0.1, 4).unit("m").radius_handle("center", "axis"))
-          .input("minor_radius", "Of the tube.", defaults(0.3).hard(1e-9, 1e6).soft(0.05, 1).unit("m"))
-          .input("segments", "Around the axis.", defaults(128).hard(3, 8192).soft(8, 256))
-          .input("sides", "Around the tube.", defaults(48).hard(3, 8192).soft(4, 128))
+          .input("minor_radius", &TorusMeshInputs::minor_radius, "Of the tube.",
+                 defaults(0.3).hard(1e-9, 1e6).soft(0.05, 1).unit("m"))
+          .input("segments", &TorusMeshInputs::segments, "Around the axis.", defaults(128).hard(3, 8192).soft(8, 256))
+          .input("sides", &TorusMeshInputs::sides, "Around the tube.", defaults(48).hard(3, 8192).soft(4, 128))
           .vertices([](const Literals& literals, const Axes&) { return grid_vertices(literals, "segments", "sides"); })
           .thinned_to(18)
           .cost(cost_of_grid_surface)
@@ -86,16 +105,19 @@ void add_meshes(Registry& registry) {
                    .family("meshes")
                    .doc("One mesh from many: all links, and all values of their axes.")
                    .input("meshes", "Meshes, over any axes.", required().several())
-                   .cost([](const RunSize& size) { return RunCost{0, 60 * size.vertices}; })
+                   .cost([](const RunSize& size) {
+                     return RunCost{0, 60 * size.vertices};
+                   })
                    .output("mesh", "The merged mesh."));
 
-  registry.add(node("color", colored)
-                   .title("Color")
-                   .family("meshes")
-                   .doc("Gives a mesh one color.")
-                   .input("shape", "The mesh.")
-                   .input("color", "Linear red, green, blue and alpha.", defaults({0.2, 0.5, 0.9, 1.0}))
-                   .output("shape", "The colored mesh."));
+  registry.add(
+      node("color", colored)
+          .title("Color")
+          .family("meshes")
+          .doc("Gives a mesh one color.")
+          .input("shape", "The mesh.")
+          .input("color", &ColorInputs::color, "Linear red, green, blue and alpha.", defaults({0.2, 0.5, 0.9, 1.0}))
+          .output("shape", "The colored mesh."));
 }
 
 }  // namespace dini

@@ -9,27 +9,40 @@ namespace {
 
 double number_value(double value) { return value; }
 
-Vector vector_of(double x, double y, double z) { return {x, y, z}; }
+struct VectorInputs {
+  double x, y, z;
+};
 
-Made<double> range_values(const Context& context, double from, double to, std::int64_t count, bool closed,
-                          const std::string&) {
-  return {spaced(from, to, static_cast<std::size_t>(count), closed, context.cancel())};
+Vector vector_of(const VectorInputs& in) { return {in.x, in.y, in.z}; }
+
+struct RangeInputs {
+  double from, to;
+  std::int64_t count;
+  bool closed;
+};
+
+Made<double> range_values(const Context& context, const RangeInputs& in) {
+  return {spaced(in.from, in.to, static_cast<std::size_t>(in.count), in.closed, context.cancel())};
 }
 
 template <class T>
-T list_item(const T& item, const std::string&) {
+T list_item(const T& item) {
   return item;
 }
 
-std::optional<Failure> expression_values(const Context& context, const std::string& formula, Batch<double> x,
-                                         Batch<double> y, Batch<double> z, Batch<double> w, BatchOut<double> value) {
+struct ExpressionInputs {
+  std::string formula;
+  Batch<double> x, y, z, w;
+};
+
+std::optional<Failure> expression_values(const Context& context, const ExpressionInputs& in, BatchOut<double> value) {
   std::string wrong;
-  const std::optional<Formula> compiled = Formula::compile(formula, wrong);
+  const std::optional<Formula> compiled = Formula::compile(in.formula, wrong);
   if (!compiled) return Failure{"invalid-formula", wrong, "formula"};
   constexpr std::size_t between_looks = 256;  // a long formula takes microseconds
   for (std::size_t i = 0; i < value.size; ++i) {
     if (i % between_looks == 0 && context.cancel().stopped()) break;
-    value.set(i, compiled->evaluate({x[i], y[i], z[i], w[i]}));
+    value.set(i, compiled->evaluate({in.x[i], in.y[i], in.z[i], in.w[i]}));
   }
   return std::nullopt;
 }
@@ -51,11 +64,12 @@ void add_numbers(Registry& registry) {
           .doc("Evenly spaced numbers along a new axis.")
           .details(
               "An open range holds both ends; a closed one leaves the end value out, because it is the start again.")
-          .input("from", "First value.", defaults(0).soft(-10, 10))
-          .input("to", "Last value, or the value after the last on a closed axis.", defaults(1).soft(-10, 10))
-          .input("count", "How many values.", defaults(32).hard(1, 10'000'000).soft(2, 256))
-          .input("closed", "Whether the last value joins the first.", defaults(false))
-          .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
+          .input("from", &RangeInputs::from, "First value.", defaults(0).soft(-10, 10))
+          .input("to", &RangeInputs::to, "Last value, or the value after the last on a closed axis.",
+                 defaults(1).soft(-10, 10))
+          .input("count", &RangeInputs::count, "How many values.", defaults(32).hard(1, 10'000'000).soft(2, 256))
+          .input("closed", &RangeInputs::closed, "Whether the last value joins the first.", defaults(false))
+          .made_axis("axis", "Name of the axis; empty means the id of this node.")
           .axes(one_axis("count", "axis", "closed"))
           .output("values", "The numbers, over the new axis."));
 
@@ -68,16 +82,17 @@ void add_numbers(Registry& registry) {
                    .input("items", "Links or literals, all of one type; three numbers are a point, vectors are linked.",
                           required().several())
                    .passes_on()
-                   .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
+                   .lists_along("axis")
+                   .made_axis("axis", "Name of the axis; empty means the id of this node.")
                    .output("items", "The values, over the new axis."));
 
   registry.add(node("vector", vector_of)
                    .title("Vector")
                    .family("numbers")
                    .doc("A free direction from its three coordinates.")
-                   .input("x", "Along the first axis.", defaults(0).soft(-2, 2).unit("m"))
-                   .input("y", "Along the second axis.", defaults(0).soft(-2, 2).unit("m"))
-                   .input("z", "Along the third axis, up.", defaults(0).soft(-2, 2).unit("m"))
+                   .input("x", &VectorInputs::x, "Along the first axis.", defaults(0).soft(-2, 2).unit("m"))
+                   .input("y", &VectorInputs::y, "Along the second axis.", defaults(0).soft(-2, 2).unit("m"))
+                   .input("z", &VectorInputs::z, "Along the third axis, up.", defaults(0).soft(-2, 2).unit("m"))
                    .output("vector", "The direction."));
 
   registry.add(
@@ -89,14 +104,16 @@ void add_numbers(Registry& registry) {
               "Operators + - * / ^ < <= > >= == != && || ? :, constants pi and e, functions " +
               Formula::function_names() +
               ". Angles are in radians. The same result on every machine; a result that is not finite is an error.")
-          .input("formula", "For example sin(2*pi*x) + y/2.", required().read_by("invalid-formula", Formula::fault))
-          .input("x", "First variable.", defaults(0).soft(-10, 10))
-          .input("y", "Second variable.", defaults(0).soft(-10, 10))
-          .input("z", "Third variable.", defaults(0).soft(-10, 10))
-          .input("w", "Fourth variable.", defaults(0).soft(-10, 10))
+          .input("formula", &ExpressionInputs::formula, "For example sin(2*pi*x) + y/2.",
+                 required().read_by("invalid-formula", Formula::fault))
+          .input("x", &ExpressionInputs::x, "First variable.", defaults(0).soft(-10, 10))
+          .input("y", &ExpressionInputs::y, "Second variable.", defaults(0).soft(-10, 10))
+          .input("z", &ExpressionInputs::z, "Third variable.", defaults(0).soft(-10, 10))
+          .input("w", &ExpressionInputs::w, "Fourth variable.", defaults(0).soft(-10, 10))
           .cost([](const RunSize& size) {
-            constexpr double work_of_character = 5;
-            return RunCost{work_of_character * static_cast<double>(text_at(size.literals, "formula").size())};
+            constexpr double work_of_character = 5, parser_bytes = 32'000;
+            return RunCost{work_of_character * static_cast<double>(text_at(size.literals, "formula").size()),
+                           parser_bytes};
           })
           .output("value", "The value of the formula."));
 }

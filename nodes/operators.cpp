@@ -23,13 +23,30 @@ struct ChoiceNames<HopfMethod> {
 
 namespace {
 
-Attempt<Versor> loxodrome(const Vector& a, double lambda, const Vector& b, double gamma, double amount, Rule rule) {
-  return exponential(amount * Generator{lambda * a, {}, 0, gamma * b}, rule);
+struct LoxodromeInputs {
+  Vector a;
+  double lambda;
+  Vector b;
+  double gamma;
+  double amount;
+  Rule rule;
+};
+
+Attempt<Versor> loxodrome(const LoxodromeInputs& in) {
+  return exponential(in.amount * Generator{in.lambda * in.a, {}, 0, in.gamma * in.b}, in.rule);
 }
 
-Attempt<Versor> product_of_points(const Point& a, double weight_a, const Point& b, double weight_b, double amount) {
-  const PointProduct product = point_product(a, weight_a, b, weight_b);
-  const Generator bivector = amount * product.generator;
+struct ProductInputs {
+  Point a;
+  double weight_a;
+  Point b;
+  double weight_b;
+  double amount;
+};
+
+Attempt<Versor> product_of_points(const ProductInputs& in) {
+  const PointProduct product = point_product(in.a, in.weight_a, in.b, in.weight_b);
+  const Generator bivector = in.amount * product.generator;
   if (product.scalar == 0 && bivector == Generator{}) {
     return Failure{"degenerate", "the product of these points is zero", "amount"};
   }
@@ -38,8 +55,14 @@ Attempt<Versor> product_of_points(const Point& a, double weight_a, const Point& 
 
 double product(const Sphere& a, const Sphere& b) { return dot(a.e, b.e) - a.no * b.ni - a.ni * b.no; }
 
+struct BoostBetweenInputs {
+  Sphere from, to;
+  double amount;
+};
+
 /// A square root of to/from, to the power `amount`: its plane is that of the two vectors.
-Attempt<Versor> sphere_to_sphere(const Sphere& from, const Sphere& to, double amount) {
+Attempt<Versor> sphere_to_sphere(const BoostBetweenInputs& in) {
+  const auto& [from, to, amount] = in;
   const double square = product(from, from) * product(to, to);
   if (!(product(from, from) > 0) || !(product(to, to) > 0)) {
     return Failure{"degenerate", "a sphere of radius zero has no inverse, so there is no ratio", "from"};
@@ -70,28 +93,33 @@ Circle fiber(const CircleCoordinates& base, const Vector& outward, double tilt) 
   return {seen_from(dual, -to_vector(base.center))};
 }
 
-Attempt<Circle> hopf_fiber(const Circle& shape, double theta, double latitude, HopfMethod method) {
+struct HopfInputs {
+  double theta, latitude;
+  HopfMethod method;
+};
+
+Attempt<Circle> hopf_fiber(const Circle& shape, const HopfInputs& in) {
   const std::optional<CircleCoordinates> base = coordinates(shape);
   if (!base || base->line || base->radius == 0) {
     return Failure{"degenerate", "the base must be a circle with a radius, so that it has an axis", "shape"};
   }
   const Vector start = any_perpendicular(base->normal);
-  const auto [sine, cosine] = elementary::sincos_turns(theta);
+  const auto [sine, cosine] = elementary::sincos_turns(in.theta);
   const Vector outward = cosine * start + sine * cross(base->normal, start);
-  if (method == HopfMethod::exact) return fiber(*base, outward, 0.25 * latitude);
+  if (in.method == HopfMethod::exact) return fiber(*base, outward, 0.25 * in.latitude);
   const Generator tangent = null_pair(base->center, outward / base->radius);
   const Circle straight = apply(exponential(tangent), shape);
   const std::optional<Versor> motor = motor_between(straight, line_from(base->center, base->normal));
   const std::optional<Generator> twist = motor ? motor_logarithm(*motor) : std::nullopt;
   if (!twist) return Failure{"degenerate", "the boosted base is no line", "shape"};
-  return apply(compose(exponential(latitude * *twist), exponential(latitude * tangent)), shape);
+  return apply(compose(exponential(in.latitude * *twist), exponential(in.latitude * tangent)), shape);
 }
 
 }  // namespace
 
 void add_operators(Registry& registry) {
   registry.add(
-      VersorNode<loxodrome, Vector, double, Vector, double, double, Rule>::declare("loxodrome")
+      VersorNode<loxodrome>::declare("loxodrome")
           .title("Loxodrome")
           .family("transforms")
           .doc("A boost at the origin and a translation in one exponential: exp(amount (lambda no^a + gamma b^ni)).")
@@ -99,17 +127,19 @@ void add_operators(Registry& registry) {
           .details("The generator is simple, and both rules agree, only when a and b are parallel.")
           .degenerate("zero direction", "A zero vector leaves out its part; without both it is the identity.")
           .input("shape", "Points, circles, spheres, generators or meshes.")
-          .input("a", "Direction of the boost.", defaults({1, 0, 0}).direction_handle())
-          .input("lambda", "Strength of the boost.", defaults(1).hard(-1e6, 1e6).soft(-4, 4).unit("1/m"))
-          .input("b", "Direction of the translation.", defaults({0, 1, 0}).direction_handle())
-          .input("gamma", "Strength of the translation.", defaults(1).hard(-1e6, 1e6).soft(-4, 4).unit("m"))
-          .input("amount", "How far along the loxodrome.", defaults(1).soft(-4, 4))
-          .input("rule", "The true exponential, or the paper's with the scalar part of the square only.",
-                 defaults("exact"))
+          .input("a", &LoxodromeInputs::a, "Direction of the boost.", defaults({1, 0, 0}).direction_handle())
+          .input("lambda", &LoxodromeInputs::lambda, "Strength of the boost.",
+                 defaults(1).hard(-1e6, 1e6).soft(-4, 4).unit("1/m"))
+          .input("b", &LoxodromeInputs::b, "Direction of the translation.", defaults({0, 1, 0}).direction_handle())
+          .input("gamma", &LoxodromeInputs::gamma, "Strength of the translation.",
+                 defaults(1).hard(-1e6, 1e6).soft(-4, 4).unit("m"))
+          .input("amount", &LoxodromeInputs::amount, "How far along the loxodrome.", defaults(1).soft(-4, 4))
+          .input("rule", &LoxodromeInputs::rule,
+                 "The true exponential, or the paper's with the scalar part of the square only.", defaults("exact"))
           .output("shape", "The transformed shape."));
 
   registry.add(
-      VersorNode<product_of_points, Point, double, Point, double, double>::declare("product")
+      VersorNode<product_of_points>::declare("product")
           .title("Product of points")
           .family("transforms")
           .doc("Applies the geometric product of two weighted points, with its bivector part scaled by an amount.")
@@ -122,15 +152,18 @@ void add_operators(Registry& registry) {
                       "With both weights -1 the scalar part of a unit pair about the origin is 0: every amount gives "
                       "the same map, and amount 0, where K = 0, is an error.")
           .input("shape", "Points, circles, spheres, generators or meshes.")
-          .input("a", "First point.", defaults({0, 0, 1}).unit("m").position_handle())
-          .input("weight_a", "Weight of its no coefficient.", defaults(1).hard(-1e6, 1e6).soft(-1, 1))
-          .input("b", "Second point.", defaults({0, 0, -1}).unit("m").position_handle())
-          .input("weight_b", "Weight of its no coefficient.", defaults(1).hard(-1e6, 1e6).soft(-1, 1))
-          .input("amount", "Factor of the bivector part.", defaults(0.5).hard(-1e6, 1e6).soft(-1, 1))
+          .input("a", &ProductInputs::a, "First point.", defaults({0, 0, 1}).unit("m").position_handle())
+          .input("weight_a", &ProductInputs::weight_a, "Weight of its no coefficient.",
+                 defaults(1).hard(-1e6, 1e6).soft(-1, 1))
+          .input("b", &ProductInputs::b, "Second point.", defaults({0, 0, -1}).unit("m").position_handle())
+          .input("weight_b", &ProductInputs::weight_b, "Weight of its no coefficient.",
+                 defaults(1).hard(-1e6, 1e6).soft(-1, 1))
+          .input("amount", &ProductInputs::amount, "Factor of the bivector part.",
+                 defaults(0.5).hard(-1e6, 1e6).soft(-1, 1))
           .output("shape", "The transformed shape."));
 
   registry.add(
-      VersorNode<sphere_to_sphere, Sphere, Sphere, double>::declare("boost_between")
+      VersorNode<sphere_to_sphere>::declare("boost_between")
           .title("Boost between")
           .family("transforms")
           .doc("Applies a power of the simple rotor that takes one sphere or plane to another.")
@@ -145,28 +178,30 @@ void add_operators(Registry& registry) {
           .degenerate("opposite lines",
                       "Orientation does not count: opposite planes give what equally oriented ones give.")
           .input("shape", "Points, circles, spheres, generators or meshes.")
-          .input("from", "The sphere that is moved.")
-          .input("to", "The sphere that it is moved to.")
-          .input("amount", "0 nothing, 1 the whole way.", defaults(1).hard(-1e6, 1e6).soft(0, 1))
+          .input("from", &BoostBetweenInputs::from, "The sphere that is moved.")
+          .input("to", &BoostBetweenInputs::to, "The sphere that it is moved to.")
+          .input("amount", &BoostBetweenInputs::amount, "0 nothing, 1 the whole way.",
+                 defaults(1).hard(-1e6, 1e6).soft(0, 1))
           .output("shape", "The moved shape."));
 
-  registry.add(node("hopf", hopf_fiber)
-                   .title("Hopf fiber")
-                   .family("transforms")
-                   .doc("A base circle boosted towards a line and twisted towards its axis: one fiber of a bundle of "
-                        "linked circles.")
-                   .source("Boosted Surfaces, eqs. (9), (10), (11), (12), figs. 6, 7")
-                   .details("For a base of radius 1 the squared radius less the squared distance of the center is 1 "
-                            "for every fiber of the exact method, as in the Hopf fibration, and 1 - latitude^2/4 for "
-                            "the paper's. Latitude 0 is the base, 1 its axis.")
-                   .degenerate("circle to line", "Latitude 1 is the axis, a line; a line as the base is an error.")
-                   .degenerate("zero radius", "An error: the base has no size to measure by.")
-                   .input("shape", "The base circle.")
-                   .input("theta", "Longitude; 1 is once around.", defaults(0).soft(0, 1).unit("turn"))
-                   .input("latitude", "From the base circle to its axis: the paper's 1/2 + phi/pi.",
-                          defaults(0.5).hard(0, 1).soft(0, 1))
-                   .input("method", "True Hopf fibers, or the paper's boost and twist.", defaults("exact"))
-                   .output("circle", "The fiber."));
+  registry.add(
+      node("hopf", hopf_fiber)
+          .title("Hopf fiber")
+          .family("transforms")
+          .doc("A base circle boosted towards a line and twisted towards its axis: one fiber of a bundle of "
+               "linked circles.")
+          .source("Boosted Surfaces, eqs. (9), (10), (11), (12), figs. 6, 7")
+          .details("For a base of radius 1 the squared radius less the squared distance of the center is 1 "
+                   "for every fiber of the exact method, as in the Hopf fibration, and 1 - latitude^2/4 for "
+                   "the paper's. Latitude 0 is the base, 1 its axis.")
+          .degenerate("circle to line", "Latitude 1 is the axis, a line; a line as the base is an error.")
+          .degenerate("zero radius", "An error: the base has no size to measure by.")
+          .input("shape", "The base circle.")
+          .input("theta", &HopfInputs::theta, "Longitude; 1 is once around.", defaults(0).soft(0, 1).unit("turn"))
+          .input("latitude", &HopfInputs::latitude, "From the base circle to its axis: the paper's 1/2 + phi/pi.",
+                 defaults(0.5).hard(0, 1).soft(0, 1))
+          .input("method", &HopfInputs::method, "True Hopf fibers, or the paper's boost and twist.", defaults("exact"))
+          .output("circle", "The fiber."));
 }
 
 }  // namespace dini

@@ -22,12 +22,16 @@ double unit_number(std::uint64_t seed, std::uint64_t counter) {
   return static_cast<double>(mixed(seed, counter) >> 11) * spacing;
 }
 
-std::tuple<Made<double>, Made<Point>> random_samples(const Context& context, std::int64_t count, std::int64_t seed,
-                                                     double from, double to, const Point& minimum, const Point& maximum,
-                                                     const std::string&) {
-  const auto size = static_cast<std::size_t>(count);
+struct RandomInputs {
+  std::int64_t count, seed;
+  double from, to;
+  Point minimum, maximum;
+};
+
+std::tuple<Made<double>, Made<Point>> random_samples(const Context& context, const RandomInputs& in) {
+  const auto size = static_cast<std::size_t>(in.count);
   // Neighboring seeds must not give shifted copies of one stream.
-  const std::uint64_t stream = mixed(static_cast<std::uint64_t>(seed), 0);
+  const std::uint64_t stream = mixed(static_cast<std::uint64_t>(in.seed), 0);
   const auto between = [](double a, double b, double share) { return (1 - share) * a + share * b; };
   Column<double> values(size);
   Column<Point> points(size);
@@ -35,19 +39,13 @@ std::tuple<Made<double>, Made<Point>> random_samples(const Context& context, std
     for (std::size_t i = begin; i < end; ++i) {
       // Four numbers per sample, so that a longer family starts with the shorter one.
       const std::uint64_t first = 4 * static_cast<std::uint64_t>(i);
-      values.set(i, between(from, to, unit_number(stream, first)));
-      points.set(i, {between(minimum.x, maximum.x, unit_number(stream, first + 1)),
-                     between(minimum.y, maximum.y, unit_number(stream, first + 2)),
-                     between(minimum.z, maximum.z, unit_number(stream, first + 3))});
+      values.set(i, between(in.from, in.to, unit_number(stream, first)));
+      points.set(i, {between(in.minimum.x, in.maximum.x, unit_number(stream, first + 1)),
+                     between(in.minimum.y, in.maximum.y, unit_number(stream, first + 2)),
+                     between(in.minimum.z, in.maximum.z, unit_number(stream, first + 3))});
     }
   });
   return {Made<double>{std::move(values)}, Made<Point>{std::move(points)}};
-}
-
-std::vector<Axes> sample_axes(const Literals& literals, const std::string& node_id) {
-  const std::string& given = text_at(literals, "axis");
-  const Axis axis{given.empty() ? node_id : given, static_cast<std::size_t>(integer_at(literals, "count")), false};
-  return {{axis}, {axis}};
 }
 
 }  // namespace
@@ -62,14 +60,17 @@ void add_random(Registry& registry) {
           .details("The same on every machine. A larger count keeps the samples of a smaller one. When from equals to, "
                    "every "
                    "value is that number; a flat box gives points in its plane.")
-          .input("count", "How many.", defaults(32).hard(1, 10'000'000).soft(1, 256))
-          .input("seed", "Another seed, other samples.", defaults(1).hard(0, 9'007'199'254'740'991).soft(0, 100))
-          .input("from", "Least number.", defaults(0).soft(-10, 10))
-          .input("to", "Bound of the numbers; it is not reached.", defaults(1).soft(-10, 10))
-          .input("minimum", "One corner of the box of the points.", defaults({-1, -1, -1}).unit("m").position_handle())
-          .input("maximum", "The opposite corner.", defaults({1, 1, 1}).unit("m").position_handle())
-          .input("axis", "Name of the axis; empty means the id of this node.", defaults("").names_axis())
-          .axes(sample_axes)
+          .input("count", &RandomInputs::count, "How many.", defaults(32).hard(1, 10'000'000).soft(1, 256))
+          .input("seed", &RandomInputs::seed, "Another seed, other samples.",
+                 defaults(1).hard(0, 9'007'199'254'740'991).soft(0, 100))
+          .input("from", &RandomInputs::from, "Least number.", defaults(0).soft(-10, 10))
+          .input("to", &RandomInputs::to, "Bound of the numbers; it is not reached.", defaults(1).soft(-10, 10))
+          .input("minimum", &RandomInputs::minimum, "One corner of the box of the points.",
+                 defaults({-1, -1, -1}).unit("m").position_handle())
+          .input("maximum", &RandomInputs::maximum, "The opposite corner.",
+                 defaults({1, 1, 1}).unit("m").position_handle())
+          .made_axis("axis", "Name of the axis; empty means the id of this node.")
+          .axes(one_axis("count", "axis", "", 2))
           .output("values", "The numbers, over the new axis.")
           .output("points", "The points, over the same axis."));
 }

@@ -15,25 +15,40 @@ namespace dini {
 
 namespace {
 
-Attempt<Circle> circle_of_three(const Point& a, const Point& b, const Point& c) {
-  const Circle circle = circle_through(a, b, c);
+struct ThreePointsInputs {
+  Point a, b, c;
+};
+
+Attempt<Circle> circle_of_three(const ThreePointsInputs& in) {
+  const Circle circle = circle_through(in.a, in.b, in.c);
   if (!coordinates(circle))
     return Failure{"degenerate", "two of the three points agree, so many circles pass through them", "b"};
   return circle;
 }
 
-Attempt<Sphere> sphere_element(const Point& center, double radius) {
-  const Sphere sphere = sphere_from(center, radius);
-  if (const std::optional<SphereCoordinates> found = coordinates(sphere); !found || lost(found->radius, radius)) {
-    return too_far_for(radius, center);
+struct SphereInputs {
+  Point center;
+  double radius;
+};
+
+Attempt<Sphere> sphere_element(const SphereInputs& in) {
+  const Sphere sphere = sphere_from(in.center, in.radius);
+  if (const std::optional<SphereCoordinates> found = coordinates(sphere); !found || lost(found->radius, in.radius)) {
+    return too_far_for(in.radius, in.center);
   }
   return sphere;
 }
 
-Attempt<Sphere> sphere_of_curvature(const Point& position, const Vector& normal, double curvature) {
-  if (normal == Vector{}) return Failure{"degenerate", "the normal must not be zero", "normal"};
-  const Generator tangent = null_pair(position, normalized(normal));
-  return apply(exponential((-0.5 * curvature) * tangent), plane_from(position, normal));
+struct OsculatingSphereInputs {
+  Point position;
+  Vector normal;
+  double curvature;
+};
+
+Attempt<Sphere> sphere_of_curvature(const OsculatingSphereInputs& in) {
+  if (in.normal == Vector{}) return Failure{"degenerate", "the normal must not be zero", "normal"};
+  const Generator tangent = null_pair(in.position, normalized(in.normal));
+  return apply(exponential((-0.5 * in.curvature) * tangent), plane_from(in.position, in.normal));
 }
 
 Attempt<std::tuple<Circle, Vector>> axis_of_circle(const Circle& shape) {
@@ -114,9 +129,9 @@ void add_rounds(Registry& registry) {
 
                    .degenerate("circle to line", "Collinear points, or one at infinity, give the line.")
                    .degenerate("coincident points", "An error: many circles pass through two points.")
-                   .input("a", "First point.", defaults({1, 0, 0}).unit("m").position_handle())
-                   .input("b", "Second point.", defaults({0, 1, 0}).unit("m").position_handle())
-                   .input("c", "Third point.", defaults({-1, 0, 0}).unit("m").position_handle())
+                   .input("a", &ThreePointsInputs::a, "First point.", defaults({1, 0, 0}).unit("m").position_handle())
+                   .input("b", &ThreePointsInputs::b, "Second point.", defaults({0, 1, 0}).unit("m").position_handle())
+                   .input("c", &ThreePointsInputs::c, "Third point.", defaults({-1, 0, 0}).unit("m").position_handle())
                    .output("circle", "The circle, or the line."));
 
   registry.add(
@@ -128,23 +143,26 @@ void add_rounds(Registry& registry) {
               "To draw one, see sphere mesh. A radius below a few ten-millionths of the distance from the origin is "
               "lost in round-off and an error.")
           .degenerate("zero radius", "The point sphere at the center.")
-          .input("center", "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
-          .input("radius", "Its radius.", defaults(1).hard(0, 1e9).soft(0, 4).unit("m").radius_handle("center"))
+          .input("center", &SphereInputs::center, "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
+          .input("radius", &SphereInputs::radius, "Its radius.",
+                 defaults(1).hard(0, 1e9).soft(0, 4).unit("m").radius_handle("center"))
           .output("sphere", "The sphere."));
 
-  registry.add(
-      node("osculating_sphere", sphere_of_curvature)
-          .title("Osculating sphere")
-          .family("elements")
-          .doc("The sphere of a given curvature through a point: a plane bent by the boost of its own normal.")
-          .source("Colapinto, Composing Surfaces with Conformal Rotors, AACA 27 (2017)")
-          .details("Its center is at position - normal / curvature; curvature 0 gives the plane.")
-          .degenerate("zero direction", "A zero normal is an error.")
-          .input("position", "Where it touches.", defaults({0, 0, 0}).unit("m").position_handle())
-          .input("normal", "Normal of the plane, of any length.", defaults({0, 0, 1}).direction_handle("position"))
-          .input("curvature", "One over the radius; above 0 the center is against the normal, below 0 along it.",
-                 defaults(1).hard(-1e9, 1e9).soft(-4, 4).unit("1/m"))
-          .output("sphere", "The sphere, or the plane."));
+  registry.add(node("osculating_sphere", sphere_of_curvature)
+                   .title("Osculating sphere")
+                   .family("elements")
+                   .doc("The sphere of a given curvature through a point: a plane bent by the boost of its own normal.")
+                   .source("Colapinto, Composing Surfaces with Conformal Rotors, AACA 27 (2017)")
+                   .details("Its center is at position - normal / curvature; curvature 0 gives the plane.")
+                   .degenerate("zero direction", "A zero normal is an error.")
+                   .input("position", &OsculatingSphereInputs::position, "Where it touches.",
+                          defaults({0, 0, 0}).unit("m").position_handle())
+                   .input("normal", &OsculatingSphereInputs::normal, "Normal of the plane, of any length.",
+                          defaults({0, 0, 1}).direction_handle("position"))
+                   .input("curvature", &OsculatingSphereInputs::curvature,
+                          "One over the radius; above 0 the center is against the normal, below 0 along it.",
+                          defaults(1).hard(-1e9, 1e9).soft(-4, 4).unit("1/m"))
+                   .output("sphere", "The sphere, or the plane."));
 
   registry.add(node("axis_of", axis_of_circle)
                    .title("Axis of")

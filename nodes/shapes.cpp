@@ -18,41 +18,41 @@ bool within_reach(const Point& p) {
   return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest && std::abs(p.z) <= farthest;
 }
 
-/// `items` of the vertices that are kept; per-vertex attributes may be absent.
+/// The items of the vertices that are kept; attributes of vertices may be absent.
 template <class T>
-std::vector<T> keep_used(const std::vector<T>& items, const std::vector<std::uint32_t>& used, CancelEvery& steps) {
-  if (items.empty()) return {};
+void keep_used(std::vector<T>& items, const std::vector<std::uint32_t>& used, CancelEvery& steps) {
+  if (items.empty()) return;
   std::vector<T> kept;
   kept.reserve(used.size());
   for (const std::uint32_t vertex : used) {
     if (steps.stopped()) break;
     kept.push_back(items[vertex]);
   }
-  return kept;
+  items = std::move(kept);
 }
 
 template <class T>
-Column<T> keep_used(const Column<T>& items, const std::vector<std::uint32_t>& used, CancelEvery& steps) {
-  if (items.empty()) return {};
+void keep_used(Column<T>& items, const std::vector<std::uint32_t>& used, CancelEvery& steps) {
+  if (items.empty()) return;
   Column<T> kept(used.size());
   for (std::size_t i = 0; i < used.size() && !steps.stopped(); ++i) kept.set(i, items[used[i]]);
-  return kept;
+  items = std::move(kept);
 }
 
-/// `mesh` without the triangles that touch a vertex out of reach, and without vertices that nothing uses then.
-Mesh without_far_triangles(const Mesh& mesh, const Cancel& cancel) {
+/// Takes out the triangles that touch a vertex out of reach, and vertices that nothing uses then; one attribute after
+/// another, so that a mesh never exists twice. Stopped early: not a whole mesh.
+void leave_out_far_triangles(Mesh& mesh, const Cancel& cancel) {
   constexpr std::uint32_t unused = ~std::uint32_t{0};
   std::vector<std::uint32_t> place(mesh.positions.size(), unused);
   std::vector<std::uint32_t> used;
-  Mesh kept;
-  kept.color = mesh.color;
-  std::size_t tile = 0;
+  std::vector<std::size_t> tile_ends;
+  std::size_t tile = 0, kept = 0;
   CancelEvery steps(cancel);
   for (std::size_t t = 0; t < mesh.triangles.size() && !steps.stopped(); ++t) {
-    const auto& triangle = mesh.triangles[t];
+    const auto triangle = mesh.triangles[t];
     if (std::all_of(triangle.begin(), triangle.end(),
                     [&](std::uint32_t v) { return within_reach(mesh.positions[v]); })) {
-      std::array<std::uint32_t, 3> moved{};
+      std::array<std::uint32_t, 3>& moved = mesh.triangles[kept++];
       for (std::size_t corner = 0; corner < 3; ++corner) {
         std::uint32_t& to = place[triangle[corner]];
         if (to == unused) {
@@ -61,21 +61,19 @@ Mesh without_far_triangles(const Mesh& mesh, const Cancel& cancel) {
         }
         moved[corner] = to;
       }
-      kept.triangles.push_back(moved);
     }
     while (tile < mesh.tile_ends.size() && mesh.tile_ends[tile] == t + 1) {
       // A tile of which nothing is left is none.
-      if (kept.triangles.size() > (kept.tile_ends.empty() ? 0 : kept.tile_ends.back())) {
-        kept.tile_ends.push_back(kept.triangles.size());
-      }
+      if (kept > (tile_ends.empty() ? 0 : tile_ends.back())) tile_ends.push_back(kept);
       ++tile;
     }
   }
-  kept.positions = keep_used(mesh.positions, used, steps);
-  kept.normals = keep_used(mesh.normals, used, steps);
-  kept.uvs = keep_used(mesh.uvs, used, steps);
-  kept.colors = keep_used(mesh.colors, used, steps);
-  return kept;
+  mesh.triangles.resize(kept);
+  mesh.tile_ends = std::move(tile_ends);
+  keep_used(mesh.positions, used, steps);
+  keep_used(mesh.normals, used, steps);
+  keep_used(mesh.uvs, used, steps);
+  keep_used(mesh.colors, used, steps);
 }
 
 }  // namespace
@@ -129,10 +127,11 @@ std::shared_ptr<Mesh> with_positions(const Context& context, const Mesh& mesh, C
   CancelEvery steps(context.cancel());
   for (std::size_t i = 0; i < moved->positions.size() && !steps.stopped(); ++i) {
     if (within_reach(moved->positions[i])) continue;
-    auto kept = std::make_shared<Mesh>(without_far_triangles(*moved, context.cancel()));
-    context.warn({"at-infinity", std::to_string(moved->triangles.size() - kept->triangles.size()) +
-                                     " triangles reach infinity and are left out"});
-    return kept;
+    const std::size_t before = moved->triangles.size();
+    leave_out_far_triangles(*moved, context.cancel());
+    context.warn({"at-infinity",
+                  std::to_string(before - moved->triangles.size()) + " triangles reach infinity and are left out"});
+    break;
   }
   return moved;
 }

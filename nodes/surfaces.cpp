@@ -19,93 +19,112 @@ namespace dini {
 
 namespace {
 
-Attempt<SharedMesh> surface_of_points(const Context& context, const Block<Point, 2>& shape, std::int64_t,
-                                      AtInfinity at_infinity, double clip_radius, const std::string&,
-                                      const std::string&) {
+struct SurfaceInputs {
+  std::int64_t segments;
+  AtInfinity at_infinity;
+  double clip_radius;
+};
+
+Attempt<SharedMesh> surface_of_points(const Context& context, const Block<Point, 2>& shape, const SurfaceInputs& in) {
   const std::size_t rows = shape.size(0);
   const std::size_t columns = shape.size(1);
   Column<Point> points(rows * columns);
   for_chunks(context.cancel(), points.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) points.set(k, shape(k / columns, k % columns));
   });
-  return finish_surface(context, {points, rows, columns, shape.axis(0).closed, shape.axis(1).closed}, at_infinity,
-                        clip_radius, &shape.axis(0));
+  const PointGrid grid{points, rows, columns, shape.axis(0).closed, shape.axis(1).closed};
+  return finish_surface(context, grid, in.at_infinity, in.clip_radius, &shape.axis(0));
 }
 
-Attempt<SharedMesh> surface_of_circles(const Context& context, const Block<Circle, 1>& shape, std::int64_t segments,
-                                       AtInfinity at_infinity, double clip_radius, const std::string&,
-                                       const std::string&) {
+Attempt<SharedMesh> surface_of_circles(const Context& context, const Block<Circle, 1>& shape, const SurfaceInputs& in) {
   std::vector<std::optional<CircleCoordinates>> circles;
   CancelEvery steps(context.cancel());
   for (std::size_t i = 0; i < shape.size() && !steps.stopped(); ++i) circles.push_back(coordinates(shape(i)));
-  const auto columns = static_cast<std::size_t>(segments);
-  const Column<Point> points = sample_circle_row(circles, columns, shape.axis().closed, clip_radius, context.cancel());
-  return finish_surface(context, {points, circles.size(), columns, shape.axis().closed, true}, at_infinity, clip_radius,
-                        &shape.axis());
+  const auto columns = static_cast<std::size_t>(in.segments);
+  const bool closed = shape.axis().closed;
+  const Column<Point> points = sample_circle_row(circles, columns, closed, in.clip_radius, context.cancel());
+  const PointGrid grid{points, circles.size(), columns, closed, true};
+  return finish_surface(context, grid, in.at_infinity, in.clip_radius, &shape.axis());
 }
 
-SharedMesh tube_along(const Context& context, const Polyline& curve, double radius, std::int64_t sides,
-                      double clip_radius) {
-  TubeSegments used = tube_within_budget(context, curve.points.size(), curve.closed, sides);
-  const std::size_t budget = context.triangle_budget(), fewest = curve.closed ? 3 : 2;
+struct TubeInputs {
+  double radius;
+  std::int64_t segments, sides;
+  double clip_radius;
+};
+
+SharedMesh tube_along(const Context& context, const Polyline& curve, const TubeInputs& in) {
+  TubeSegments used = tube_within_budget(context, curve.points.size(), curve.closed, in.sides);
+  const std::size_t budget = context.triangle_budget(), fewest = fewest_points(curve);
+  used.points = std::max(used.points, std::min(fewest, curve.points.size()));
   for (;;) {
-    Mesh mesh = tube(thinned(curve, used.points), {radius, used.sides, clip_radius, used.capped}, context.cancel());
+    Mesh mesh =
+        tube(thinned(curve, used.points), {in.radius, used.sides, in.clip_radius, used.capped}, context.cancel());
     const std::size_t triangles = mesh.triangles.size();
-    if (budget == 0 || triangles <= budget || used.points <= fewest) return std::make_shared<const Mesh>(std::move(mesh));
+    if (budget == 0 || triangles <= budget || used.points <= fewest)
+      return std::make_shared<const Mesh>(std::move(mesh));
     // The clip radius cuts the curve into pieces, each with ends of its own.
     used.points = std::max(fewest, std::min(used.points - 1, used.points * budget / triangles));
   }
 }
 
-SharedMesh tube_of_points(const Context& context, const Block<Point, 1>& shape, double radius, std::int64_t,
-                          std::int64_t sides, double clip_radius, const std::string&) {
+SharedMesh tube_of_points(const Context& context, const Block<Point, 1>& shape, const TubeInputs& in) {
   Polyline curve{Column<Point>(shape.size()), shape.axis().closed};
   CancelEvery steps(context.cancel());
   for (std::size_t i = 0; i < shape.size() && !steps.stopped(); ++i) curve.points.set(i, shape(i));
-  return tube_along(context, curve, radius, sides, clip_radius);
+  return tube_along(context, curve, in);
 }
 
-Attempt<SharedMesh> tube_of_circle(const Context& context, const Circle& shape, double radius, std::int64_t segments,
-                                   std::int64_t sides, double clip_radius, const std::string&) {
+Attempt<SharedMesh> tube_of_circle(const Context& context, const Circle& shape, const TubeInputs& in) {
   const std::optional<CircleCoordinates> found = coordinates(shape);
   if (!found) return Failure{"degenerate", "there is no circle to put a tube around", "shape"};
-  const std::size_t used = tube_within_budget(context, static_cast<std::size_t>(segments), true, sides).points;
+  const auto segments = static_cast<std::size_t>(in.segments);
+  const std::size_t used = tube_within_budget(context, segments, true, in.sides).points;
   Polyline curve{Column<Point>(found->line ? 2 : used), !found->line};
   if (found->line) {
     // The chord of the clip sphere, a hair shorter so that round-off leaves its ends inside.
-    const double distance = std::min(length(to_vector(found->point)), clip_radius);
-    const double chord = 2 * (1 - 1e-9) * std::sqrt((clip_radius - distance) * (clip_radius + distance));
+    const double distance = std::min(length(to_vector(found->point)), in.clip_radius);
+    const double chord = 2 * (1 - 1e-9) * std::sqrt((in.clip_radius - distance) * (in.clip_radius + distance));
     curve.points.set(0, point_at(*found, -0.5, chord));
     curve.points.set(1, point_at(*found, 0.5, chord));
   } else {
-    curve.points = sample_circle_row({found}, used, false, clip_radius, context.cancel());
+    curve.points = sample_circle_row({found}, used, false, in.clip_radius, context.cancel());
   }
-  return tube_along(context, curve, radius, sides, clip_radius);
+  return tube_along(context, curve, in);
 }
 
-Attempt<SharedMesh> patch_mesh(const Context& context, const Generator& a, const Generator& b, const Generator& c,
-                               const Generator& d, const Point& center, const Vector& u_vector, const Vector& v_vector,
-                               double amount, std::int64_t count_u, std::int64_t count_v, Rule rule,
-                               AtInfinity at_infinity, double clip_radius) {
-  const auto rows = static_cast<std::size_t>(count_u);
-  const auto columns = static_cast<std::size_t>(count_v);
+struct PatchInputs {
+  Generator a, b, c, d;
+  Point center;
+  Vector u_vector, v_vector;
+  double amount;
+  std::int64_t count_u, count_v;
+  Rule rule;
+  AtInfinity at_infinity;
+  double clip_radius;
+};
+
+Attempt<SharedMesh> patch_mesh(const Context& context, const PatchInputs& in) {
+  const auto rows = static_cast<std::size_t>(in.count_u);
+  const auto columns = static_cast<std::size_t>(in.count_v);
   const Column<double> u = spaced(0, 1, rows, false, context.cancel());
   const Column<double> v = spaced(0, 1, columns, false, context.cancel());
   Column<Point> points(rows * columns);
-  const kernels::BilinearCorners corners{a, b, c, d};
+  const kernels::BilinearCorners corners{in.a, in.b, in.c, in.d};
   for_chunks(context.cancel(), rows, std::max<std::size_t>(1, usual_chunk / columns), [&](auto begin, auto end) {
     for (std::size_t i = begin; i < end; ++i) {
       for (std::size_t j = 0; j < columns; ++j) {
         points.set(i * columns + j,
-                   to_point(to_vector(center) + (2 * u[i] - 1) * u_vector + (2 * v[j] - 1) * v_vector));
+                   to_point(to_vector(in.center) + (2 * u[i] - 1) * in.u_vector + (2 * v[j] - 1) * in.v_vector));
       }
       const double along = u[i];
-      kernels::transform_points_bilinear(corners, {&along, true}, {v.component(0), false}, {&amount, true}, rule,
+      kernels::transform_points_bilinear(corners, {&along, true}, {v.component(0), false}, {&in.amount, true}, in.rule,
                                          components(std::as_const(points), i * columns),
                                          components(points, i * columns), columns);
     }
   });
-  return finish_surface(context, {points, rows, columns, false, false}, at_infinity, clip_radius, nullptr);
+  const PointGrid grid{points, rows, columns, false, false};
+  return finish_surface(context, grid, in.at_infinity, in.clip_radius, nullptr);
 }
 
 std::size_t surface_vertices(const Literals& literals, const Axes& consumed) {
@@ -114,10 +133,10 @@ std::size_t surface_vertices(const Literals& literals, const Axes& consumed) {
   return consumed[0].size * across;
 }
 
-/// Two for a quad; three quads around each closed axis, as around a circle.
+/// Two for a quad; two quads along an open axis, and three around a closed one, as around a circle.
 std::size_t fewest_of_surface(const Axes& consumed) {
   const bool closed = consumed.size() < 2 || consumed[1].closed;
-  return std::size_t{2} * (consumed[0].closed ? 3 : 1) * (closed ? 3 : 1);
+  return std::size_t{2} * (consumed[0].closed ? 3 : 2) * (closed ? 3 : 2);
 }
 
 /// Three sides and one step, or three steps around a closed curve.
@@ -150,40 +169,43 @@ void add_surfaces(Registry& registry) {
           .degenerate("zero radius", "The row is one point, a clean pole.")
           .degenerate("coincident points", "They become one vertex; without area the mesh is empty.")
           .input("shape", "Points over two axes, or circles over one.")
-          .input("segments", "Points around each circle; points over two axes do not use it.",
+          .input("segments", &SurfaceInputs::segments, "Points around each circle; points over two axes do not use it.",
                  defaults(96).hard(3, 65536).soft(8, 256))
-          .input("at_infinity", "What to do where the surface leaves the clip radius.", defaults("clip"))
-          .input("clip_radius", "Distance from the origin that counts as infinity.", clip_radius_input(100))
-          .input("over", "The axis of rows, or of circles; empty means the last that along leaves.",
-                 defaults("").names_axis())
-          .input("along", "The axis along a row of points; empty means the last.", defaults("").names_axis())
-          .over({"over", "along"})
+          .input("at_infinity", &SurfaceInputs::at_infinity, "What to do where the surface leaves the clip radius.",
+                 defaults("clip"))
+          .input("clip_radius", &SurfaceInputs::clip_radius, "Distance from the origin that counts as infinity.",
+                 clip_radius_input(100))
+          .consumed_axis("over", "The axis of rows, or of circles; empty means the last that along leaves.")
+          .consumed_axis("along", "The axis along a row of points; empty means the last.")
           .vertices(surface_vertices)
           .thinned_to(fewest_of_surface)
           .cost(cost_of_grid_surface)
           .output("mesh", "The mesh; one for each value of the axes that are left."));
 
-  registry.add(node("tube", tube_of_points, tube_of_circle)
-                   .title("Tube")
-                   .family("surfaces")
-                   .doc("A round tube along a curve: points over one axis, or a circle.")
-                   .details("A closed axis makes a closed tube. Parts beyond the clip radius are left out.")
-                   .degenerate("circle to line", "A straight tube as long as the clip radius allows.")
-                   .degenerate("zero radius", "A circle of radius zero has no tube: an empty mesh.")
-                   .degenerate("coincident points", "Repeated points are skipped; if all agree the mesh is empty.")
-                   .input("shape", "Points over one axis, or a circle or line.")
-                   .input("radius", "Radius of the tube.", defaults(0.02).hard(1e-9, 1e6).soft(0.005, 0.2).unit("m"))
-                   .input("segments", "Points along a circle; a curve of points does not use it.",
-                          defaults(128).hard(3, 65536).soft(16, 512))
-                   .input("sides", "Corners around the tube.", defaults(16).hard(3, 1024).soft(4, 32))
-                   .input("clip_radius", "Distance from the origin that counts as infinity; a line ends there.",
-                          clip_radius_input(100))
-                   .input("over", "The axis along the curve; empty means the last.", defaults("").names_axis())
-                   .over({"over"})
-                   .vertices(tube_vertices)
-                   .thinned_to(fewest_of_tube)
-                   .cost([](const RunSize& size) { return RunCost{50 * size.vertices, 80 * size.vertices}; })
-                   .output("mesh", "The mesh; one for each value of the axes that are left."));
+  registry.add(
+      node("tube", tube_of_points, tube_of_circle)
+          .title("Tube")
+          .family("surfaces")
+          .doc("A round tube along a curve: points over one axis, or a circle.")
+          .details("A closed axis makes a closed tube. Parts beyond the clip radius are left out.")
+          .degenerate("circle to line", "A straight tube as long as the clip radius allows.")
+          .degenerate("zero radius", "A circle of radius zero has no tube: an empty mesh.")
+          .degenerate("coincident points", "Repeated points are skipped; if all agree the mesh is empty.")
+          .input("shape", "Points over one axis, or a circle or line.")
+          .input("radius", &TubeInputs::radius, "Radius of the tube.",
+                 defaults(0.02).hard(1e-9, 1e6).soft(0.005, 0.2).unit("m"))
+          .input("segments", &TubeInputs::segments, "Points along a circle; a curve of points does not use it.",
+                 defaults(128).hard(3, 65536).soft(16, 512))
+          .input("sides", &TubeInputs::sides, "Corners around the tube.", defaults(16).hard(3, 1024).soft(4, 32))
+          .input("clip_radius", &TubeInputs::clip_radius,
+                 "Distance from the origin that counts as infinity; a line ends there.", clip_radius_input(100))
+          .consumed_axis("over", "The axis along the curve; empty means the last.")
+          .vertices(tube_vertices)
+          .thinned_to(fewest_of_tube)
+          .cost([](const RunSize& size) {
+            return RunCost{50 * size.vertices, 80 * size.vertices};
+          })
+          .output("mesh", "The mesh; one for each value of the axes that are left."));
 
   registry.add(
       node("patch", patch_mesh)
@@ -194,22 +216,26 @@ void add_surfaces(Registry& registry) {
           .details("The parallelogram spans center - u_vector - v_vector to center + u_vector + v_vector.")
           .degenerate("point at a generator", "A corner that stands at its own null pair stays.")
           .degenerate("zero direction", "Vectors that span no plane give an empty mesh.")
-          .input("a", "Generator at u = 0, v = 0.")
-          .input("b", "Generator at u = 1, v = 0.")
-          .input("c", "Generator at u = 0, v = 1.")
-          .input("d", "Generator at u = 1, v = 1.")
-          .input("center", "The middle.", defaults({0, 0, 0}).unit("m").position_handle())
-          .input("u_vector", "Half the extent along u.", defaults({1, 0, 0}).unit("m").direction_handle("center"))
-          .input("v_vector", "Half the extent along v.", defaults({0, 1, 0}).unit("m").direction_handle("center"))
-          .input("amount", "Factor of the blended generator.", defaults(1).soft(-2, 2))
-          .input("count_u", "How many points along u.", defaults(96).hard(2, 65536).soft(8, 256))
-          .input("count_v", "How many points along v.", defaults(96).hard(2, 65536).soft(8, 256))
-          .input("rule", "The true exponential, or the paper's with the scalar part of the square only.",
-                 defaults("exact"))
-          .input("at_infinity", "What to do where the surface leaves the clip radius.", defaults("clip"))
-          .input("clip_radius", "Distance from the origin that counts as infinity.", clip_radius_input(100))
+          .input("a", &PatchInputs::a, "Generator at u = 0, v = 0.")
+          .input("b", &PatchInputs::b, "Generator at u = 1, v = 0.")
+          .input("c", &PatchInputs::c, "Generator at u = 0, v = 1.")
+          .input("d", &PatchInputs::d, "Generator at u = 1, v = 1.")
+          .input("center", &PatchInputs::center, "The middle.", defaults({0, 0, 0}).unit("m").position_handle())
+          .input("u_vector", &PatchInputs::u_vector, "Half the extent along u.",
+                 defaults({1, 0, 0}).unit("m").direction_handle("center"))
+          .input("v_vector", &PatchInputs::v_vector, "Half the extent along v.",
+                 defaults({0, 1, 0}).unit("m").direction_handle("center"))
+          .input("amount", &PatchInputs::amount, "Factor of the blended generator.", defaults(1).soft(-2, 2))
+          .input("count_u", &PatchInputs::count_u, "How many points along u.", defaults(96).hard(2, 65536).soft(8, 256))
+          .input("count_v", &PatchInputs::count_v, "How many points along v.", defaults(96).hard(2, 65536).soft(8, 256))
+          .input("rule", &PatchInputs::rule,
+                 "The true exponential, or the paper's with the scalar part of the square only.", defaults("exact"))
+          .input("at_infinity", &PatchInputs::at_infinity, "What to do where the surface leaves the clip radius.",
+                 defaults("clip"))
+          .input("clip_radius", &PatchInputs::clip_radius, "Distance from the origin that counts as infinity.",
+                 clip_radius_input(100))
           .vertices(patch_vertices)
-          .thinned_to(2)
+          .thinned_to(8)
           .cost(cost_of_grid_surface)
           .output("mesh", "The mesh."));
 }

@@ -13,49 +13,87 @@ namespace {
 
 constexpr double radians_per_degree = 3.14159265358979323846 / 180;
 
-Attempt<Versor> translation(const Vector& by) { return translation_versor(by); }
+struct TranslateInputs {
+  Vector vector;
+};
 
-Attempt<Versor> scaling(const Point& center, double factor) { return scaling_versor(center, factor); }
+Attempt<Versor> translation(const TranslateInputs& in) { return translation_versor(in.vector); }
 
-Attempt<Versor> screw(const Circle& axis, double angle, double slide) {
-  const std::optional<CircleCoordinates> found = coordinates(axis);
+struct ScaleInputs {
+  Point center;
+  double factor;
+};
+
+Attempt<Versor> scaling(const ScaleInputs& in) { return scaling_versor(in.center, in.factor); }
+
+struct TwistInputs {
+  Circle axis;
+  double angle;
+  double slide;
+};
+
+Attempt<Versor> screw(const TwistInputs& in) {
+  const std::optional<CircleCoordinates> found = coordinates(in.axis);
   if (!found || !found->line) return Failure{"degenerate", "the axis must be a line", "axis"};
-  return screw_motor(axis, angle * radians_per_degree, slide);
+  return screw_motor(in.axis, in.angle * radians_per_degree, in.slide);
 }
 
-Attempt<Versor> turn(const Circle& axis, double angle) { return screw(axis, angle, 0); }
+struct RotateInputs {
+  Circle axis;
+  double angle;
+};
 
-Attempt<Versor> line_to_line(const Circle& from, const Circle& to, double amount) {
-  const std::optional<Versor> motor = motor_between(from, to);
+Attempt<Versor> turn(const RotateInputs& in) { return screw({in.axis, in.angle, 0}); }
+
+struct TwistBetweenInputs {
+  Circle from, to;
+  double amount;
+};
+
+Attempt<Versor> line_to_line(const TwistBetweenInputs& in) {
+  const std::optional<Versor> motor = motor_between(in.from, in.to);
   if (!motor) return Failure{"degenerate", "a twist goes from one line to another", "from"};
   const std::optional<Generator> logarithm = motor_logarithm(*motor);
   if (!logarithm) return Failure{"degenerate", "there is no twist between these lines", "from"};
-  return exponential(amount * *logarithm);
+  return exponential(in.amount * *logarithm);
 }
+
+struct BoostInputs {
+  Generator generator;
+  double amount;
+  Rule rule;
+};
+
+/// Of points, each with a generator and an amount of its own.
+struct BoostPointsInputs {
+  Batch<Generator> generator;
+  Batch<double> amount;
+  Rule rule;
+};
 
 /// exp(amount * generator) on points. One kernel whether or not these run over axes, so that a point has the same image
 /// either way.
-void boost_points(Batch<Point> shape, Batch<Generator> generator, Batch<double> amount, Rule rule,
-                  BatchOut<Point> out) {
+void boost_points(const Batch<Point>& shape, const BoostPointsInputs& in, BatchOut<Point> out) {
   std::vector<double> storage;
-  const kernels::ConstPoints in = spread(shape, out.size, storage);
-  kernels::ConstGenerators generators{{}, generator.constant};
-  for (std::size_t k = 0; k < generator.components.size(); ++k) generators.components[k] = generator.components[k];
-  kernels::transform_points(generators, numbers(amount), rule, in, components(out), out.size);
+  const kernels::ConstPoints points = spread(shape, out.size, storage);
+  kernels::ConstGenerators generators{{}, in.generator.constant};
+  for (std::size_t k = 0; k < in.generator.components.size(); ++k) {
+    generators.components[k] = in.generator.components[k];
+  }
+  kernels::transform_points(generators, numbers(in.amount), in.rule, points, components(out), out.size);
 }
 
 template <class Element>
-Element boost_element(const Element& shape, const Generator& generator, double amount, Rule rule) {
-  return apply(exponential(amount * generator, rule), shape);
+Element boost_element(const Element& shape, const BoostInputs& in) {
+  return apply(exponential(in.amount * in.generator, in.rule), shape);
 }
 
-SharedMesh boost_mesh(const Context& context, const SharedMesh& shape, const Generator& generator, double amount,
-                      Rule rule) {
-  return apply_to_mesh(context, exponential(amount * generator, rule), shape);
+SharedMesh boost_mesh(const Context& context, const SharedMesh& shape, const BoostInputs& in) {
+  return apply_to_mesh(context, exponential(in.amount * in.generator, in.rule), shape);
 }
 
 /// `boost` and `transform` are one function under the two names that people look for.
-NodeBuilder exponential_node(const char* id) {
+auto exponential_node(const char* id) {
   return node(id, boost_points, boost_element<Circle>, boost_element<Sphere>, boost_element<Generator>, boost_mesh)
       .family("transforms")
       .degenerate("point at a generator", "A fixed point stays: the point of a null pair, the poles of a real one.")
@@ -65,9 +103,11 @@ NodeBuilder exponential_node(const char* id) {
       .degenerate("isoclinic generators",
                   "The two equal turns have a closed form of their own; nothing is divided by their difference.")
       .input("shape", "Points, circles, spheres, generators or meshes.")
-      .input("generator", "The generator B of the rotor exp(amount B).")
-      .input("amount", "How much of it.", defaults(1).soft(-2, 2))
-      .input("rule", "The true exponential, or the paper's with the scalar part of the square only.", defaults("exact"))
+      .input("generator", &BoostInputs::generator, &BoostPointsInputs::generator,
+             "The generator B of the rotor exp(amount B).")
+      .input("amount", &BoostInputs::amount, &BoostPointsInputs::amount, "How much of it.", defaults(1).soft(-2, 2))
+      .input("rule", &BoostInputs::rule, &BoostPointsInputs::rule,
+             "The true exponential, or the paper's with the scalar part of the square only.", defaults("exact"))
       .cost(cost_of_moved_mesh)
       .output("shape", "The transformed shape.");
 }
@@ -89,19 +129,20 @@ void add_transforms(Registry& registry) {
                    .doc("Applies the exponential of any generator to a shape.")
                    .source("Boosted Surfaces, eq. (14)"));
 
-  registry.add(VersorNode<screw, Circle, double, double>::declare("twist")
-                   .title("Twist")
-                   .family("transforms")
-                   .doc("Turns a shape about a line while sliding it along the line.")
-                   .source("Boosted Surfaces, section 3.1, fig. 5")
-                   .degenerate("circle to line", "A circle as axis is an error; one that has become a line is an axis.")
-                   .input("shape", "Points, circles, spheres, generators or meshes.")
-                   .input("axis", "The line to turn about.")
-                   .input("angle", "The turn, right hand.", defaults(90).soft(-360, 360).unit("deg"))
-                   .input("slide", "The way along the line.", defaults(0).soft(-4, 4).unit("m"))
-                   .output("shape", "The twisted shape."));
+  registry.add(
+      VersorNode<screw>::declare("twist")
+          .title("Twist")
+          .family("transforms")
+          .doc("Turns a shape about a line while sliding it along the line.")
+          .source("Boosted Surfaces, section 3.1, fig. 5")
+          .degenerate("circle to line", "A circle as axis is an error; one that has become a line is an axis.")
+          .input("shape", "Points, circles, spheres, generators or meshes.")
+          .input("axis", &TwistInputs::axis, "The line to turn about.")
+          .input("angle", &TwistInputs::angle, "The turn, right hand.", defaults(90).soft(-360, 360).unit("deg"))
+          .input("slide", &TwistInputs::slide, "The way along the line.", defaults(0).soft(-4, 4).unit("m"))
+          .output("shape", "The twisted shape."));
 
-  registry.add(VersorNode<line_to_line, Circle, Circle, double>::declare("twist_between")
+  registry.add(VersorNode<line_to_line>::declare("twist_between")
                    .title("Twist between")
                    .family("transforms")
                    .doc("Applies a power of the screw motion that takes one line to another.")
@@ -111,37 +152,41 @@ void add_transforms(Registry& registry) {
                    .degenerate("parallel lines", "The shift between them.")
                    .degenerate("opposite lines", "A half turn about an axis across both, chosen by a fixed rule.")
                    .input("shape", "Points, circles, spheres, generators or meshes.")
-                   .input("from", "The line that is moved.")
-                   .input("to", "The line that it is moved to.")
-                   .input("amount", "0 nothing, 1 the whole way.", defaults(1).soft(0, 1))
+                   .input("from", &TwistBetweenInputs::from, "The line that is moved.")
+                   .input("to", &TwistBetweenInputs::to, "The line that it is moved to.")
+                   .input("amount", &TwistBetweenInputs::amount, "0 nothing, 1 the whole way.", defaults(1).soft(0, 1))
                    .output("shape", "The moved shape."));
 
-  registry.add(VersorNode<translation, Vector>::declare("translate")
-                   .title("Translate")
-                   .family("transforms")
-                   .doc("Moves a shape.")
-                   .degenerate("zero direction", "The identity.")
-                   .input("shape", "Points, circles, spheres, generators or meshes.")
-                   .input("vector", "By how much.", defaults({0, 0, 0}).unit("m").direction_handle())
-                   .output("shape", "The moved shape."));
+  registry.add(
+      VersorNode<translation>::declare("translate")
+          .title("Translate")
+          .family("transforms")
+          .doc("Moves a shape.")
+          .degenerate("zero direction", "The identity.")
+          .input("shape", "Points, circles, spheres, generators or meshes.")
+          .input("vector", &TranslateInputs::vector, "By how much.", defaults({0, 0, 0}).unit("m").direction_handle())
+          .output("shape", "The moved shape."));
 
-  registry.add(VersorNode<turn, Circle, double>::declare("rotate")
-                   .title("Rotate")
-                   .family("transforms")
-                   .doc("Turns a shape about a line.")
-                   .degenerate("circle to line", "A circle as axis is an error; one that has become a line is an axis.")
-                   .input("shape", "Points, circles, spheres, generators or meshes.")
-                   .input("axis", "The line to turn about.")
-                   .input("angle", "The turn, right hand.", defaults(90).soft(-360, 360).unit("deg"))
-                   .output("shape", "The turned shape."));
+  registry.add(
+      VersorNode<turn>::declare("rotate")
+          .title("Rotate")
+          .family("transforms")
+          .doc("Turns a shape about a line.")
+          .degenerate("circle to line", "A circle as axis is an error; one that has become a line is an axis.")
+          .input("shape", "Points, circles, spheres, generators or meshes.")
+          .input("axis", &RotateInputs::axis, "The line to turn about.")
+          .input("angle", &RotateInputs::angle, "The turn, right hand.", defaults(90).soft(-360, 360).unit("deg"))
+          .output("shape", "The turned shape."));
 
-  registry.add(VersorNode<scaling, Point, double>::declare("scale")
+  registry.add(VersorNode<scaling>::declare("scale")
                    .title("Scale")
                    .family("transforms")
                    .doc("Scales a shape about a point.")
                    .input("shape", "Points, circles, spheres, generators or meshes.")
-                   .input("center", "The point that stays.", defaults({0, 0, 0}).unit("m").position_handle())
-                   .input("factor", "The factor; it must be positive.", defaults(1).hard(1e-9, 1e9).soft(0.1, 4))
+                   .input("center", &ScaleInputs::center, "The point that stays.",
+                          defaults({0, 0, 0}).unit("m").position_handle())
+                   .input("factor", &ScaleInputs::factor, "The factor; it must be positive.",
+                          defaults(1).hard(1e-9, 1e9).soft(0.1, 4))
                    .output("shape", "The scaled shape."));
 }
 

@@ -29,18 +29,20 @@ void warn_of_lost_radius(const Context& context, const Versor& versor, const Ele
   context.warn({"degenerate", "a radius is smaller than the round-off at its place, and counts as zero", "shape"});
 }
 
-/// The functions of a transform whose versor `make(parameters...)` gives, as a value or as a failure.
-template <auto make, class... Parameters>
+/// The functions of a transform whose versor `make(inputs)` gives, as a value or as a failure.
+template <auto make>
 struct VersorNode {
-  static std::optional<Failure> points(Batch<Point> shape, const Parameters&... parameters, BatchOut<Point> out) {
-    const Attempt<Versor> versor = make(parameters...);
+  using Inputs = decltype(inputs_of(make));
+
+  static std::optional<Failure> points(const Batch<Point>& shape, const Inputs& in, BatchOut<Point> out) {
+    const Attempt<Versor> versor = make(in);
     if (const auto* failure = std::get_if<Failure>(&versor)) return *failure;
     return apply_to_points(std::get<Versor>(versor), shape, out);
   }
 
   template <class Element>
-  static Attempt<Element> element(const Context& context, const Element& shape, const Parameters&... parameters) {
-    const Attempt<Versor> versor = make(parameters...);
+  static Attempt<Element> element(const Context& context, const Element& shape, const Inputs& in) {
+    const Attempt<Versor> versor = make(in);
     if (const auto* failure = std::get_if<Failure>(&versor)) return *failure;
     const Element moved = apply(std::get<Versor>(versor), shape);
     if constexpr (!std::is_same_v<Element, Generator>)
@@ -48,13 +50,13 @@ struct VersorNode {
     return moved;
   }
 
-  static Attempt<SharedMesh> mesh(const Context& context, const SharedMesh& shape, const Parameters&... parameters) {
-    const Attempt<Versor> versor = make(parameters...);
+  static Attempt<SharedMesh> mesh(const Context& context, const SharedMesh& shape, const Inputs& in) {
+    const Attempt<Versor> versor = make(in);
     if (const auto* failure = std::get_if<Failure>(&versor)) return *failure;
     return apply_to_mesh(context, std::get<Versor>(versor), shape);
   }
 
-  static NodeBuilder declare(const char* id) {
+  static auto declare(const char* id) {
     return node(id, points, element<Circle>, element<Sphere>, element<Generator>, mesh).cost(cost_of_moved_mesh);
   }
 };

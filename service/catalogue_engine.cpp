@@ -192,7 +192,7 @@ Result<SharedBytes> CatalogueEngine::inspect(const InspectRequest& request, cons
   if (!request.output.empty()) {
     const OutputPort* port = node.type->find_output(request.output);
     if (port == nullptr) return unknown_output(*node.type, request.node, request.output, "/output");
-    output = static_cast<std::size_t>(port - node.type->outputs.data());
+    output = node.type->output_index(request.output);
   }
   if (output >= node.outputs.size()) return bypassed_output(request.node, request.output, "/output");
   const std::size_t count = sample_count(node.outputs[output].axes);

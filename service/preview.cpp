@@ -35,7 +35,7 @@ std::optional<Problem> read_entry(const Registry& registry, const Document& docu
   const std::string output = entry.substr(period + 1);
   const OutputPort* port = type->find_output(output);
   if (port == nullptr) return unknown_output(*type, id, output, pointer);
-  const auto index = static_cast<std::size_t>(port - type->outputs.data());
+  const std::size_t index = type->output_index(output);
   if (node->second.bypass && index > 0) return bypassed_output(id, output, pointer);
   outputs.insert(index);
   return std::nullopt;

@@ -16,7 +16,12 @@ class Drawing {
  public:
   Drawing(const PreviewedOutput& output, const PreviewFrame& frame, const Limits& limits, std::size_t points,
           const Cancel& cancel)
-      : output_(output), frame_(frame), limits_(limits), points_(points), color_(linear_color(output.value.type())), cancel_(cancel) {}
+      : output_(output),
+        frame_(frame),
+        limits_(limits),
+        points_(points),
+        color_(linear_color(output.value.type())),
+        cancel_(cancel) {}
 
   std::vector<GlbChild> run() {
     std::visit([this]<class T>(const std::shared_ptr<const Column<T>>& column) { draw(*column); },
@@ -130,7 +135,9 @@ class Drawing {
 
   GlbChild& add_child(std::size_t count, std::size_t drawn) {
     children_.push_back(
-        {output_.name, {{"output", output_.name}, {"type", name(output_.value.type())}, {"count", count}, {"drawn", drawn}}, {}});
+        {output_.name,
+         {{"output", output_.name}, {"type", name(output_.value.type())}, {"count", count}, {"drawn", drawn}},
+         {}});
     return children_.back();
   }
 

@@ -31,9 +31,8 @@ TEST_CASE("the exponential undoes the logarithm of a motor") {
     const auto logarithm = motor_logarithm(motor);
     REQUIRE(logarithm);
     require_same_action(exponential(*logarithm), motor);
-    const auto root = motor_square_root(motor);
-    REQUIRE(root);
-    require_same_action(compose(*root, *root), motor);
+    const Versor root = exponential(0.5 * *logarithm);
+    require_same_action(compose(root, root), motor);
   }
 }
 
@@ -45,7 +44,7 @@ TEST_CASE("logarithms of tiny turns, half turns and pure translations are exact"
   }
   REQUIRE_FALSE(motor_logarithm(exponential(null_pair({0, 0, 0}, {1, 0, 0}))));
   REQUIRE_FALSE(motor_logarithm(scaling_versor({0, 0, 0}, 2)));
-  REQUIRE_FALSE(motor_square_root(Versor{0, {}, {}}));
+  REQUIRE_FALSE(motor_logarithm(Versor{0, {}, {}}));
 }
 
 void require_carries(const Versor& motor, const Circle& from, const Circle& to, double tolerance = 1e-12) {

@@ -19,11 +19,18 @@ struct Memory {
   std::size_t used = 0;
 };
 
-/// The memory of an evaluation of one node and all that it needs.
-Memory memory_of(const Json& nodes, const std::string& node, Quality quality = Quality::final) {
+/// The plan of one node and all that it needs, within so much work.
+CheckReport planned(const Json& nodes, const std::string& node, std::size_t work) {
   const Result<Document> read = read_document(document(nodes), Limits{});
   REQUIRE(read);
-  const CheckReport report = check(catalogue(), *read, {}, quality, {}, test_file, {{node}, false});
+  Limits limits;
+  limits.work = work;
+  return check(catalogue(), *read, {}, Quality::final, limits, test_file, {{node}, false});
+}
+
+/// The memory of an evaluation of one node and all that it needs.
+Memory memory_of(const Json& nodes, const std::string& node) {
+  const CheckReport report = planned(nodes, node, Limits().work);
   for (const Problem& problem : report.problems) FAIL(problem.code << " at " << problem.node << ": " << problem.detail);
   Cache cache(std::size_t{4} << 30);
   const Cancel cancel;
@@ -56,7 +63,7 @@ std::string add_random_mesh(Json& nodes, const std::string& prefix, std::mt19937
       break;
     case 2:
       nodes[prefix + "grid"] = make("grid", {{"count_u", side}, {"count_v", side}});
-      nodes[last] = make("surface", {{"shape", from(prefix + "grid.points")}, {"clip_radius", 0.7}});
+      nodes[last] = make("surface", {{"shape", from(prefix + "grid.points")}, {"clip_radius", 1.3}});
       break;
     default:
       nodes[prefix + "ring"] = make("circle");
@@ -83,10 +90,14 @@ std::string add_random_mesh(Json& nodes, const std::string& prefix, std::mt19937
 }  // namespace
 
 TEST_CASE("the memory of every node is within what is predicted, and not far below") {
+  // What would take long for much is given little: some seconds of work are enough for one node.
+  constexpr std::size_t most_work = 2'000'000'000;
   for (const Subject& subject : all_subjects()) {
-    for (const Json& nodes : large_graphs(subject, 200'000)) {
-      CAPTURE(subject.name(), nodes.dump());
-      check_prediction(nodes, "subject");
+    for (const std::size_t size : {200'000, 2000}) {
+      for (const Json& nodes : large_graphs(subject, size)) {
+        CAPTURE(subject.name(), nodes.dump());
+        if (planned(nodes, "subject", most_work).problems.empty()) check_prediction(nodes, "subject");
+      }
     }
   }
 }

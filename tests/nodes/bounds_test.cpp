@@ -139,7 +139,7 @@ TEST_CASE("every node runs at every hard bound") {
     const bool small = graph.static_problems().empty() && graph.plan().cost.samples <= most_evaluated;
     for (const Problem& problem : small ? graph.problems("subject") : graph.static_problems()) {
       // A circle may be made smaller than its coefficients can hold.
-      const WireType made = subject.overload->outputs.front();
+      const WireType made = subject.overload->outputs.front().type;
       if (problem.code == "degenerate" && (made == WireType::circle || made == WireType::sphere)) continue;
       FAIL_CHECK(problem.code << " at " << problem.node << "." << problem.port << ": " << problem.detail);
     }
@@ -185,7 +185,7 @@ TEST_CASE("every node makes whole values of elements with extreme numbers, or sa
     for (std::size_t port = 0; port < subject.type->inputs.size(); ++port) {
       if (!can_be_lifted(subject, port)) continue;
       const std::string& driven = subject.type->inputs[port].name;
-      const bool everything = subject.overload->input_is_optional[port];
+      const bool everything = subject.overload->inputs[port].optional;
       for (const double number : extremes()) {
         CAPTURE(subject.name(), driven, number);
         require_whole_or_refused(wired_nodes(subject, {.everything = everything, .driven = driven, .drive = number}));

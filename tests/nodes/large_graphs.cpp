@@ -16,6 +16,12 @@ bool is_count(const InputPort& port) {
          port.name != "seed";
 }
 
+/// Quads along each edge of a box, and the like: as many squared as the faces have.
+bool is_small_count(const InputPort& port) {
+  constexpr double small = 500;
+  return port.types.front() == WireType::integer && port.spec.maximum && *port.spec.maximum >= small && !is_count(port);
+}
+
 /// All counts alike, so that what they make together is about `size`; nothing for a node without.
 Json counts_for(const NodeType& type, std::size_t size) {
   Json counts = Json::object();
@@ -23,14 +29,15 @@ Json counts_for(const NodeType& type, std::size_t size) {
   const double each = std::pow(static_cast<double>(size), 1.0 / static_cast<double>(std::max<long>(1, number)));
   for (const InputPort& port : type.inputs) {
     if (is_count(port)) counts[port.name] = static_cast<std::int64_t>(std::min(each, *port.spec.maximum));
+    if (is_small_count(port)) counts[port.name] = static_cast<std::int64_t>(std::sqrt(static_cast<double>(size) / 6));
   }
   return counts;
 }
 
 bool takes(const Subject& subject, std::size_t port, WireType type) {
   const std::vector<WireType>& types = subject.type->inputs[port].types;
-  return subject.overload->is_mixed(port) ? std::count(types.begin(), types.end(), type) > 0
-                                          : subject.overload->inputs[port] == type;
+  return subject.overload->inputs[port].is_mixed() ? std::count(types.begin(), types.end(), type) > 0
+                                                   : subject.overload->inputs[port].type == type;
 }
 
 /// What an input that keeps its values apart can be given besides meshes.
@@ -55,23 +62,22 @@ std::vector<Json> large_graphs(const Subject& subject, std::size_t size) {
   std::vector<Json> graphs;
   const Json counts = counts_for(*subject.type, size);
   if (!counts.empty()) graphs.push_back(wired_nodes(subject, {.literals = counts}));
-  if (subject.overload->consumed_axes > 0) graphs.push_back(wired_nodes(subject, {.consumed = size}));
-  const bool makes_meshes = subject.overload->outputs.front() == WireType::mesh;
+  if (subject.overload->consumed_axes() > 0) graphs.push_back(wired_nodes(subject, {.consumed = size}));
+  const bool makes_meshes = subject.overload->outputs.front().type == WireType::mesh;
   bool lifted = false;
   for (std::size_t port = 0; port < subject.type->inputs.size(); ++port) {
     const InputPort& card = subject.type->inputs[port];
     const bool mesh = takes(subject, port, WireType::mesh);
     if (mesh) graphs.push_back(wired_nodes(subject, {.vertices = size}));
-    if (subject.overload->is_mixed(port)) {
+    if (subject.overload->inputs[port].is_mixed()) {
       for (Json& graph : mixed_graphs(subject, card.name, size)) graphs.push_back(std::move(graph));
     }
-    if (lifted || !can_be_lifted(subject, port) || subject.overload->input_is_optional[port]) continue;
+    if (lifted || !can_be_lifted(subject, port) || subject.overload->inputs[port].optional) continue;
     lifted = true;
     const std::size_t values = mesh || makes_meshes ? size / numbers_per_mesh : size;
     Json literals = consumed_names(subject);
     if (makes_meshes) literals.update(counts_for(*subject.type, numbers_per_mesh));
-    graphs.push_back(
-        wired_nodes(subject, {.driven = card.name, .drive = {{"count", values}}, .literals = literals}));
+    graphs.push_back(wired_nodes(subject, {.driven = card.name, .drive = {{"count", values}}, .literals = literals}));
   }
   return graphs;
 }

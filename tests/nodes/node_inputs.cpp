@@ -126,9 +126,9 @@ void add_source(Json& nodes, const Subject& subject, std::size_t port, const Wir
   } else {
     nodes[drive] = make("number", {{"value", driven ? wiring.drive : Json(usual_drive)}});
   }
-  const int rank = subject.overload->input_is_block[port] ? subject.overload->consumed_axes : 0;
+  const int rank = subject.overload->inputs[port].consumed_axes;
   const std::string source =
-      Source(nodes, card.name + "_", drive, rank, wiring).make(subject.overload->inputs[port], wants_line(card));
+      Source(nodes, card.name + "_", drive, rank, wiring).make(subject.overload->inputs[port].type, wants_line(card));
   nodes["subject"]["inputs"][card.name] = from(source);
 }
 
@@ -156,7 +156,7 @@ bool same_value(const T& a, const T& b) {
 }  // namespace
 
 std::string Subject::name() const {
-  return type->id + (overload->inputs.empty() ? "" : " of a " + std::string(dini::name(overload->inputs.front())));
+  return type->id + (overload->inputs.empty() ? "" : " of a " + std::string(dini::name(overload->inputs.front().type)));
 }
 
 std::vector<Subject> all_subjects() {
@@ -186,14 +186,14 @@ Json wired_nodes(const Subject& subject, const Wiring& wiring) {
 Json consumed_names(const Subject& subject) {
   Json literals = Json::object();
   const std::vector<std::string> names = {"rows", "columns"};
-  for (std::size_t k = 0; k < static_cast<std::size_t>(subject.overload->consumed_axes); ++k) {
+  for (std::size_t k = 0; k < subject.overload->consumed_axes(); ++k) {
     literals[subject.type->over[k]] = names[k];
   }
   return literals;
 }
 
 bool can_be_lifted(const Subject& subject, std::size_t port) {
-  return subject.overload->is_mixed(port) || !info(subject.overload->inputs[port]).literal_only;
+  return subject.overload->inputs[port].is_mixed() || !info(subject.overload->inputs[port].type).literal_only;
 }
 
 std::optional<Json> other_literal(const InputPort& port) {

@@ -113,23 +113,74 @@ TEST_CASE("every handle sets a point, a vector or a number and stands at inputs 
   CHECK_FALSE(card(*catalogue().find("twist"))["inputs"][2].contains("handle"));
 }
 
+namespace {
+
+struct MoveInputs {
+  Point a;
+  Vector b;
+};
+
+Point moved(const MoveInputs& in) { return in.a; }
+
+/// Of a function whose inputs have a base.
+struct CarryInputs : MoveInputs {
+  double amount;
+};
+
+double carried(const Point&, const CarryInputs& in) { return in.amount; }
+
+/// A card that lacks nothing but inputs.
+template <class... Functions>
+auto toy(Functions... functions) {
+  return node("toy", functions...).title("Toy").family("toys").doc("A toy.").output("result", "R.");
+}
+
+}  // namespace
+
 TEST_CASE("a card whose handle stands at no place is refused") {
   const auto add = [](InputSpec spec) {
     Registry registry;
-    registry.add(node(
-                     "move", +[](const Point& a, const Vector&) { return a; })
-                     .title("Move")
-                     .family("toys")
-                     .doc("Moves.")
-                     .input("a", "P.")
-                     .input("b", "V.", std::move(spec))
-                     .output("point", "P."));
+    registry.add(toy(moved).input("a", &MoveInputs::a, "P.").input("b", &MoveInputs::b, "V.", std::move(spec)));
   };
   CHECK_NOTHROW(add(required().direction_handle("a")));
   CHECK_THROWS_AS(add(required().direction_handle("b")), std::logic_error);
   CHECK_THROWS_AS(add(required().direction_handle("c")), std::logic_error);
   CHECK_THROWS_AS(add(required().position_handle()), std::logic_error);
   CHECK_THROWS_AS(add(required().radius_handle("a")), std::logic_error);
+}
+
+TEST_CASE("a card that leaves out what a function takes, or gives it twice, is refused") {
+  const auto refusal = [](auto builder) {
+    try {
+      Registry registry;
+      registry.add(std::move(builder));
+    } catch (const std::logic_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(refusal(toy(moved).input("a", &MoveInputs::a, "P.").input("b", &MoveInputs::b, "V.")).empty());
+  CHECK(refusal(toy(moved).input("a", &MoveInputs::a, "P.")) ==
+        "node type \"toy\": the card describes 1 of the 2 members of a function's inputs");
+  CHECK(refusal(toy(moved).input("a", &MoveInputs::a, "P.").input("c", &MoveInputs::a, "V.")) ==
+        "node type \"toy\": two inputs go to one member");
+  const auto carry = [] { return toy(carried).input("shape", "P."); };
+  CHECK(refusal(carry()
+                    .input("a", &CarryInputs::a, "P.")
+                    .input("b", &CarryInputs::b, "V.")
+                    .input("amount", &CarryInputs::amount, "A."))
+            .empty());
+  CHECK(refusal(carry().input("a", &CarryInputs::a, "P.").input("amount", &CarryInputs::amount, "A.")) ==
+        "node type \"toy\": the card describes 2 of the 3 members of a function's inputs");
+  CHECK(refusal(carry().input("amount", &CarryInputs::amount, "A.")) ==
+        "node type \"toy\": the card describes 1 of the 2 members of a function's inputs");
+  CHECK(refusal(toy(carried)
+                    .input("a", &CarryInputs::a, "P.")
+                    .input("b", &CarryInputs::b, "V.")
+                    .input("amount", &CarryInputs::amount, "A.")) ==
+        "node type \"toy\": the card does not describe the value that a function takes by itself");
+  CHECK_THROWS_AS(toy(moved).input("shape", "P."), std::logic_error);
+  CHECK_THROWS_AS(carry().input("again", "P."), std::logic_error);
 }
 
 TEST_CASE("every function of every node runs with its defaults, and with everything wired") {
@@ -164,13 +215,13 @@ TEST_CASE("every node gives the same result twice") {
 TEST_CASE("every node lifted over one more axis equals the loop of single calls") {
   for (const Subject& subject : all_subjects()) {
     for (std::size_t port = 0; port < subject.type->inputs.size(); ++port) {
-      if (!can_be_lifted(subject, port) || subject.overload->is_mixed(port))
+      if (!can_be_lifted(subject, port) || subject.overload->inputs[port].is_mixed())
         continue;  // mixed inputs keep their values apart
       const std::string& driven = subject.type->inputs[port].name;
       const std::vector<double> drives = drives_of(subject, driven);
       CAPTURE(subject.name(), driven);
       // Inputs that may be left out can depend on one another, so they are wired all or none.
-      const bool everything = subject.overload->input_is_optional[port];
+      const bool everything = subject.overload->inputs[port].optional;
       const Json over = consumed_names(subject);
       CatalogueGraph lifted = graph_of(
           wired_nodes(subject, {.everything = everything, .driven = driven, .drive = drives, .literals = over}));

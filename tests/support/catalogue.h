@@ -100,7 +100,7 @@ class CatalogueGraph {
   std::size_t output_index(const std::string& node, const std::string& place) const {
     if (place == node) return 0;
     const NodeType& type = *planned(node).type;
-    return static_cast<std::size_t>(type.find_output(place.substr(node.size() + 1)) - type.outputs.data());
+    return type.output_index(place.substr(node.size() + 1));
   }
 
   CheckReport report_;

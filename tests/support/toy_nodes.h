@@ -30,7 +30,11 @@ inline double constant(double value) { return value; }
 
 inline double chosen(Word word) { return word == Word::first ? 1 : 2; }
 
-inline double sum(double a, double b) { return a + b; }
+struct SumInputs {
+  double a, b;
+};
+
+inline double sum(const SumInputs& in) { return in.a + in.b; }
 
 inline double count_runs(double value) {
   ++runs;
@@ -44,27 +48,44 @@ inline Attempt<double> root(double value) {
 
 inline double reciprocal(double value) { return 1 / value; }
 
-inline Made<double> ramp(std::int64_t count, bool, const std::string&) {
-  Column<double> values(static_cast<std::size_t>(count));
+struct RampInputs {
+  std::int64_t count;
+  bool closed;
+};
+
+inline Made<double> ramp(const RampInputs& in) {
+  Column<double> values(static_cast<std::size_t>(in.count));
   for (std::size_t i = 0; i < values.size(); ++i) values.set(i, static_cast<double>(i));
   return {std::move(values)};
 }
 
-inline double total(const Block<double, 1>& values, const Block<double, 1>& weights, const std::string&) {
+struct TotalInputs {
+  Block<double, 1> values, weights;
+};
+
+inline double total(const TotalInputs& in) {
   double result = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) result += values(i) * weights(i);
+  for (std::size_t i = 0; i < in.values.size(); ++i) result += in.values(i) * in.weights(i);
   return result;
 }
 
 template <class T>
-T same(const T& item, const std::string&) {
+T same(const T& item) {
   return item;
 }
 
-inline Point shifted(const Point& point, const Vector& by) { return to_point(to_vector(point) + by); }
+struct ShiftedInputs {
+  Vector by;
+};
 
-inline void doubled(Batch<double> value, double offset, BatchOut<double> result) {
-  for (std::size_t i = 0; i < result.size; ++i) result.set(i, 2 * value[i] + offset);
+inline Point shifted(const Point& point, const ShiftedInputs& in) { return to_point(to_vector(point) + in.by); }
+
+struct DoubledInputs {
+  double offset;
+};
+
+inline void doubled(const Batch<double>& value, const DoubledInputs& in, BatchOut<double> result) {
+  for (std::size_t i = 0; i < result.size; ++i) result.set(i, 2 * value[i] + in.offset);
 }
 
 inline double slow_sum(double a, double b) {
@@ -91,7 +112,7 @@ inline double endless(const Context& context, double value) {
 /// A registry of nodes that test the engine and nothing else.
 inline Registry registry() {
   Registry nodes;
-  const auto value_node = [](NodeBuilder builder) -> NodeType {
+  const auto value_node = [](NodeBuilder<Nothing> builder) -> NodeType {
     return std::move(builder)
         .title("Toy")
         .family("toys")
@@ -124,47 +145,47 @@ inline Registry registry() {
                 .title("Sum")
                 .family("toys")
                 .doc("Adds.")
-                .input("a", "First.")
-                .input("b", "Second.", defaults(10))
+                .input("a", &SumInputs::a, "First.")
+                .input("b", &SumInputs::b, "Second.", defaults(10))
                 .output("value", "The sum."));
   nodes.add(node("ramp", ramp)
                 .title("Ramp")
                 .family("toys")
                 .doc("0, 1, 2, ...")
-                .input("count", "How many.", defaults(3).hard(1, 1'000'000'000))
-                .input("closed", "Whether it closes.", defaults(false))
-                .input("axis", "Name.", defaults("").names_axis())
+                .input("count", &RampInputs::count, "How many.", defaults(3).hard(1, 1'000'000'000))
+                .input("closed", &RampInputs::closed, "Whether it closes.", defaults(false))
+                .made_axis("axis", "Name.")
                 .axes(one_axis("count", "axis", "closed"))
                 .output("values", "The numbers."));
   nodes.add(node("total", total)
                 .title("Total")
                 .family("toys")
                 .doc("Sums along an axis.")
-                .input("values", "Numbers.", required().several())
-                .input("weights", "Weights.", defaults(1).several())
-                .input("over", "The axis.", defaults("").names_axis())
-                .over({"over"})
+                .input("values", &TotalInputs::values, "Numbers.", required().several())
+                .input("weights", &TotalInputs::weights, "Weights.", defaults(1).several())
+                .consumed_axis("over", "The axis.")
                 .output("value", "The sum."));
   nodes.add(node("list", same<double>, same<Point>)
                 .title("List")
                 .family("toys")
                 .doc("Items.")
                 .input("items", "Items.", required().several())
-                .input("axis", "Name.", defaults("").names_axis())
+                .lists_along("axis")
+                .made_axis("axis", "Name.")
                 .output("items", "Items."));
   nodes.add(node("shifted", shifted)
                 .title("Shifted")
                 .family("toys")
                 .doc("Moves.")
                 .input("point", "P.")
-                .input("by", "V.", defaults({0, 0, 1}))
+                .input("by", &ShiftedInputs::by, "V.", defaults({0, 0, 1}))
                 .output("point", "P."));
   nodes.add(node("doubled", doubled)
                 .title("Doubled")
                 .family("toys")
                 .doc("Twice.")
                 .input("value", "N.")
-                .input("offset", "N.", defaults(0))
+                .input("offset", &DoubledInputs::offset, "N.", defaults(0))
                 .output("value", "N."));
   return nodes;
 }
