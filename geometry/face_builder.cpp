@@ -6,31 +6,37 @@
 
 namespace dini {
 
-bool FaceBuilder::takes(std::span<const Vector> corners) {
-  if (corners.size() < 3) {
-    ++too_short_;
-    return false;
-  }
+FaceBuilder::LeftOut* FaceBuilder::fault_of(std::span<const Vector> corners) {
+  if (corners.size() < 3) return &short_;
   const bool reached =
       std::all_of(corners.begin(), corners.end(), [](const Vector& p) { return is_within_reach(to_point(p)); });
-  out_of_reach_ += reached ? 0 : 1;
-  return reached;
+  return reached ? nullptr : &out_of_reach_;
 }
 
 void FaceBuilder::add(std::span<const std::uint32_t> vertices, std::span<const Vector> corners, RawMesh& raw) {
   pieces_.clear();
   cutter_.cut(corners, pieces_);
-  for (const auto& [a, b, c] : pieces_) raw.triangles.push_back({vertices[a], vertices[b], vertices[c]});
+  for (const auto& piece : pieces_) {
+    const auto a = vertices[piece[0]], b = vertices[piece[1]], c = vertices[piece[2]];
+    if (a == b || b == c || c == a) {
+      ++repeated_;
+    } else {
+      raw.triangles.push_back({a, b, c});
+    }
+  }
 }
 
 void FaceBuilder::warn(std::vector<std::string>& warnings) const {
-  if (too_short_ > 0) {
-    warnings.push_back(counted(too_short_, "face has fewer than three corners and is left out",
-                               "faces have fewer than three corners and are left out"));
-  }
-  if (out_of_reach_ > 0) {
-    warnings.push_back(counted(out_of_reach_, "face uses a vertex that is not finite or beyond 1e18 and is left out",
-                               "faces use a vertex that is not finite or beyond 1e18 and are left out"));
+  const auto tell = [&](const LeftOut& kind, std::string_view one, std::string_view many) {
+    if (kind.count > 0) warnings.push_back(counted(kind.count, one, many) + " left out, the first at " + kind.first);
+  };
+  tell(short_, "face has fewer than three corners and is", "faces have fewer than three corners and are");
+  tell(out_of_reach_, "face uses a vertex that is not finite or beyond 1e18 and is",
+       "faces use a vertex that is not finite or beyond 1e18 and are");
+  if (repeated_ > 0) {
+    warnings.push_back(
+        counted(repeated_, "triangle uses a vertex twice and is", "triangles use a vertex twice and are") +
+        " left out");
   }
 }
 

@@ -11,8 +11,7 @@ namespace {
 
 Vector plane_normal(const RawMesh& raw, const std::array<std::uint32_t, 3>& triangle) {
   const Vector a = raw.positions[triangle[0]];
-  const Vector normal = normalized(cross(raw.positions[triangle[1]] - a, raw.positions[triangle[2]] - a));
-  return is_finite(normal) ? normal : Vector{};
+  return normalized(cross(raw.positions[triangle[1]] - a, raw.positions[triangle[2]] - a));
 }
 
 /// Equal for normals that differ in round-off only, as those of the two halves of a quad do.

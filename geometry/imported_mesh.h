@@ -24,8 +24,8 @@ constexpr std::string_view name_of(MeshFormat format) {
 }
 
 /// A mesh in the file's own axes and units, with unit normals at every vertex. Texture coordinates have their origin at
-/// the upper left of the picture, as in glTF; colors are linear. `warnings` tell what the file has and the mesh has not,
-/// one sentence with a count for each kind.
+/// the upper left of the picture, as in glTF; colors are linear. `warnings` tell what the file has and the mesh has
+/// not, one sentence with a count for each kind.
 struct ImportedMesh {
   Mesh mesh;
   MeshFormat format = MeshFormat::obj;

@@ -11,10 +11,10 @@ namespace {
 /// What changes no triangle: names, groups, smoothing and display, and what only free-form shapes use.
 bool changes_nothing(std::string_view keyword) {
   constexpr std::array<std::string_view, 35> words = {
-      "o",    "g",    "s",    "mg",   "mtllib", "maplib", "usemap",   "lod",      "bevel",      "c_interp",
-      "vp",   "deg",  "bmat", "step", "cstype", "parm",   "d_interp", "trace_obj", "shadow_obj", "ctech",
-      "trim", "hole", "scrv", "sp",   "end",    "con",    "stech",    "curv2",     "cdc",        "cdp",
-      "bsp",  "bzp",  "res",  "call", "csh"};
+      "o",          "g",     "s",    "mg",   "mtllib", "maplib", "usemap", "lod",      "bevel",
+      "c_interp",   "vp",    "deg",  "bmat", "step",   "cstype", "parm",   "d_interp", "trace_obj",
+      "shadow_obj", "ctech", "trim", "hole", "scrv",   "sp",     "end",    "con",      "stech",
+      "curv2",      "cdc",   "cdp",  "bsp",  "bzp",    "res",    "call",   "csh"};
   return std::ranges::find(words, keyword) != words.end();
 }
 

@@ -19,7 +19,7 @@ std::size_t comment_begin(std::string_view line) {
 
 /// Whether a statement is made of numbers; those of the others are names, or begin with nothing that is known.
 bool has_numbers(std::string_view statement) {
-  constexpr std::array<std::string_view, 19> keywords = {"v",    "vt",   "vn",   "vp",   "f",   "fo", "l",
+  constexpr std::array<std::string_view, 19> keywords = {"v",    "vt",   "vn",   "vp",   "f",   "fo",  "l",
                                                          "p",    "curv", "surf", "parm", "sp",  "con", "curv2",
                                                          "trim", "hole", "scrv", "bmat", "step"};
   return std::ranges::find(keywords, take_word(statement)) != keywords.end();

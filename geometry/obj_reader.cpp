@@ -57,8 +57,10 @@ class ObjReader {
     return error_.has_value();
   }
 
+  std::string place() const { return "line " + std::to_string(lines_.number()); }
+
   void fail(const std::string& what) {
-    if (!error_) error_ = invalid_file("line " + std::to_string(lines_.number()) + ": " + what);
+    if (!error_) error_ = invalid_file(place() + ": " + what);
   }
 
   void read_statement(std::string_view statement) {
@@ -84,7 +86,7 @@ class ObjReader {
     numbers_.clear();
     for (std::string_view word = take_word(statement); !word.empty(); word = take_word(statement)) {
       const auto number = real_from(word);
-      if (!number) fail(quoted(word) + " is no number");
+      if (!number) fail(in_quotes(word) + " is no number");
       if (numbers_.size() == most) fail("there are more than " + std::to_string(most) + " numbers");
       if (error_) return numbers_;
       numbers_.push_back(*number);
@@ -116,7 +118,7 @@ class ObjReader {
     const auto number = whole_from(word);
     const auto size = static_cast<std::int64_t>(count);
     if (!number || *number == 0 || *number > size || *number < -size) {
-      fail(quoted(word) + " is none of the " + std::to_string(count) + " " + std::string(what) + " before it");
+      fail(in_quotes(word) + " is none of the " + std::to_string(count) + " " + std::string(what) + " before it");
       return 0;
     }
     return *number > 0 ? *number - 1 : size + *number;
@@ -149,7 +151,7 @@ class ObjReader {
         error_ = too_many(limits_.triangles, "triangles");
       }
     }
-    if (error_ || !faces_.takes(places_)) return;
+    if (error_ || !faces_.takes(places_, [this] { return place(); })) return;
     vertices_.clear();
     for (const Corner& corner : corners_) vertices_.push_back(vertex_of(corner));
     if (raw_.positions.size() > limits_.vertices) {

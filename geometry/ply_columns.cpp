@@ -15,29 +15,29 @@ struct Name {
 };
 
 constexpr std::array<Name, 24> known_names = {{{"x", PlyMeaning::x},
-                                         {"y", PlyMeaning::y},
-                                         {"z", PlyMeaning::z},
-                                         {"nx", PlyMeaning::nx},
-                                         {"ny", PlyMeaning::ny},
-                                         {"nz", PlyMeaning::nz},
-                                         {"s", PlyMeaning::u},
-                                         {"t", PlyMeaning::v},
-                                         {"u", PlyMeaning::u},
-                                         {"v", PlyMeaning::v},
-                                         {"texture_u", PlyMeaning::u},
-                                         {"texture_v", PlyMeaning::v},
-                                         {"red", PlyMeaning::red},
-                                         {"green", PlyMeaning::green},
-                                         {"blue", PlyMeaning::blue},
-                                         {"alpha", PlyMeaning::alpha},
-                                         {"r", PlyMeaning::red},
-                                         {"g", PlyMeaning::green},
-                                         {"b", PlyMeaning::blue},
-                                         {"a", PlyMeaning::alpha},
-                                         {"diffuse_red", PlyMeaning::red},
-                                         {"diffuse_green", PlyMeaning::green},
-                                         {"diffuse_blue", PlyMeaning::blue},
-                                         {"diffuse_alpha", PlyMeaning::alpha}}};
+                                               {"y", PlyMeaning::y},
+                                               {"z", PlyMeaning::z},
+                                               {"nx", PlyMeaning::nx},
+                                               {"ny", PlyMeaning::ny},
+                                               {"nz", PlyMeaning::nz},
+                                               {"s", PlyMeaning::u},
+                                               {"t", PlyMeaning::v},
+                                               {"u", PlyMeaning::u},
+                                               {"v", PlyMeaning::v},
+                                               {"texture_u", PlyMeaning::u},
+                                               {"texture_v", PlyMeaning::v},
+                                               {"red", PlyMeaning::red},
+                                               {"green", PlyMeaning::green},
+                                               {"blue", PlyMeaning::blue},
+                                               {"alpha", PlyMeaning::alpha},
+                                               {"r", PlyMeaning::red},
+                                               {"g", PlyMeaning::green},
+                                               {"b", PlyMeaning::blue},
+                                               {"a", PlyMeaning::alpha},
+                                               {"diffuse_red", PlyMeaning::red},
+                                               {"diffuse_green", PlyMeaning::green},
+                                               {"diffuse_blue", PlyMeaning::blue},
+                                               {"diffuse_alpha", PlyMeaning::alpha}}};
 
 PlyMeaning meaning_of(const PlyProperty& property) {
   if (property.length) {
@@ -91,10 +91,10 @@ std::optional<std::string> PlyColumns::left_out(const PlyElement& element) const
   std::size_t count = 0;
   for (std::size_t k = 0; k < meanings_.size(); ++k) {
     if (meanings_[k] != PlyMeaning::other) continue;
-    if (++count <= most_listed) listed += (count == 1 ? ": " : ", ") + quoted(element.properties[k].name);
+    if (++count <= most_listed) listed += (count == 1 ? ": " : ", ") + in_quotes(element.properties[k].name);
   }
   if (count == 0 || element.count == 0) return std::nullopt;
-  return counted(count, "property", "properties") + " of " + quoted(element.name) + (count == 1 ? " is" : " are") +
+  return counted(count, "property", "properties") + " of " + in_quotes(element.name) + (count == 1 ? " is" : " are") +
          " left out" + listed + (count > most_listed ? " and others" : "");
 }
 

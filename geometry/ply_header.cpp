@@ -79,7 +79,7 @@ class HeaderReader {
       } else {
         good = keyword.empty() || keyword == "comment" || keyword == "obj_info" || lines_.number() == 1;
       }
-      if (!good) return fail(quoted(words) + " cannot be understood");
+      if (!good) return fail(in_quotes(words) + " cannot be understood");
     }
     return fail("the header does not end");
   }
@@ -134,7 +134,7 @@ class HeaderReader {
     for (const PlyElement& element : header_.elements) {
       const std::size_t least = least_size(element, header_.encoding);
       if (element.count > 0 && (least == 0 || element.count > rest / least)) {
-        return invalid_file("the header promises " + std::to_string(element.count) + " of " + quoted(element.name) +
+        return invalid_file("the header promises " + std::to_string(element.count) + " of " + in_quotes(element.name) +
                             ", which the file is too short for");
       }
     }

@@ -29,7 +29,7 @@ void PlyItems::begin() {
 double PlyItems::value(const PlyProperty& property) {
   if (stopped()) return 0;
   const auto number = values_.next(property.type);
-  if (!number) fail("the data end, or " + quoted(property.name) + " is no number");
+  if (!number) fail("the data end, or " + in_quotes(property.name) + " is no number");
   return number.value_or(0);
 }
 
@@ -39,14 +39,14 @@ std::size_t PlyItems::length(const PlyProperty& list) {
   const auto most = static_cast<double>(values_.rest() / each);
   if (error_) return 0;
   if (length >= 0 && length <= most && length == std::trunc(length)) return static_cast<std::size_t>(length);
-  fail("the length of " + quoted(list.name) + " is none, or more than the rest of the file can hold");
+  fail("the length of " + in_quotes(list.name) + " is none, or more than the rest of the file can hold");
   return 0;
 }
 
 void PlyItems::skip(const PlyProperty& property) {
   const std::size_t count = property.length ? length(property) : 1;
   for (std::size_t i = 0; i < count && !stopped(); ++i) {
-    if (!values_.skip(property.type)) fail("the data end within " + quoted(property.name));
+    if (!values_.skip(property.type)) fail("the data end within " + in_quotes(property.name));
   }
 }
 

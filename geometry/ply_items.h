@@ -17,6 +17,8 @@ class PlyItems {
       : header_(header), values_(bytes, header), steps_(cancel) {}
 
   const std::optional<ImportError>& error() const { return error_; }
+  /// Where the value that was read last ends, such as "line 17"; it takes time to find.
+  std::string place() const { return values_.place(); }
   /// Refuses the file at the place that was read last.
   void fail(std::string what);
   void fail(ImportError error);

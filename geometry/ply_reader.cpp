@@ -49,7 +49,7 @@ class PlyReader {
       for (const PlyProperty& property : element.properties) items_.skip(property);
     }
     if (element.count == 0) return;
-    warn(std::to_string(element.count) + " of the element " + quoted(element.name) +
+    warn(std::to_string(element.count) + " of the element " + in_quotes(element.name) +
          (element.count == 1 ? " is" : " are") + " left out");
   }
 
@@ -93,7 +93,7 @@ class PlyReader {
   bool can_follow(const PlyElement& element, const PlyColumns& columns) {
     if (raw_.positions.empty()) items_.fail("there are faces before any vertices");
     if (!columns.has(PlyMeaning::corners)) {
-      items_.fail(quoted(element.name) + " has no list vertex_indices of whole numbers");
+      items_.fail(in_quotes(element.name) + " has no list vertex_indices of whole numbers");
     }
     return !items_.error();
   }
@@ -157,7 +157,11 @@ class PlyReader {
     if (items_.error()) return false;
     places_.clear();
     for (const std::uint32_t corner : corners_) places_.push_back(raw_.positions[corner]);
-    return faces_.takes(places_);
+    return is_taken();
+  }
+
+  bool is_taken() {
+    return faces_.takes(places_, [this] { return items_.place(); });
   }
 
   void read_strips(const PlyElement& element) {
@@ -203,7 +207,7 @@ class PlyReader {
   /// One that is too short for a triangle counts as a face that is.
   void end_strip(std::size_t length) {
     places_.resize(std::min<std::size_t>(length, 2));
-    if (length > 0 && length < 3) faces_.takes(places_);
+    if (length > 0 && length < 3) is_taken();
   }
 
   const PlyHeader& header_;

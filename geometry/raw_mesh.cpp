@@ -19,21 +19,8 @@ bool is_usable(const std::array<float, 4>& color) {
   return std::all_of(color.begin(), color.end(), [](float channel) { return std::isfinite(channel); });
 }
 
-bool uses_a_vertex_twice(const std::array<std::uint32_t, 3>& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-
 void warn(RawMesh& raw, std::size_t count, std::string_view one, std::string_view many) {
   if (count > 0) raw.warnings.push_back(counted(count, one, many));
-}
-
-void drop_triangles(RawMesh& raw) {
-  const std::size_t repeated = std::erase_if(raw.triangles, uses_a_vertex_twice);
-  warn(raw, repeated, "triangle uses a vertex twice and is left out", "triangles use a vertex twice and are left out");
-  const std::size_t lost = std::erase_if(raw.triangles, [&](const auto& triangle) {
-    return !std::all_of(triangle.begin(), triangle.end(),
-                        [&](std::uint32_t vertex) { return is_within_reach(to_point(raw.positions[vertex])); });
-  });
-  warn(raw, lost, "triangle uses a vertex that is not finite or beyond 1e18 and is left out",
-       "triangles use a vertex that is not finite or beyond 1e18 and are left out");
 }
 
 /// With the reason, as far as it is known.
@@ -119,7 +106,6 @@ Vector given_normal(const Vector& normal) {
 
 ImportResult finish_import(RawMesh raw, MeshFormat format, const ImportLimits& limits, const Cancel& cancel) {
   if (cancel.stopped()) return stopped_reading();
-  drop_triangles(raw);
   if (raw.triangles.empty()) return nothing_left(raw);
   if (raw.triangles.size() > limits.triangles) return too_many(limits.triangles, "triangles");
   const std::vector<std::uint32_t> used = used_vertices(raw);

@@ -60,7 +60,7 @@ std::string text_of(double number) {
   return {text, std::to_chars(text, text + sizeof(text), number).ptr};
 }
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
   constexpr std::size_t most = 32;
   std::string text(word.substr(0, most));
   for (char& c : text) {

@@ -77,6 +77,6 @@ std::optional<std::int64_t> whole_from(std::string_view word);
 std::string text_of(double number);
 
 /// The word in quotes for a message: its first 32 bytes, with a question mark for what is not printable ASCII.
-std::string quoted(std::string_view word);
+std::string in_quotes(std::string_view word);
 
 }  // namespace dini
