@@ -1,9 +1,9 @@
 #include "gltf/glb_mesh_builder.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "geometry/flat_normals.h"
+#include "geometry/validate.h"
 
 namespace dini {
 
@@ -61,17 +61,19 @@ void GlbMeshBuilder::add(const GltfJson& primitive, const GltfPlace& place, cons
   }
   std::vector<bool> mirrored;
   add_vertices(parts, vertices, place, mirrored);
-  for (std::size_t i = 0; i < triangles.list.size(); ++i) {
-    auto triangle = triangles.list[i];
+  for (auto triangle : triangles.list) {
     if (mirrored[triangle[0]]) std::swap(triangle[1], triangle[2]);
     std::array<Vector, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {
       triangle[k] += static_cast<std::uint32_t>(first_vertex);
       corners[k] = raw_.positions[triangle[k]];
     }
-    if (faces_.takes(corners, [&] { return name + ", triangle " + std::to_string(i); })) {
-      faces_.add(triangle, corners, raw_);
-    }
+    const auto at = [&] {
+      const auto lost = std::ranges::find_if_not(corners, [](const Vector& p) { return is_within_reach(to_point(p)); });
+      const std::uint32_t vertex = triangle[static_cast<std::size_t>(lost - corners.begin())];
+      return name + ", vertex " + std::to_string(vertices[vertex - first_vertex]);
+    };
+    if (faces_.takes(corners, at)) faces_.add(triangle, corners, raw_);
   }
   if (parts.normals == nullptr && !make_flat(raw_, first_vertex, first_triangle, limits_.vertices, cancel_)) {
     smooth_ += triangles.list.size();

@@ -81,7 +81,7 @@ void GlbModel::add_tile(const EncodedTile& tile, const FloatBox& bounds, const C
                 accessor_of(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, tile.vertices));
   add_attribute("TEXCOORD_0", tile.uv_id,
                 accessor_of(TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC2, tile.vertices));
-  auto colors = accessor_of(TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4, tile.vertices);
+  auto colors = accessor_of(TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC4, tile.vertices);
   colors.normalized = true;
   add_attribute("COLOR_0", tile.color_id, colors);
   primitive.indices =

@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "algebra/extract.h"
 #include "geometry/circle_grid.h"
 #include "geometry/validate.h"
 #include "gltf/glb_writer.h"
+#include "graph/literal.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 
@@ -84,6 +86,24 @@ void warn_of_what_is_left_out(const Context& context, const std::vector<Value>& 
   }
 }
 
+std::string two_digits(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof(text), value, std::chars_format::general, 2).ptr};
+}
+
+/// Tells the part whose texture coordinates lose the most to rounding, and how many lose much.
+void warn_of_rough_uvs(const Context& context, const std::vector<RoughUvs>& rough) {
+  if (rough.empty()) return;
+  const RoughUvs& worst = *std::max_element(rough.begin(), rough.end(),
+                                            [](const RoughUvs& a, const RoughUvs& b) { return a.error < b.error; });
+  context.warn({"imprecise",
+                "the texture coordinates of " + worst.part + " reach from " + to_text(worst.minimum) + " to " +
+                    to_text(worst.maximum) + " and are rounded by up to " + two_digits(worst.error) +
+                    ", where 1 is the size of the picture" +
+                    (rough.size() == 1 ? "" : "; so are those of " + std::to_string(rough.size() - 1) + " more"),
+                "model"});
+}
+
 /// Why there is nothing to write, model by model.
 Failure nothing_to_draw(const std::vector<Value>& models) {
   std::string reasons;
@@ -130,6 +150,7 @@ Attempt<SharedAsset> export_glb(const Context& context,
   }
   EncodedScene& scene = std::get<EncodedScene>(encoded);
   warn_of_what_is_left_out(context, model.values);
+  warn_of_rough_uvs(context, scene.rough_uvs);
   for (const std::string& part : scene.empty_parts) context.warn({"empty", part + " has nothing to draw", "model"});
   return std::make_shared<const Asset>(Asset{"model/gltf-binary", std::move(scene.glb), scene.vertices, scene.triangles,
                                              root_of_three * scene.position_error});

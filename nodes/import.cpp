@@ -35,6 +35,7 @@ Vector turned_upright(const Vector& v, bool y_up) { return y_up ? Vector{v.x, -v
 Attempt<SharedMesh> imported(const Context& context, const SharedAssetFile& asset, UpAxis up, double scale,
                              bool center) {
   const Mesh& mesh = asset->content.mesh;
+  for (const std::string& warning : asset->content.warnings) context.warn({"left-out", warning, "asset"});
   const bool y_up = up == UpAxis::y || (up == UpAxis::format && asset->content.format == MeshFormat::glb);
   // The same memory: most graphs take the file as it is.
   if (!y_up && scale == 1 && !center) return SharedMesh(asset, &mesh);
@@ -68,9 +69,11 @@ void add_import(Registry& registry) {
           .title("Import")
           .family("meshes")
           .doc("A mesh from an OBJ, PLY or GLB file that was uploaded, or given on the command line.")
+          .version(2)
           .details("Texture coordinates, vertex colors and normals are kept; missing normals are computed. "
-                   "Materials, textures, skins and animations are left out. Polygons become triangles. A "
-                   "file that is not known here is an error.")
+                   "Materials, textures and animations are left out, and skins are taken in the pose of the file. "
+                   "Polygons become triangles. What of the file is left out is a warning. A file that is not known "
+                   "here is an error.")
           .input("asset", "The sha256 of an uploaded file, or the name given to a file by --asset.")
           .input("up", "Which axis of the file is up; by its format: y in GLB, z in OBJ and PLY.", defaults("format"))
           .input("scale", "Factor from the file's unit to meters.", defaults(1).hard(1e-9, 1e9).soft(0.1, 10))

@@ -38,7 +38,8 @@ Reply add_asset(Call& call) {
                             {"bytes", added->bytes},
                             {"format", added->format},
                             {"vertices", added->vertices},
-                            {"triangles", added->triangles}},
+                            {"triangles", added->triangles},
+                            {"warnings", added->warnings}},
                            201);
   reply.headers.emplace_back("Cache-Control", "no-store");
   return reply;
