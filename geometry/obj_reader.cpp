@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <unordered_map>
 
 #include "geometry/face_builder.h"
 #include "geometry/file_colors.h"
-#include "geometry/hash_seed.h"
+#include "geometry/number_table.h"
 #include "geometry/obj_left_out.h"
 #include "geometry/obj_lines.h"
 
@@ -14,23 +13,18 @@ namespace dini {
 
 namespace {
 
-/// What one corner of a face refers to; -1 for a texture coordinate or a normal that it does not have.
-struct Corner {
-  std::int64_t position = -1, uv = -1, normal = -1;
+/// What one corner of a face refers to: its position, texture coordinate and normal, the last two of which it may not
+/// have.
+using Corner = NumberTable<3>::Key;
 
-  friend bool operator==(const Corner&, const Corner&) = default;
-};
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// Seeded; the order of the table never shows.
-struct CornerHash {
-  std::size_t operator()(const Corner& corner) const {
-    std::uint64_t bits = hash_seed();
-    for (const std::int64_t index : {corner.position, corner.uv, corner.normal}) {
-      bits = hash_with(bits, static_cast<std::uint64_t>(index));
-    }
-    return static_cast<std::size_t>(bits);
-  }
-};
+/// Adds a value to an attribute that may have begun with a later vertex than the mesh: those before have `missing`.
+template <class Value>
+void append(std::vector<Value>& values, std::size_t vertex, const Value& value, const Value& missing) {
+  values.resize(vertex, missing);
+  values.push_back(value);
+}
 
 class ObjReader {
  public:
@@ -42,9 +36,10 @@ class ObjReader {
       if (!stopped()) read_statement(*statement);
       if (error_) return *std::move(error_);
     }
-    if (uvs_.empty()) raw_.uvs.clear();
-    if (normals_.empty()) raw_.normals.clear();
-    if (colors_.empty()) raw_.colors.clear();
+    const std::size_t count = raw_.positions.size();
+    if (!raw_.uvs.empty()) raw_.uvs.resize(count);
+    if (!raw_.normals.empty()) raw_.normals.resize(count);
+    if (!raw_.colors.empty()) raw_.colors.resize(count, no_file_color);
     make_linear(raw_.colors);
     faces_.warn(raw_.warnings);
     left_out_.warn(raw_.warnings);
@@ -114,27 +109,26 @@ class ObjReader {
   }
 
   /// A 1-based index, or one that counts back from the latest when negative, as a 0-based one.
-  std::int64_t index_from(std::string_view word, std::string_view what, std::size_t count) {
+  std::uint32_t index_from(std::string_view word, std::string_view what, std::size_t count) {
     const auto number = whole_from(word);
     const auto size = static_cast<std::int64_t>(count);
     if (!number || *number == 0 || *number > size || *number < -size) {
       fail(in_quotes(word) + " is none of the " + std::to_string(count) + " " + std::string(what) + " before it");
       return 0;
     }
-    return *number > 0 ? *number - 1 : size + *number;
+    return static_cast<std::uint32_t>(*number > 0 ? *number - 1 : size + *number);
   }
 
   Corner corner_from(std::string_view word) {
-    Corner corner;
     const std::size_t first = word.find('/');
-    corner.position = index_from(word.substr(0, first), "vertices", positions_.size());
+    Corner corner = {index_from(word.substr(0, first), "vertices", positions_.size()), none, none};
     if (first == std::string_view::npos) return corner;
     word.remove_prefix(first + 1);
     const std::size_t second = word.find('/');
     const std::string_view uv = word.substr(0, second);
     const std::string_view normal = second == std::string_view::npos ? "" : word.substr(second + 1);
-    if (!uv.empty()) corner.uv = index_from(uv, "texture coordinates", uvs_.size());
-    if (!normal.empty()) corner.normal = index_from(normal, "normals", normals_.size());
+    if (!uv.empty()) corner[1] = index_from(uv, "texture coordinates", uvs_.size());
+    if (!normal.empty()) corner[2] = index_from(normal, "normals", normals_.size());
     return corner;
   }
 
@@ -145,7 +139,7 @@ class ObjReader {
       const Corner corner = corner_from(word);
       if (error_) return;
       corners_.push_back(corner);
-      places_.push_back(positions_[static_cast<std::size_t>(corner.position)]);
+      places_.push_back(positions_[corner[0]]);
       // Looked at while the face is read: one line can be the whole file.
       if (raw_.triangles.size() + corners_.size() > limits_.triangles + 2) {
         error_ = too_many(limits_.triangles, "triangles");
@@ -162,15 +156,14 @@ class ObjReader {
   }
 
   std::uint32_t vertex_of(const Corner& corner) {
-    const auto next = static_cast<std::uint32_t>(raw_.positions.size());
-    const auto [found, fresh] = known_.try_emplace(corner, next);
-    if (!fresh) return found->second;
-    const auto at = static_cast<std::size_t>(corner.position);
-    raw_.positions.push_back(positions_[at]);
-    raw_.uvs.push_back(corner.uv < 0 ? std::array<double, 2>{0, 0} : uvs_[static_cast<std::size_t>(corner.uv)]);
-    raw_.normals.push_back(corner.normal < 0 ? Vector{} : normals_[static_cast<std::size_t>(corner.normal)]);
-    raw_.colors.push_back(at < colors_.size() ? colors_[at] : no_file_color);
-    return next;
+    const auto [vertex, fresh] = known_.number_of(corner);
+    if (!fresh) return vertex;
+    const auto [position, uv, normal] = corner;
+    raw_.positions.push_back(positions_[position]);
+    if (uv != none) append(raw_.uvs, vertex, uvs_[uv], {0, 0});
+    if (normal != none) append(raw_.normals, vertex, normals_[normal], {});
+    if (position < colors_.size()) append(raw_.colors, vertex, colors_[position], no_file_color);
+    return vertex;
   }
 
   CancelEvery steps_;
@@ -180,7 +173,7 @@ class ObjReader {
   std::vector<Vector> positions_, normals_;
   std::vector<std::array<double, 2>> uvs_;
   std::vector<std::array<float, 4>> colors_;  ///< of the first positions; empty while there are none
-  std::unordered_map<Corner, std::uint32_t, CornerHash> known_;
+  NumberTable<3> known_;                      ///< corners by their vertex
   RawMesh raw_;
   FaceBuilder faces_;
   ObjLeftOut left_out_;

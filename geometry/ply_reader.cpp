@@ -77,6 +77,8 @@ class PlyReader {
     }
     const PlyColumns columns = PlyColumns::of_vertices(element);
     if (!columns.has(PlyMeaning::x)) return items_.fail("the vertices have no x, y and z");
+    // The header was checked: the file is long enough for that many.
+    raw_.positions.reserve(element.count);
     for (std::size_t i = 0; i < element.count && !items_.error(); ++i) {
       const PlyNumbers row = read_row(element, columns);
       raw_.positions.push_back({row[PlyMeaning::x], row[PlyMeaning::y], row[PlyMeaning::z]});

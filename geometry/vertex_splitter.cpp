@@ -1,7 +1,5 @@
 #include "geometry/vertex_splitter.h"
 
-#include "geometry/hash_seed.h"
-
 namespace dini {
 
 namespace {
@@ -15,22 +13,17 @@ void append(std::vector<Value>& values, const std::vector<std::uint32_t>& source
 
 }  // namespace
 
-std::size_t VertexSplitter::KeyHash::operator()(const Key& key) const {
-  std::uint64_t bits = hash_with(hash_seed(), key.vertex);
-  for (const std::uint32_t part : key.value) bits = hash_with(bits, part);
-  return static_cast<std::size_t>(bits);
-}
-
 std::uint32_t VertexSplitter::at(std::uint32_t vertex, const Value& value) {
-  const auto [found, fresh] = known_.try_emplace(Key{vertex, value}, vertex);
-  if (!fresh) return found->second;
-  if (!has_value_[vertex - first_]) {
+  const auto [number, fresh] = known_.number_of({vertex, value[0], value[1], value[2], value[3]});
+  if (!fresh) return targets_[number];
+  if (has_value_[vertex - first_]) {
+    targets_.push_back(static_cast<std::uint32_t>(vertices_ + sources_.size()));
+    sources_.push_back(vertex);
+  } else {
     has_value_[vertex - first_] = true;
-    return vertex;
+    targets_.push_back(vertex);
   }
-  found->second = static_cast<std::uint32_t>(vertices_ + sources_.size());
-  sources_.push_back(vertex);
-  return found->second;
+  return targets_.back();
 }
 
 void VertexSplitter::append_copies(RawMesh& raw) const {

@@ -3,9 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
+#include "geometry/number_table.h"
 #include "geometry/raw_mesh.h"
 
 namespace dini {
@@ -30,21 +30,10 @@ class VertexSplitter {
   void append_copies(RawMesh& raw) const;
 
  private:
-  struct Key {
-    std::uint32_t vertex = 0;
-    Value value{};
-
-    friend bool operator==(const Key&, const Key&) = default;
-  };
-
-  /// Seeded; the order of the table never shows.
-  struct KeyHash {
-    std::size_t operator()(const Key& key) const;
-  };
-
   std::size_t first_, vertices_;
   std::vector<bool> has_value_;
-  std::unordered_map<Key, std::uint32_t, KeyHash> known_;
+  NumberTable<5> known_;                ///< pairs of a vertex and a value
+  std::vector<std::uint32_t> targets_;  ///< the vertex for each of them
   std::vector<std::uint32_t> sources_;  ///< of the copies
 };
 

@@ -44,7 +44,7 @@ class GltfDocument {
   std::string_view binary_;
   std::size_t bytes_behind_ = 0;
   CancelEvery steps_;
-  std::size_t steps_left_ = 100'000'000;
+  std::size_t steps_left_ = 24'000'000;  ///< four times the corners of two million triangles
   std::map<std::size_t, GltfAccessor> accessors_;
 };
 

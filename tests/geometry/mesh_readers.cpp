@@ -5,6 +5,7 @@
 #include "geometry/ply_reader.h"
 #include "geometry/polygon.h"
 #include "geometry/validate.h"
+#include "tests/support/damage.h"
 #include "tests/support/import_bytes.h"
 
 using namespace dini;
@@ -134,6 +135,27 @@ TEST_CASE("A PLY with any byte changed is read or refused, and nothing worse") {
       bytes[at] = change;
       refusal(read_ply, bytes);
     }
+  }
+}
+
+TEST_CASE("Text files with damage of any kind are read or refused, and nothing worse") {
+  const std::string obj =
+      std::string(quad_obj) + "vn 1.#QNAN 0 0\nf 1/1/2 2//1 \\\n 3/3\nf 1 2\nl 1 2\nusemtl a\\\nv 0 0 0 1 1 1 .5\n";
+  const std::string ply =
+      std::string(quad_ply.substr(0, quad_ply.find("element face"))) +
+      "element face 2\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+      "property list uchar int vertex_index\nelement tristrips 1\nproperty list int int vertex_index\n"
+      "end_header\n" +
+      std::string(
+          quad_ply.substr(quad_ply.find("0 0 0 0 0"), quad_ply.find("4 0 1 2 3") - quad_ply.find("0 0 0 0 0"))) +
+      "1 2 3 3 0 1 2\n4 5 6 3 0 2 3\n6 0 1 2 -1 3 2\n";
+  REQUIRE(refusal(read_obj, obj).empty());
+  REQUIRE(refusal(read_ply, ply).empty());
+  std::mt19937 random(7);
+  for (int i = 0; i < 3000; ++i) {
+    check_is_read_or_refused(read_obj, damaged(obj, random));
+    check_is_read_or_refused(read_ply, damaged(ply, random));
+    check_is_read_or_refused(read_ply, damaged(binary_ply(i % 2 == 0), random));
   }
 }
 

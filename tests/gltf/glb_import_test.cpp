@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/validate.h"
+#include "tests/support/damage.h"
 #include "tests/support/import_bytes.h"
 
 namespace dini {
@@ -220,6 +221,59 @@ TEST_CASE("a GLB cut short at any byte, or with any byte changed, is read or ref
       bytes[at] = change;
       refusal(read_glb_mesh, bytes);
     }
+  }
+}
+
+TEST_CASE("a GLB with damage of any kind is read or refused, and nothing worse") {
+  std::mt19937 random(11);
+  const std::string text = quad_document().dump();
+  for (int i = 0; i < 6000; ++i) {
+    // Either chunk alone, so that the container holds.
+    check_is_read_or_refused(read_glb_mesh, glb_of(i % 3 == 0 ? text : damaged(text, random),
+                                                   i % 3 != 0 ? quad_binary() : damaged(quad_binary(), random)));
+  }
+}
+
+/// All places of a document, the document itself first.
+void collect(json& place, std::vector<json*>& places) {
+  places.push_back(&place);
+  if (!place.is_structured()) return;
+  for (json& child : place) collect(child, places);
+}
+
+TEST_CASE("a GLB whose members have changed places or values is read or refused, and nothing worse") {
+  std::mt19937 random(13);
+  const std::vector<json> values = {0,
+                                    1,
+                                    3,
+                                    5,
+                                    255,
+                                    -1,
+                                    0.5,
+                                    4294967295u,
+                                    std::numeric_limits<std::uint64_t>::max(),
+                                    1e300,
+                                    5120,
+                                    5121,
+                                    5123,
+                                    5125,
+                                    5126,
+                                    "VEC3",
+                                    "VEC4",
+                                    "SCALAR",
+                                    "MAT4",
+                                    nullptr,
+                                    true,
+                                    json::array(),
+                                    json::object()};
+  for (int i = 0; i < 6000; ++i) {
+    json document = quad_document();
+    std::vector<json*> places;
+    collect(document, places);
+    json& place = *places[random() % places.size()];
+    const json other = *places[random() % places.size()];
+    place = random() % 2 == 0 ? other : values[random() % values.size()];
+    check_is_read_or_refused(read_glb_mesh, glb_of(document.dump(), quad_binary()));
   }
 }
 

@@ -2,9 +2,7 @@
 
 #include <cmath>
 
-#include "gltf/glb_import.h"
 #include "tests/support/glb_parts.h"
-#include "tests/support/read_file.h"
 
 namespace dini {
 namespace {
@@ -54,16 +52,14 @@ void bind(GlbParts& parts, const std::vector<std::array<float, 16>>& matrices) {
   parts.document["skins"][0]["inverseBindMatrices"] = parts.accessor("MAT4", gltf_f32, matrices.size(), bytes);
 }
 
-Places read(const GlbParts& parts) { return ReadFile(read_glb_mesh(parts.glb(), {})).positions(); }
-
-std::string refusal_of(const GlbParts& parts) { return refusal(read_glb_mesh, parts.glb()); }
+Places places(const GlbParts& parts) { return read(parts).positions(); }
 
 TEST_CASE("a skinned mesh does not stand where its own node is") {
-  CHECK(read(skinned({{{1, 0}, {1, 0}, {1, 0}}})) == Places{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  CHECK(places(skinned({{{1, 0}, {1, 0}, {1, 0}}})) == Places{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   // Only where both the node has a skin and the primitive has joints.
   GlbParts bare = skinned({{{1, 0}, {1, 0}, {1, 0}}});
   bare.document["nodes"][0].erase("skin");
-  CHECK(read(bare)[0] == std::array<double, 3>{100, 0, 0});
+  CHECK(places(bare)[0] == std::array<double, 3>{100, 0, 0});
 }
 
 TEST_CASE("a vertex follows its joints from where they were bound, by its weights") {
@@ -71,22 +67,22 @@ TEST_CASE("a vertex follows its joints from where they were bound, by its weight
   parts.document["nodes"][1] = {{"translation", {0, 5, 0}}, {"children", {2}}};
   parts.document["nodes"][2] = {{"translation", {0, 0, 7}}};
   parts.document["scenes"][0]["nodes"] = {0, 1};
-  CHECK(read(parts) == Places{{0, 5, 0}, {1, 5, 7}, {0, 6, 3.5}});
+  CHECK(places(parts) == Places{{0, 5, 0}, {1, 5, 7}, {0, 6, 3.5}});
   bind(parts, {shift(0, -5, 0), shift(0, -5, 0)});
-  CHECK(read(parts) == Places{{0, 0, 0}, {1, 0, 7}, {0, 1, 3.5}});
+  CHECK(places(parts) == Places{{0, 0, 0}, {1, 0, 7}, {0, 1, 3.5}});
   // Weights are shares of their sum; a vertex without any follows its first joint.
   GlbParts loose = skinned({{{2, 2}, {0, 0}, {0, 0.25}}});
   loose.document["nodes"][2] = {{"translation", {0, 0, 4}}};
-  CHECK(read(loose) == Places{{0, 0, 2}, {1, 0, 0}, {0, 1, 4}});
+  CHECK(places(loose) == Places{{0, 0, 2}, {1, 0, 0}, {0, 1, 4}});
 }
 
 TEST_CASE("joints turn and mirror the normals and triangles that follow them") {
   GlbParts parts = skinned({{{1, 0}, {1, 0}, {1, 0}}});
   parts.document["nodes"][1] = {{"rotation", {std::sqrt(0.5), 0, 0, std::sqrt(0.5)}}};
-  const ReadFile turned(read_glb_mesh(parts.glb(), {}));
+  const ReadFile turned = read(parts);
   CHECK(length(turned.mesh.normals[2] - Vector{0, -1, 0}) < 1e-6);
   parts.document["nodes"][1] = {{"scale", {-2, 2, 2}}};
-  const ReadFile mirrored(read_glb_mesh(parts.glb(), {}));
+  const ReadFile mirrored = read(parts);
   CHECK(mirrored.positions() == Places{{0, 0, 0}, {-2, 0, 0}, {0, 2, 0}});
   CHECK(mirrored.mesh.normals[0] == Vector{0, 0, 1});
   CHECK(mirrored.mesh.triangles[0] == std::array<std::uint32_t, 3>{0, 2, 1});

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "gltf/glb_import.h"
 #include "tests/support/import_bytes.h"
+#include "tests/support/read_file.h"
 
 namespace dini::support {
 
@@ -54,5 +56,30 @@ struct GlbParts {
     return glb_of(finished.dump(), binary);
   }
 };
+
+inline const std::vector<float> flat_triangle = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+
+/// A GLB of that triangle, with normals along z.
+inline GlbParts triangle_parts() {
+  GlbParts parts;
+  const std::size_t positions = parts.positions(flat_triangle);
+  parts.primitive({{"POSITION", positions}, {"NORMAL", parts.positions({0, 0, 1, 0, 0, 1, 0, 0, 1})}});
+  return parts;
+}
+
+/// Indices of one byte each.
+inline Bytes bytes_of(const std::vector<std::uint32_t>& indices) {
+  Bytes bytes;
+  for (const std::uint32_t index : indices) bytes.u8(index);
+  return bytes;
+}
+
+inline ReadFile read(const GlbParts& parts, const ImportLimits& limits = {}) {
+  return ReadFile(read_glb_mesh(parts.glb(), limits));
+}
+
+inline std::string refusal_of(const GlbParts& parts, const ImportLimits& limits = {}) {
+  return refusal(read_glb_mesh, parts.glb(), limits);
+}
 
 }  // namespace dini::support
