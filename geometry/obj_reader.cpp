@@ -65,7 +65,9 @@ class ObjReader {
       read_position(statement);
     } else if (keyword == "vt") {
       const std::vector<double>& numbers = numbers_of(statement, 1, 3);
-      if (!error_) uvs_.push_back({numbers[0], numbers.size() > 1 ? 1 - numbers[1] : 1});
+      if (error_) return;
+      uvs_.push_back({numbers[0], numbers.size() > 1 ? 1 - numbers[1] : 1});
+      if (numbers.size() == 3 && numbers[2] != 0) left_out_.add_depth();
     } else if (keyword == "vn") {
       const std::vector<double>& numbers = numbers_of(statement, 3, 3);
       if (!error_) normals_.push_back(given_normal({numbers[0], numbers[1], numbers[2]}));

@@ -16,6 +16,21 @@ bool has_weights(const GltfJson& object) {
          std::any_of(found->begin(), found->end(), [](const GltfJson& weight) { return weight != 0; });
 }
 
+/// Of the attributes of a mesh's vertices those that are not read. Tangents belong to textures.
+std::size_t count_other_attributes(const GltfJson& mesh) {
+  constexpr std::array<std::string_view, 5> read = {"POSITION", "NORMAL", "TANGENT", "TEXCOORD_0", "COLOR_0"};
+  std::size_t count = 0;
+  for (const GltfJson& primitive : mesh.at("primitives")) {
+    const GltfJson* attributes = primitive.is_object() ? object_member(primitive, "attributes") : nullptr;
+    if (attributes == nullptr) continue;
+    for (const auto& [name, accessor] : attributes->items()) {
+      const bool of_skin = name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_");
+      count += of_skin || std::ranges::find(read, name) != read.end() ? 0 : 1;
+    }
+  }
+  return count;
+}
+
 struct Kind {
   const char* list;
   const char* one;
@@ -37,7 +52,7 @@ bool GlbLeftOut::is_hidden(const GltfJson& node) {
 }
 
 void GlbLeftOut::add_mesh(std::size_t index, const GltfJson& mesh, const GltfJson& node) {
-  shown_.insert(index);
+  if (shown_.insert(index).second) attributes_ += count_other_attributes(mesh);
   morphed_ += has_weights(node.contains("weights") ? node : mesh) ? 1 : 0;
   instanced_ += extension_of(node, instancing_extension) != nullptr ? 1 : 0;
 }
@@ -49,6 +64,7 @@ void GlbLeftOut::warn(const GltfDocument& document, std::vector<std::string>& wa
   tell(hidden_, "hidden node is", "hidden nodes are", " left out");
   tell(document.count("meshes") - std::min(shown_.size(), document.count("meshes")), "mesh is", "meshes are",
        " left out, since the default scene does not show it");
+  tell(attributes_, "other attribute of vertices is", "other attributes of vertices are", " left out");
   tell(morphed_, "mesh is", "meshes are", " read without morph targets");
   tell(instanced_, "node is", "nodes are", " read once, without the instances of EXT_mesh_gpu_instancing");
   for (const auto& [list, one, many] : other_kinds) tell(document.count(list), one, many, " left out");

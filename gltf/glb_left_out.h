@@ -23,7 +23,7 @@ class GlbLeftOut {
 
  private:
   std::set<std::size_t> shown_;
-  std::size_t hidden_ = 0, morphed_ = 0, instanced_ = 0;
+  std::size_t hidden_ = 0, attributes_ = 0, morphed_ = 0, instanced_ = 0;
 };
 
 }  // namespace dini

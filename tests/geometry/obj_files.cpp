@@ -81,6 +81,7 @@ TEST_CASE("What an OBJ has and the mesh has not is counted") {
             {"1 free-form curve or surface is left out"}},
            {"usemtl a\nusemtl b\n", {"2 uses of materials are left out"}},
            {"v 0 0 0 0.5\nv 0 0 0 1\n", {"1 weight of a vertex is left out"}},
+           {"vt 0 0 0\nvt 0 0 0.5\n", {"1 third texture coordinate is left out"}},
            {"hello\n\n# v\nworld 1 2\n", {"2 lines are no statement of an OBJ and left out, the first is line 6"}},
            {"o a\ng b c\ns 1\nmtllib a.mtl\nvp 0 1\n", {}}}) {
     check({corners + face + lines, first_three, {{0, 1, 2}}, warnings});

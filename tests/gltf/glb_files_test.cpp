@@ -172,13 +172,16 @@ TEST_CASE("what no mesh can hold is counted") {
   parts.document["cameras"] = json(3, json::object());
   parts.document["meshes"].push_back({{"primitives", json::array()}});
   parts.document["meshes"][0]["weights"] = {0, 0.5};
+  for (const char* name : {"TANGENT", "TEXCOORD_1", "_HEAT"}) {
+    parts.document["meshes"][0]["primitives"][0]["attributes"][name] = 1;
+  }
   parts.document["scenes"][0]["nodes"] = {0, 1};
   parts.document["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"] = json::object();
   parts.document["nodes"].push_back({{"mesh", 0}, {"extensions", {{"KHR_node_visibility", {{"visible", false}}}}}});
   CHECK(read(parts).positions() == triangle_places);
   CHECK(read(parts).warnings ==
         Sentences{"1 hidden node is left out", "1 mesh is left out, since the default scene does not show it",
-                  "1 mesh is read without morph targets",
+                  "2 other attributes of vertices are left out", "1 mesh is read without morph targets",
                   "1 node is read once, without the instances of EXT_mesh_gpu_instancing", "2 textures are left out",
                   "1 animation is left out", "3 cameras are left out"});
 }
