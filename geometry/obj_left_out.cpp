@@ -42,7 +42,7 @@ void ObjLeftOut::warn(std::vector<std::string>& warnings) const {
   tell(lines_, "line (l) is", "lines (l) are", " left out");
   tell(free_forms_, "free-form curve or surface is", "free-form curves and surfaces are", " left out");
   tell(materials_, "use of a material is", "uses of materials are", " left out");
-  tell(weights_, "weight of a vertex is", "weights of vertices are", " left out");
+  tell(weights_, "vertex has", "vertices have", " a weight or other numbers behind the position, which are left out");
   tell(depths_, "third texture coordinate is", "third texture coordinates are", " left out");
   tell(unknown_, "line is", "lines are",
        " no statement of an OBJ and left out, the first is line " + std::to_string(first_unknown_));

@@ -14,7 +14,8 @@ class ObjLeftOut {
   /// A statement that is none of vertices or faces, in a line.
   void add(std::string_view keyword, std::size_t line);
 
-  /// A weight of a vertex other than 1, and a third texture coordinate other than 0.
+  /// A weight of a vertex other than 1 or other numbers behind its position, and a third texture coordinate other than
+  /// 0.
   void add_weight() { ++weights_; }
   void add_depth() { ++depths_; }
 

@@ -1,6 +1,5 @@
 #include "geometry/obj_reader.h"
 
-#include <algorithm>
 #include <limits>
 
 #include "geometry/face_builder.h"
@@ -93,15 +92,14 @@ class ObjReader {
   }
 
   /// x y z, and then: nothing; a weight that only free-form curves use; a color; a color with alpha; a weight and those
-  /// four. Some programs write a weight before a color without alpha, which looks like a color with alpha and is read
-  /// as one.
+  /// four. Two numbers mean nothing. Some programs write a weight before a color without alpha, which looks like a
+  /// color with alpha and is read as one.
   void read_position(std::string_view statement) {
     const std::vector<double>& numbers = numbers_of(statement, 3, 8);
     if (error_) return;
     const std::size_t count = numbers.size();
-    if (count == 5) return fail("5 numbers are neither a position nor one with a color");
     positions_.push_back({numbers[0], numbers[1], numbers[2]});
-    if ((count == 4 || count == 8) && numbers[3] != 1) left_out_.add_weight();
+    if (count == 5 || ((count == 4 || count == 8) && numbers[3] != 1)) left_out_.add_weight();
     if (count >= 6) {
       const std::size_t first = count == 8 ? 4 : 3;
       colors_.resize(positions_.size() - 1, no_file_color);

@@ -36,9 +36,10 @@ double PlyItems::value(const PlyProperty& property) {
 std::size_t PlyItems::length(const PlyProperty& list) {
   const double length = value({list.name, *list.length, {}});
   const std::size_t each = header_.encoding == PlyEncoding::ascii ? 1 : size_of(list.type);
-  const auto most = static_cast<double>(values_.rest() / each);
+  const std::size_t most = values_.rest() / each;
   if (error_) return 0;
-  if (length >= 0 && length <= most && length == std::trunc(length)) return static_cast<std::size_t>(length);
+  if (length >= 0 && length <= static_cast<double>(most) && length == std::trunc(length))
+    return static_cast<std::size_t>(length);
   fail("the length of " + in_quotes(list.name) + " is none, or more than the rest of the file can hold");
   return 0;
 }

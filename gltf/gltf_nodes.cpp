@@ -2,8 +2,8 @@
 
 namespace dini {
 
-Affine affine_from(const std::array<double, 16>& m) {
-  const auto column = [&](std::size_t k) { return Vector{m[4 * k], m[4 * k + 1], m[4 * k + 2]}; };
+Affine affine_from(const std::array<double, 16>& columns) {
+  const auto column = [&](std::size_t k) { return Vector{columns[4 * k], columns[4 * k + 1], columns[4 * k + 2]}; };
   return {{column(0), column(1), column(2)}, column(3)};
 }
 
