@@ -2,14 +2,15 @@
 
 // What reading a mesh file gives: a mesh or the reason why there is none. The readers (obj_reader.h, ply_reader.h, and
 // gltf/glb_import.h) take bytes from anyone: they never throw, never allocate by a number that the bytes claim before
-// the bytes themselves are there, take time proportional to the bytes and to the limits, and look at the cancel flag
-// every some thousand elements.
+// the bytes themselves are there, take memory and time proportional to the bytes and to the limits, and look at the
+// cancel flag every some thousand elements.
 
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "geometry/cancel.h"
 #include "geometry/mesh.h"
@@ -23,12 +24,15 @@ constexpr std::string_view name_of(MeshFormat format) {
 }
 
 /// A mesh in the file's own axes and units, with unit normals at every vertex. Texture coordinates have their origin at
-/// the upper left of the picture, as in glTF; colors are linear.
+/// the upper left of the picture, as in glTF; colors are linear. `warnings` tell what the file has and the mesh has
+/// not, one sentence with a count for each kind.
 struct ImportedMesh {
   Mesh mesh;
   MeshFormat format = MeshFormat::obj;
+  std::vector<std::string> warnings = {};
 };
 
+/// Of what the triangles of a file are made of in the end; vertices that none uses do not count.
 struct ImportLimits {
   std::size_t vertices = 1'000'000;
   std::size_t triangles = 2'000'000;
@@ -56,6 +60,11 @@ inline ImportError stopped_reading() { return {ImportError::Code::stopped, "the 
 inline ImportError too_many(std::size_t limit, std::string_view what) {
   return {ImportError::Code::too_large,
           "the file has more than " + std::to_string(limit) + " " + std::string(what) + ", which is the limit"};
+}
+
+/// "1 face is", "2 faces are": the beginning of a sentence about some of the things in a file.
+inline std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return std::to_string(count) + " " + std::string(count == 1 ? one : many);
 }
 
 }  // namespace dini

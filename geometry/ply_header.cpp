@@ -45,31 +45,41 @@ std::size_t least_size(const PlyElement& element, PlyEncoding encoding) {
   return size;
 }
 
+std::string in_small_letters(std::string_view text) {
+  std::string small(text);
+  for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return small;
+}
+
 class HeaderReader {
  public:
-  explicit HeaderReader(std::string_view bytes) : bytes_(bytes), lines_(bytes.substr(0, most_header_bytes)) {}
+  explicit HeaderReader(std::string_view bytes)
+      : bytes_(bytes), lines_(without_byte_order_mark(bytes.substr(0, most_header_bytes))) {}
 
   std::variant<PlyHeader, ImportError> read() {
-    if (lines_.next() != "ply") return fail("the first line must be \"ply\"");
+    if (!begins_like_ply(bytes_)) return invalid_file("the first line must be \"ply\"");
     bool has_format = false;
-    while (auto line = lines_.next()) {
-      const std::string_view keyword = take_word(*line);
+    while (const auto next = lines_.next()) {
+      const std::string words = in_small_letters(*next);
+      std::string_view line = words;
+      const std::string_view keyword = take_word(line);
       bool good = true;
       if (keyword == "end_header") {
-        header_.size = std::min(bytes_.size(), most_header_bytes) - lines_.rest().size();
         if (!has_format) return fail("there is no format");
+        header_.size = data_begin();
+        header_.lines = lines_.number();
         return check_counts();
       }
       if (keyword == "format") {
-        has_format = good = read_format(*line);
+        has_format = good = read_format(line);
       } else if (keyword == "element") {
-        good = read_element(*line);
+        good = read_element(line);
       } else if (keyword == "property") {
-        good = read_property(*line);
+        good = read_property(line);
       } else {
-        good = keyword.empty() || keyword == "comment" || keyword == "obj_info";
+        good = keyword.empty() || keyword == "comment" || keyword == "obj_info" || lines_.number() == 1;
       }
-      if (!good) return fail("it cannot be understood");
+      if (!good) return fail(in_quotes(words) + " cannot be understood");
     }
     return fail("the header does not end");
   }
@@ -77,6 +87,14 @@ class HeaderReader {
  private:
   ImportError fail(const std::string& what) const {
     return invalid_file("line " + std::to_string(lines_.number()) + " of the header: " + what);
+  }
+
+  /// Where the data begin. Behind lines that end with CR alone a LF is their first byte, and no end of a line.
+  std::size_t data_begin() const {
+    const std::size_t begin = std::min(bytes_.size(), most_header_bytes) - lines_.rest().size();
+    const std::size_t first_end = bytes_.find_first_of("\r\n");
+    const bool ends_with_cr = bytes_[first_end] == '\r' && bytes_.substr(first_end + 1, 1) != "\n";
+    return begin - (ends_with_cr && bytes_[begin - 1] == '\n' ? 1 : 0);
   }
 
   bool read_format(std::string_view line) {
@@ -88,7 +106,7 @@ class HeaderReader {
 
   bool read_element(std::string_view line) {
     const std::string_view name = take_word(line);
-    const auto count = number_from<std::uint64_t>(take_word(line));
+    const auto count = integer_from<std::uint64_t>(take_word(line));
     if (name.empty() || !count || header_.elements.size() == most_elements) return false;
     header_.elements.push_back({std::string(name), static_cast<std::size_t>(*count), {}});
     return true;
@@ -116,8 +134,8 @@ class HeaderReader {
     for (const PlyElement& element : header_.elements) {
       const std::size_t least = least_size(element, header_.encoding);
       if (element.count > 0 && (least == 0 || element.count > rest / least)) {
-        return invalid_file("the header promises " + std::to_string(element.count) + " of \"" +
-                            element.name.substr(0, 32) + "\", which the file is too short for");
+        return invalid_file("the header promises " + std::to_string(element.count) + " of " + in_quotes(element.name) +
+                            ", which the file is too short for");
       }
     }
     return std::move(header_);
@@ -129,6 +147,11 @@ class HeaderReader {
 };
 
 }  // namespace
+
+bool begins_like_ply(std::string_view bytes) {
+  std::string_view line = LineReader(without_byte_order_mark(bytes)).next().value_or("");
+  return in_small_letters(take_word(line).substr(0, 4)) == "ply" && take_word(line).empty();
+}
 
 std::variant<PlyHeader, ImportError> read_ply_header(std::string_view bytes) { return HeaderReader(bytes).read(); }
 

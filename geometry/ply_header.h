@@ -37,11 +37,16 @@ struct PlyElement {
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::ascii;
   std::vector<PlyElement> elements;
-  std::size_t size = 0;  ///< bytes up to the data
+  std::size_t size = 0;   ///< bytes up to the data
+  std::size_t lines = 0;  ///< of the header
 };
 
+/// Whether bytes begin like a PLY: with a line "ply", a byte order mark before it or not.
+bool begins_like_ply(std::string_view bytes);
+
 /// Reads the header of a PLY 1.0. At most 16 elements with 64 properties each, 64 KiB in all; every element has
-/// properties, and its count is not more than the bytes after the header could hold.
+/// properties, and its count is not more than the bytes after the header could hold. Words count the same in capital
+/// letters, and come out in small ones.
 std::variant<PlyHeader, ImportError> read_ply_header(std::string_view bytes);
 
 }  // namespace dini

@@ -55,9 +55,12 @@ void PolygonCutter::cut(std::span<const Vector> corners, std::vector<std::array<
   const auto fan = [&](std::span<const std::uint32_t> left) {
     for (std::size_t i = 1; i + 1 < left.size(); ++i) triangles.push_back({left[0], left[i], left[i + 1]});
   };
+  if (corners.size() == 3) {
+    triangles.push_back({0, 1, 2});
+    return;
+  }
   std::vector<std::uint32_t> left(corners.size());
   std::iota(left.begin(), left.end(), 0u);
-  if (corners.size() == 3) return fan(left);
   const std::vector<Flat> flat = flattened(corners);
   if (corners.size() > most_clipped_corners || is_convex(flat)) return fan(left);
 

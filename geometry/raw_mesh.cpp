@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
-#include "algebra/elementary.h"
 #include "geometry/normals.h"
 #include "geometry/validate.h"
 
@@ -13,31 +11,23 @@ namespace dini {
 
 namespace {
 
-std::optional<ImportError> bad_number(const RawMesh& raw) {
-  const auto at = [](const char* what, std::size_t index) {
-    return invalid_file(std::string(what) + " of vertex " + std::to_string(index) + " is not finite or too large");
-  };
-  const auto usable = [](double x) { return std::abs(x) < largest_coordinate; };
-  for (std::size_t i = 0; i < raw.positions.size(); ++i) {
-    const Vector& p = raw.positions[i];
-    if (!usable(p.x) || !usable(p.y) || !usable(p.z)) return at("the position", i);
-  }
-  for (std::size_t i = 0; i < raw.normals.size(); ++i) {
-    if (!is_finite(raw.normals[i])) return at("the normal", i);
-  }
-  for (std::size_t i = 0; i < raw.uvs.size(); ++i) {
-    if (!usable(raw.uvs[i][0]) || !usable(raw.uvs[i][1])) return at("a texture coordinate", i);
-  }
-  for (std::size_t i = 0; i < raw.colors.size(); ++i) {
-    for (const float channel : raw.colors[i]) {
-      if (!std::isfinite(channel)) return at("the color", i);
-    }
-  }
-  return std::nullopt;
+bool is_usable(const std::array<double, 2>& uv) {
+  return std::abs(uv[0]) < largest_coordinate && std::abs(uv[1]) < largest_coordinate;
 }
 
-void drop_degenerate(RawMesh& raw) {
-  std::erase_if(raw.triangles, [](const auto& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+bool is_usable(const std::array<float, 4>& color) {
+  return std::all_of(color.begin(), color.end(), [](float channel) { return std::isfinite(channel); });
+}
+
+void warn(RawMesh& raw, std::size_t count, std::string_view one, std::string_view many) {
+  if (count > 0) raw.warnings.push_back(counted(count, one, many));
+}
+
+/// With the reason, as far as it is known.
+ImportError nothing_left(const RawMesh& raw) {
+  std::string detail = "the file has no triangles";
+  for (const std::string& warning : raw.warnings) detail += "; " + warning;
+  return invalid_file(std::move(detail));
 }
 
 /// The vertices that triangles use, in their order; renumbers the triangles.
@@ -59,14 +49,45 @@ std::vector<std::uint32_t> used_vertices(RawMesh& raw) {
   return used;
 }
 
-void set_normals(const RawMesh& raw, const std::vector<std::uint32_t>& used, const Cancel& cancel, Mesh& mesh) {
+void set_uvs(RawMesh& raw, const std::vector<std::uint32_t>& used, Mesh& mesh) {
+  if (raw.uvs.empty()) return;
+  std::size_t lost = 0;
+  for (const std::uint32_t vertex : used) {
+    mesh.uvs.push_back(raw.uvs[vertex]);
+    if (is_usable(mesh.uvs.back())) continue;
+    mesh.uvs.back() = {0, 0};
+    ++lost;
+  }
+  warn(raw, lost, "texture coordinate is not finite or beyond 1e18 and becomes 0",
+       "texture coordinates are not finite or beyond 1e18 and become 0");
+}
+
+void set_colors(RawMesh& raw, const std::vector<std::uint32_t>& used, Mesh& mesh) {
+  if (raw.colors.empty()) return;
+  std::size_t lost = 0;
+  for (const std::uint32_t vertex : used) {
+    mesh.colors.push_back(raw.colors[vertex]);
+    if (!is_usable(mesh.colors.back())) {
+      mesh.colors.back() = {1, 1, 1, 1};
+      ++lost;
+    }
+    for (float& channel : mesh.colors.back()) channel = std::clamp(channel, 0.0f, 1.0f);
+  }
+  warn(raw, lost, "color is not finite and becomes white", "colors are not finite and become white");
+}
+
+void set_normals(RawMesh& raw, const std::vector<std::uint32_t>& used, const Cancel& cancel, Mesh& mesh) {
   Column<Vector> normals(used.size());
   bool complete = !raw.normals.empty();
+  std::size_t lost = 0;
   for (std::size_t i = 0; i < used.size() && !raw.normals.empty(); ++i) {
-    const Vector normal = normalized(raw.normals[used[i]]);
+    const bool usable = is_finite(raw.normals[used[i]]);
+    const Vector normal = usable ? normalized(raw.normals[used[i]]) : Vector{};
+    lost += usable ? 0 : 1;
     complete = complete && normal != Vector{};
     normals.set(i, normal);
   }
+  warn(raw, lost, "normal is zero or not finite and is computed", "normals are zero or not finite and are computed");
   if (!complete) {
     const Column<Vector> computed = smooth_normals(mesh, cancel);
     for (std::size_t i = 0; i < used.size(); ++i) {
@@ -78,11 +99,14 @@ void set_normals(const RawMesh& raw, const std::vector<std::uint32_t>& used, con
 
 }  // namespace
 
+Vector given_normal(const Vector& normal) {
+  constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+  return is_finite(normal) && normal != Vector{} ? normal : Vector{undefined, undefined, undefined};
+}
+
 ImportResult finish_import(RawMesh raw, MeshFormat format, const ImportLimits& limits, const Cancel& cancel) {
   if (cancel.stopped()) return stopped_reading();
-  if (auto error = bad_number(raw)) return *std::move(error);
-  drop_degenerate(raw);
-  if (raw.triangles.empty()) return invalid_file("the file has no triangles");
+  if (raw.triangles.empty()) return nothing_left(raw);
   if (raw.triangles.size() > limits.triangles) return too_many(limits.triangles, "triangles");
   const std::vector<std::uint32_t> used = used_vertices(raw);
   if (used.size() > limits.vertices) return too_many(limits.vertices, "vertices");
@@ -93,21 +117,13 @@ ImportResult finish_import(RawMesh raw, MeshFormat format, const ImportLimits& l
   mesh.triangles = std::move(raw.triangles);
   mesh.positions = Column<Point>(used.size());
   for (std::size_t i = 0; i < used.size(); ++i) mesh.positions.set(i, to_point(raw.positions[used[i]]));
-  for (const std::uint32_t vertex : used) {
-    if (!raw.uvs.empty()) mesh.uvs.push_back(raw.uvs[vertex]);
-    if (raw.colors.empty()) continue;
-    mesh.colors.push_back(raw.colors[vertex]);
-    for (float& channel : mesh.colors.back()) channel = std::clamp(channel, 0.0f, 1.0f);
-  }
+  set_uvs(raw, used, mesh);
+  set_colors(raw, used, mesh);
   set_normals(raw, used, cancel, mesh);
   if (cancel.stopped()) return stopped_reading();
   if (auto defect = mesh_defect(mesh)) return invalid_file(*defect);
+  result.warnings = std::move(raw.warnings);
   return result;
-}
-
-float linear_color(double stored) {
-  const double share = std::clamp(stored, 0.0, 1.0);
-  return static_cast<float>(share <= 0.04045 ? share / 12.92 : elementary::pow((share + 0.055) / 1.055, 2.4));
 }
 
 }  // namespace dini

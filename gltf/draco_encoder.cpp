@@ -59,7 +59,7 @@ EncodeResult<EncodedTile> encode_unguarded(const Tile& tile, const TileGrids& gr
   result.normal_id = add_attribute(mesh, Attribute::NORMAL, draco::DT_FLOAT32, false, tile.normals);
   result.uv_id =
       add_attribute(mesh, Attribute::TEX_COORD, draco::DT_FLOAT32, false, tile.uvs, grid_corners<2>(grids.uvs));
-  result.color_id = add_attribute(mesh, Attribute::COLOR, draco::DT_UINT8, true, tile.colors);
+  result.color_id = add_attribute(mesh, Attribute::COLOR, draco::DT_UINT16, true, tile.colors);
 
   draco::ExpertEncoder encoder(mesh);
   encoder.SetSpeedOptions(options.speed, options.speed);

@@ -24,12 +24,17 @@ void append_word(std::string& text, std::size_t value) {
   for (std::size_t i = 0; i < 4; ++i) text.push_back(static_cast<char>(value >> 8 * i & 0xFF));
 }
 
-// Takes the chunk at the front of `rest`; nothing if it is cut short or of another type.
-std::optional<std::string_view> take_chunk(std::string_view& rest, std::uint32_t type) {
-  if (rest.size() < chunk_header_size || read_word(rest, 4) != type) return std::nullopt;
+struct Chunk {
+  std::uint32_t type = 0;
+  std::string_view bytes;
+};
+
+// Takes the chunk at the front of `rest`; nothing if it is cut short.
+std::optional<Chunk> take_chunk(std::string_view& rest) {
+  if (rest.size() < chunk_header_size) return std::nullopt;
   const std::size_t size = read_word(rest, 0);
   if (rest.size() - chunk_header_size < size) return std::nullopt;
-  const std::string_view chunk = rest.substr(chunk_header_size, size);
+  const Chunk chunk = {read_word(rest, 4), rest.substr(chunk_header_size, size)};
   rest.remove_prefix(chunk_header_size + size);
   return chunk;
 }
@@ -56,17 +61,19 @@ std::size_t object_end(std::string_view json) {
 }  // namespace
 
 std::optional<GlbChunks> split_glb(std::string_view glb) {
-  if (glb.size() < header_size || read_word(glb, 0) != glb_magic || read_word(glb, 4) != 2 ||
-      read_word(glb, 8) != glb.size()) {
-    return std::nullopt;
-  }
-  std::string_view rest = glb.substr(header_size);
-  const auto json = take_chunk(rest, json_chunk);
-  if (!json) return std::nullopt;
-  if (rest.empty()) return GlbChunks{*json, {}};
-  const auto binary = take_chunk(rest, binary_chunk);
-  if (!binary) return std::nullopt;
-  return GlbChunks{*json, *binary};
+  if (glb.size() < header_size || read_word(glb, 0) != glb_magic || read_word(glb, 4) != 2) return std::nullopt;
+  const std::size_t size = read_word(glb, 8);
+  if (size < header_size || size > glb.size()) return std::nullopt;
+  std::string_view rest = glb.substr(header_size, size - header_size);
+  const auto json = take_chunk(rest);
+  if (!json || json->type != json_chunk) return std::nullopt;
+  GlbChunks chunks = {json->bytes, {}, glb.size() - size};
+  // Fewer bytes than a chunk has are padding that was counted wrongly.
+  if (rest.size() < chunk_header_size) return chunks;
+  const auto second = take_chunk(rest);
+  if (!second) return std::nullopt;
+  if (second->type == binary_chunk) chunks.binary = second->bytes;
+  return chunks;
 }
 
 std::string stamp_extras(std::string_view glb, const nlohmann::json& extras) {

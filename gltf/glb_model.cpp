@@ -13,7 +13,7 @@ using Json = nlohmann::json;
 
 constexpr const char* draco_extension = "KHR_draco_mesh_compression";
 constexpr std::size_t most_strips = 64;
-constexpr int unsigned_byte = 5121, unsigned_int = 5125, real = 5126;
+constexpr int unsigned_short = 5123, unsigned_int = 5125, real = 5126;
 constexpr int array_buffer = 34962, element_array_buffer = 34963;
 constexpr int points_mode = 0, lines_mode = 1, line_strip_mode = 3, triangles_mode = 4;
 
@@ -89,7 +89,7 @@ void GlbModel::add_tile(const EncodedTile& tile, const FloatBox& bounds, const C
   add_attribute("POSITION", tile.position_id, positions);
   add_attribute("NORMAL", tile.normal_id, accessor_of(real, "VEC3", tile.vertices));
   add_attribute("TEXCOORD_0", tile.uv_id, accessor_of(real, "VEC2", tile.vertices));
-  Json colors = accessor_of(unsigned_byte, "VEC4", tile.vertices);
+  Json colors = accessor_of(unsigned_short, "VEC4", tile.vertices);
   colors["normalized"] = true;
   add_attribute("COLOR_0", tile.color_id, colors);
   const std::size_t indices = accessors_.add(accessor_of(unsigned_int, "SCALAR", 3 * tile.triangles).dump());

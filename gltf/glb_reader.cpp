@@ -90,9 +90,9 @@ class Reader {
     append_column(mesh.positions, attribute_rows<float, 3>(tile, ids, "POSITION"));
     append_column(mesh.normals, attribute_rows<float, 3>(tile, ids, "NORMAL"));
     for (const auto& [u, v] : attribute_rows<float, 2>(tile, ids, "TEXCOORD_0")) mesh.uvs.push_back({u, v});
-    for (const auto& color : attribute_rows<std::uint8_t, 4>(tile, ids, "COLOR_0")) {
+    for (const auto& color : attribute_rows<std::uint16_t, 4>(tile, ids, "COLOR_0")) {
       auto& target = mesh.colors.emplace_back();
-      for (std::size_t i = 0; i < 4; ++i) target[i] = static_cast<float>(color[i]) / 255.0f;
+      for (std::size_t i = 0; i < 4; ++i) target[i] = static_cast<float>(color[i]) / 65535.0f;
     }
     for (std::uint32_t i = 0; i < tile.num_faces(); ++i) {
       const auto& face = tile.face(draco::FaceIndex(i));

@@ -13,6 +13,13 @@
 
 namespace dini {
 
+/// Texture coordinates that the bits of their grid hold only roughly, since they reach far: `error` bounds by how much
+/// each of the two may move, where 1 is the size of a picture.
+struct RoughUvs {
+  std::string part;
+  double minimum = 0, maximum = 0, error = 0;
+};
+
 /// A scene as a file, and what was written.
 struct EncodedScene {
   std::string glb;
@@ -22,6 +29,7 @@ struct EncodedScene {
   double position_error = 0;  ///< meters per axis: no decoded coordinate is farther from its original
   double normal_error = 0;    ///< radians: no decoded normal is farther from its original; 0 without normals
   std::vector<std::string> empty_parts{};  ///< parts that had nothing to draw and were left out
+  std::vector<RoughUvs> rough_uvs{};       ///< of parts whose error is above a thousandth
 };
 
 /// Writes `scene` as a GLB: meshes with KHR_draco_mesh_compression in tiles on one common quantization grid, polylines

@@ -15,12 +15,12 @@ namespace dini {
 
 /// A compact piece of a mesh, checked and ready to compress: every coordinate finite and inside the grids, every vertex
 /// used, every triangle with three different indices below `positions.size()`. `normals` (never zero), `uvs` and
-/// `colors` (linear, 255 is 1) are empty or one per vertex.
+/// `colors` (linear, 65535 is 1) are empty or one per vertex.
 struct Tile {
   std::vector<std::array<float, 3>> positions;
   std::vector<std::array<float, 3>> normals;
   std::vector<std::array<float, 2>> uvs;
-  std::vector<std::array<std::uint8_t, 4>> colors;
+  std::vector<std::array<std::uint16_t, 4>> colors;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   FloatBox position_box;
   FloatBox uv_box;  ///< third axis 0

@@ -13,6 +13,7 @@ namespace dini {
 namespace {
 
 constexpr int uv_bits = 12;
+constexpr double rough_uv_error = 1e-3;
 
 // GLB counts bytes in 32 bits, the JSON included, and many readers in an int.
 constexpr std::size_t largest_binary = std::numeric_limits<std::int32_t>::max();
@@ -97,7 +98,13 @@ void SceneEncoding::make_grids() {
   }
   position_grid_ = QuantizationGrid(positions, options_.position_bits);
   uv_grids_.reserve(uvs.size());
-  for (const FloatBox& box : uvs) uv_grids_.emplace_back(box, uv_bits);
+  for (std::size_t part = 0; part < uvs.size(); ++part) {
+    const QuantizationGrid& grid = uv_grids_.emplace_back(uvs[part], uv_bits);
+    if (uvs[part].empty() || !(grid.position_error() > rough_uv_error)) continue;
+    const auto& [minimum, maximum] = uvs[part];
+    result_.rough_uvs.push_back({scene_.parts[part].name, static_cast<double>(std::min(minimum[0], minimum[1])),
+                                 static_cast<double>(std::max(maximum[0], maximum[1])), grid.position_error()});
+  }
   if (!positions.empty()) result_.position_error = position_grid_.position_error();
 }
 

@@ -33,8 +33,13 @@ std::array<float, 3> drawable_normal(const Vector& normal) {
   return {0, 0, 1};
 }
 
-std::uint8_t to_byte(float value) {
-  return value > 0 ? static_cast<std::uint8_t>(std::lround(255.0f * std::min(value, 1.0f))) : std::uint8_t{0};
+// A share of 1 in steps of 1/4096. Every 8-bit color of a picture comes back from those, where the 255 steps of a byte
+// leave 5 of the 34 darkest; finer ones cost bytes and are not seen (docs/decisions/0018-colors-in-16-bits.md).
+std::uint16_t color_channel(float value) {
+  if (!(value > 0)) return 0;
+  constexpr float steps = 4096;
+  constexpr long step = 16;
+  return static_cast<std::uint16_t>(std::min(step * std::lround(steps * std::min(value, 1.0f)), 65535L));
 }
 
 // Fills `tile.triangles` and returns the vertices of the mesh in the order of first use.
@@ -158,7 +163,7 @@ EncodeResult<Tile> build_tile(const Mesh& mesh, std::size_t begin, std::size_t e
     tile.colors.reserve(vertices.size());
     for (const std::uint32_t vertex : vertices) {
       const auto& [red, green, blue, alpha] = mesh.colors[vertex];
-      tile.colors.push_back({to_byte(red), to_byte(green), to_byte(blue), to_byte(alpha)});
+      tile.colors.push_back({color_channel(red), color_channel(green), color_channel(blue), color_channel(alpha)});
     }
   }
   return tile;

@@ -272,17 +272,20 @@ class Resolver {
   }
 
   void check_list_sizes(Resolved& resolved) const {
-    const PlannedInput* first = nullptr;
-    for (const PlannedInput& input : resolved.node.inputs) {
+    const std::vector<PlannedInput>& inputs = resolved.node.inputs;
+    std::optional<std::size_t> first;
+    for (std::size_t index = 0; index < inputs.size(); ++index) {
+      const PlannedInput& input = inputs[index];
       if (!input.list_axis) continue;
-      if (first == nullptr) first = &input;
-      if (input.list_axis->size == first->list_axis->size) continue;
-      const std::string& port = type_.inputs[static_cast<std::size_t>(&input - resolved.node.inputs.data())].name;
-      const std::string& other = type_.inputs[static_cast<std::size_t>(first - resolved.node.inputs.data())].name;
+      if (!first) first = index;
+      const Axis& axis = *inputs[*first].list_axis;
+      if (input.list_axis->size == axis.size) continue;
+      const std::string& port = type_.inputs[index].name;
+      const std::string& other = type_.inputs[*first].name;
       add(resolved, port, [&] {
         return problem("axis-mismatch", port,
                        port + " lists " + std::to_string(input.list_axis->size) + " items but " + other + " lists " +
-                           std::to_string(first->list_axis->size) + "; lists of one node pair up");
+                           std::to_string(axis.size) + "; lists of one node pair up");
       });
     }
   }

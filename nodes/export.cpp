@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "gltf/encode_cost.h"
 #include "gltf/glb_writer.h"
+#include "graph/literal.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 #include "nodes/drawn_scene.h"
@@ -34,6 +36,24 @@ void warn_of_coarse_circles(const Context& context, const Items& models) {
   context.warn({"coarse",
                 std::to_string(circles) + " circles are too many to draw each in " +
                     std::to_string(usual_circle_segments) + " segments; they have " + std::to_string(segments),
+                "model"});
+}
+
+std::string two_digits(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof(text), value, std::chars_format::general, 2).ptr};
+}
+
+/// Tells the part whose texture coordinates lose the most to rounding, and how many lose much.
+void warn_of_rough_uvs(const Context& context, const std::vector<RoughUvs>& rough) {
+  if (rough.empty()) return;
+  const RoughUvs& worst = *std::max_element(rough.begin(), rough.end(),
+                                            [](const RoughUvs& a, const RoughUvs& b) { return a.error < b.error; });
+  context.warn({"imprecise",
+                "the texture coordinates of " + worst.part + " reach from " + to_text(worst.minimum) + " to " +
+                    to_text(worst.maximum) + " and are rounded by up to " + two_digits(worst.error) +
+                    ", where 1 is the size of the picture" +
+                    (rough.size() == 1 ? "" : "; so are those of " + std::to_string(rough.size() - 1) + " more"),
                 "model"});
 }
 
@@ -98,6 +118,7 @@ Attempt<SharedAsset> export_glb(const Context& context,
   EncodedScene& scene = std::get<EncodedScene>(encoded);
   warn_of_what_is_left_out(context, model);
   warn_of_coarse_circles(context, model);
+  warn_of_rough_uvs(context, scene.rough_uvs);
   for (const std::string& part : scene.empty_parts) context.warn({"empty", part + " has nothing to draw", "model"});
   return std::make_shared<const Asset>(Asset{"model/gltf-binary", std::move(scene.glb), scene.vertices, scene.triangles,
                                              root_of_three * scene.position_error});

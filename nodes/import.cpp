@@ -42,6 +42,7 @@ struct ImportInputs {
 
 Attempt<SharedMesh> imported(const Context& context, const SharedAssetFile& asset, const ImportInputs& in) {
   const Mesh& whole = asset->content.mesh;
+  for (const std::string& warning : asset->content.warnings) context.warn({"left-out", warning, "asset"});
   const bool thin = context.triangle_budget() > 0 && whole.triangles.size() > context.triangle_budget();
   const Mesh coarse = thin ? decimate(whole, context.triangle_budget(), context.cancel()) : Mesh{};
   const Mesh& mesh = thin ? coarse : whole;
@@ -77,9 +78,11 @@ void add_import(Registry& registry) {
                    .title("Import")
                    .family("meshes")
                    .doc("A mesh from an OBJ, PLY or GLB file that was uploaded, or given on the command line.")
+                   .version(2)
                    .details("Texture coordinates, vertex colors and normals are kept; missing normals are computed. "
-                            "Materials, textures, skins and animations are left out. Polygons become triangles. A "
-                            "file that is not known here is an error.")
+                            "Materials, textures and animations are left out, and skins are taken in the pose of the file. "
+                            "Polygons become triangles. What of the file is left out is a warning. A file that is not "
+                            "known here is an error.")
                    .input("asset", "The sha256 of an uploaded file, or the name given to a file by --asset.")
                    .input("up", &ImportInputs::up,
                           "Which axis of the file is up; by its format: y in GLB, z in OBJ and PLY.",

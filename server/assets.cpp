@@ -23,7 +23,8 @@ Reply added_reply(const AssetSummary& added) {
                             {"bytes", added.bytes},
                             {"format", added.format},
                             {"vertices", added.vertices},
-                            {"triangles", added.triangles}},
+                            {"triangles", added.triangles},
+                            {"warnings", added.warnings}},
                            201);
   reply.headers.emplace_back("Cache-Control", "no-store");
   return reply;

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "geometry/obj_reader.h"
+#include "geometry/ply_header.h"
 #include "geometry/ply_reader.h"
+#include "geometry/text_reader.h"
 #include "gltf/glb_import.h"
 #include "graph/stopped.h"
 
@@ -22,11 +24,14 @@ bool is_text(std::string_view bytes) {
 
 ImportResult read_any(std::string_view bytes, const ImportLimits& limits, const Cancel& cancel) {
   if (bytes.starts_with("glTF")) return read_glb_mesh(bytes, limits, cancel);
-  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return read_ply(bytes, limits, cancel);
-  const std::size_t begin = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
-  if (bytes.substr(begin).starts_with('{')) {
+  if (begins_like_ply(bytes)) return read_ply(bytes, limits, cancel);
+  const std::string_view text = without_byte_order_mark(bytes);
+  if (text.substr(std::min(text.find_first_not_of(white_space), text.size())).starts_with('{')) {
     return invalid_file("it looks like JSON; a .gltf with files of its own cannot be read, but " +
                         std::string(what_is_read));
+  }
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
+    return invalid_file("it is text in UTF-16; save it as ASCII or UTF-8");
   }
   if (bytes.empty() || !is_text(bytes)) {
     return invalid_file("its format is not known; " + std::string(what_is_read));
@@ -35,7 +40,7 @@ ImportResult read_any(std::string_view bytes, const ImportLimits& limits, const 
 }
 
 std::string format_of(std::string_view bytes) {
-  return bytes.starts_with("glTF") ? "this GLB: " : bytes.starts_with("ply") ? "this PLY: " : "this file: ";
+  return bytes.starts_with("glTF") ? "this GLB: " : begins_like_ply(bytes) ? "this PLY: " : "this file: ";
 }
 
 }  // namespace

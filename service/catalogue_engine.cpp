@@ -64,8 +64,12 @@ Result<AssetSummary> CatalogueEngine::add_asset(std::string_view bytes, const st
   if (!read) return read.problems();
   const AssetFile& file = **read;
   assets_.add(*read, name);
-  return AssetSummary{to_hex(file.sha256), file.bytes, std::string(name_of(file.content.format)),
-                      file.content.mesh.positions.size(), file.content.mesh.triangles.size()};
+  return AssetSummary{.sha256 = to_hex(file.sha256),
+                      .bytes = file.bytes,
+                      .format = std::string(name_of(file.content.format)),
+                      .vertices = file.content.mesh.positions.size(),
+                      .triangles = file.content.mesh.triangles.size(),
+                      .warnings = file.content.warnings};
 }
 
 Result<Json> CatalogueEngine::validate(const Json& graph, const Json& parameters, const Cancel& cancel) const {

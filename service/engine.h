@@ -50,6 +50,7 @@ struct AssetSummary {
   std::string format;  ///< obj, ply or glb
   std::size_t vertices = 0;
   std::size_t triangles = 0;
+  std::vector<std::string> warnings = {};  ///< sentences about what of the file the mesh has not
 };
 
 /// A checked request: everything that is known before anything is computed. Each engine has its own kind.

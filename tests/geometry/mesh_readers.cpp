@@ -5,6 +5,7 @@
 #include "geometry/ply_reader.h"
 #include "geometry/polygon.h"
 #include "geometry/validate.h"
+#include "tests/support/damage.h"
 #include "tests/support/import_bytes.h"
 
 using namespace dini;
@@ -137,16 +138,35 @@ TEST_CASE("A PLY with any byte changed is read or refused, and nothing worse") {
   }
 }
 
+TEST_CASE("Text files with damage of any kind are read or refused, and nothing worse") {
+  const std::string obj =
+      std::string(quad_obj) + "vn 1.#QNAN 0 0\nf 1/1/2 2//1 \\\n 3/3\nf 1 2\nl 1 2\nusemtl a\\\nv 0 0 0 1 1 1 .5\n";
+  const std::string ply =
+      std::string(quad_ply.substr(0, quad_ply.find("element face"))) +
+      "element face 2\nproperty uchar red\nproperty uchar green\nproperty uchar blue\n"
+      "property list uchar int vertex_index\nelement tristrips 1\nproperty list int int vertex_index\n"
+      "end_header\n" +
+      std::string(
+          quad_ply.substr(quad_ply.find("0 0 0 0 0"), quad_ply.find("4 0 1 2 3") - quad_ply.find("0 0 0 0 0"))) +
+      "1 2 3 3 0 1 2\n4 5 6 3 0 2 3\n6 0 1 2 -1 3 2\n";
+  REQUIRE(refusal(read_obj, obj).empty());
+  REQUIRE(refusal(read_ply, ply).empty());
+  std::mt19937 random(7);
+  for (int i = 0; i < 3000; ++i) {
+    check_is_read_or_refused(read_obj, damaged(obj, random));
+    check_is_read_or_refused(read_ply, damaged(ply, random));
+    check_is_read_or_refused(read_ply, damaged(binary_ply(i % 2 == 0), random));
+  }
+}
+
 TEST_CASE("OBJ files that are wrong are refused with their line") {
   const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   for (const auto& [text, line] :
        std::vector<std::pair<std::string, std::string>>{{"v 0 0\n", "line 1"},
-                                                        {"v 0 0 nan\n", "line 1"},
-                                                        {"v 0 0 inf\n", "line 1"},
-                                                        {"v 0 0 1e999\n", "line 1"},
+                                                        {"v 0 0 x\n", "line 1"},
+                                                        {"v 0 0 1,5\n", "line 1"},
                                                         {"v 0 0 0x10\n", "line 1"},
                                                         {"v 0 0 0 0 0 0 0 0 0\n", "line 1"},
-                                                        {corners + "f 1 2\n", "line 4"},
                                                         {corners + "f 1 2 4\n", "line 4"},
                                                         {corners + "f 1 2 0\n", "line 4"},
                                                         {corners + "f 1 2 -4\n", "line 4"},
@@ -159,9 +179,8 @@ TEST_CASE("OBJ files that are wrong are refused with their line") {
     CHECK(refusal(read_obj, text).starts_with("invalid: " + line + ": "));
   }
   CHECK(refusal(read_obj, corners) == "invalid: the file has no triangles");
-  CHECK(refusal(read_obj, corners + "f 1 1 2\n") == "invalid: the file has no triangles");
-  CHECK(refusal(read_obj, "v 0 0 1e18\nv 1 0 0\nv 0 1 0\nf 1 2 3\n") ==
-        "invalid: the position of vertex 0 is not finite or too large");
+  CHECK(refusal(read_obj, corners + "f 1 1 2\n") ==
+        "invalid: the file has no triangles; 1 triangle uses a vertex twice and is left out");
 }
 
 TEST_CASE("PLY files that are wrong are refused") {
@@ -226,7 +245,7 @@ TEST_CASE("A reader stops within the file when it is told to") {
   joined += "x\n";
   ply.replace(ply.find("element face 1"), 14, "element face 200002");
   for (int i = 0; i < 200'000; ++i) ply += "3 0 1 2\n";
-  ply += "2 0 1\n";
+  ply += "3 0 1 9\n";
   for (const auto& [read, text] :
        std::vector<std::pair<ImportResult (*)(std::string_view, const ImportLimits&, const Cancel&), std::string>>{
            {read_obj, lines}, {read_obj, face}, {read_obj, joined}, {read_ply, ply}}) {

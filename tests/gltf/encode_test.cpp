@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "tests/gltf/compare.h"
 #include "tests/gltf/shapes.h"
+#include "tests/support/picture_value.h"
 
 namespace dini {
 namespace {
@@ -113,8 +116,52 @@ TEST_CASE("texture coordinates and colors come back") {
     const Point p = back.positions[i];
     CHECK(back.uvs[i][0] == Approx(p.x / 2).margin(3e-4));
     CHECK(back.uvs[i][1] == Approx(p.y / 2).margin(3e-4));
-    CHECK(static_cast<double>(back.colors[i][0]) == Approx(p.x / 2).margin(3e-3));
+    CHECK(static_cast<double>(back.colors[i][0]) == Approx(p.x / 2).margin(2e-4));
+    CHECK(back.colors[i][2] == 1);
   }
+}
+
+TEST_CASE("every color of a picture comes back, the darkest ones too") {
+  Mesh mesh = shapes::wavy_field(16, 16);
+  REQUIRE(mesh.positions.size() == 256);
+  for (int value = 0; value < 256; ++value) {
+    const double share = value / 255.0;
+    const auto linear = static_cast<float>(share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4));
+    mesh.colors.push_back({linear, linear, linear, 1});
+  }
+  const int speed = GENERATE(1, 7, 10);
+  EncodeOptions options;
+  options.speed = speed;
+  const Scene decoded = decode(encode(shapes::scene_of(mesh), options).glb);
+  std::set<int> found;
+  for (const auto& color : mesh_of(decoded).colors) {
+    found.insert(support::picture_value(static_cast<double>(color[0])));
+    CHECK(color[3] == 1);
+  }
+  CHECK(found.size() == 256);
+  CHECK(*found.begin() == 0);
+  CHECK(*found.rbegin() == 255);
+}
+
+TEST_CASE("texture coordinates that reach far are reported with what rounding costs them") {
+  Mesh mesh = shapes::wavy_field(20, 30);
+  CHECK(encode(shapes::scene_of(mesh), {}).rough_uvs.empty());
+  mesh.uvs[5] = {-1000, 2};
+  const EncodedScene encoded = encode(shapes::scene_of(mesh), {});
+  REQUIRE(encoded.rough_uvs.size() == 1);
+  const RoughUvs& rough = encoded.rough_uvs[0];
+  CHECK(rough.part == "mesh");
+  CHECK(rough.minimum == -1000);
+  CHECK(rough.maximum == 2);
+  CHECK(rough.error == Approx(1001.0 / 4095 / 2).epsilon(0.01));
+  const Scene decoded = decode(encoded.glb);
+  const Mesh& back = mesh_of(decoded);
+  double worst = 0;
+  for (std::size_t i = 0; i < back.uvs.size(); ++i) {
+    if (back.uvs[i][0] > -999) worst = std::max(worst, std::abs(back.uvs[i][0] - back.positions[i].x / 2));
+  }
+  CHECK(worst < rough.error);
+  CHECK(worst > rough.error / 10);
 }
 
 TEST_CASE("attributes that were not asked for are not written") {

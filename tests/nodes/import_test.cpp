@@ -1,4 +1,6 @@
+#include "gltf/glb_reader.h"
 #include "tests/support/catalogue.h"
+#include "tests/support/picture_value.h"
 
 using namespace dini;
 using namespace dini::support;
@@ -28,6 +30,46 @@ TEST_CASE("an import turns, scales and centers what the file holds") {
   CHECK(graph.one<SharedMesh>("placed")->positions[0] == Point{-5, -5, -2.5});
   const Vector up = graph.one<SharedMesh>("upright")->normals[0], plain = graph.one<SharedMesh>("plain")->normals[0];
   CHECK(length(up - Vector{plain.x, -plain.z, plain.y}) < 1e-15);
+}
+
+TEST_CASE("what of a file is not in its mesh is a warning of the node") {
+  CatalogueGraph graph = graph_of({{"file", make("import", {{"asset", "short"}})}});
+  CHECK(graph.one<SharedMesh>("file")->triangles.size() == 1);
+  CHECK(graph.warnings() ==
+        std::vector<Warning>{
+            {"left-out", "1 face has fewer than three corners and is left out, the first at line 5", "asset"},
+            {"left-out", "1 line (l) is left out", "asset"}});
+}
+
+TEST_CASE("the colors of a file come out of an export as they were") {
+  CatalogueGraph graph =
+      graph_of({{"file", make("import", {{"asset", "gray"}})}, {"out", make("export", {{"model", from("file")}})}});
+  const auto scene = read_glb(graph.one<SharedAsset>("out")->bytes);
+  REQUIRE(scene);
+  const Mesh& mesh = *std::get<SharedMesh>(scene->parts.at(0).shape);
+  REQUIRE(mesh.colors.size() == 256);
+  for (std::size_t i = 0; i < 256; ++i) {
+    // The vertex with the gray value g stands at x = g.
+    CHECK(picture_value(static_cast<double>(mesh.colors[i][1])) == std::lround(mesh.positions[i].x));
+  }
+}
+
+TEST_CASE("an export tells when texture coordinates lose much by rounding") {
+  CatalogueGraph graph = graph_of({{"file", make("import", {{"asset", "far"}})},
+                                   {"near", make("import", {{"asset", "square"}})},
+                                   {"out", make("export", {{"model", {from("near"), from("file")}}})},
+                                   {"quiet", make("export", {{"model", from("near")}})}});
+  graph.value("out");
+  REQUIRE(graph.warnings().size() == 1);
+  CHECK(
+      graph.warnings()[0] ==
+      Warning{
+          "imprecise",
+          "the texture coordinates of model 2 reach from 0 to 100001 and are rounded by up to 12, where 1 is the size "
+          "of the picture",
+          "model"});
+  graph.value("quiet");
+  CHECK(graph.warnings().empty());
 }
 
 TEST_CASE("a file that is not known is a problem of the node that names it") {

@@ -53,6 +53,38 @@ TEST_CASE("A file of every format is uploaded, named by its hash, and evaluated"
   }
 }
 
+TEST_CASE("What of a file is left out is told by the upload and by the report of a graph that uses it") {
+  const Running server;
+  const auto plain = upload(server.port(), quad_obj);
+  REQUIRE(plain);
+  CHECK(plain->json()["warnings"] == Json::array());
+  const auto uploaded = upload(server.port(), "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\n");
+  REQUIRE(uploaded);
+  REQUIRE(uploaded->status == 201);
+  const std::string sentence = "1 face has fewer than three corners and is left out, the first at line 5";
+  CHECK(uploaded->json()["warnings"] == Json{sentence});
+  const auto report =
+      post(server.port(), "/v1/evaluate", body_with(uploaded->json()["sha256"]), "Accept: application/json\r\n");
+  REQUIRE(report);
+  CHECK(report->json()["warnings"] ==
+        Json::array({{{"code", "left-out"}, {"node", "file"}, {"port", "asset"}, {"detail", sentence}}}));
+}
+
+TEST_CASE("A format is told by its content, behind a byte order mark or not") {
+  const Running server;
+  const std::string mark = "\xEF\xBB\xBF";
+  CHECK(upload(server.port(), mark + std::string(quad_ply))->json()["format"] == "ply");
+  CHECK(upload(server.port(), mark + std::string(quad_obj))->json()["format"] == "obj");
+  CHECK(upload(server.port(), "PLY \r\n" + std::string(quad_ply.substr(4)))->json()["format"] == "ply");
+  for (const auto& [bytes, said] : std::vector<std::pair<std::string, std::string>>{
+           {mark + "{\"asset\":{}}", "it looks like JSON"},
+           {std::string("\xFF\xFEv\0 \0", 6), "it is text in UTF-16; save it as ASCII or UTF-8"}}) {
+    const auto answer = upload(server.port(), bytes);
+    CHECK(answer->status == 422);
+    CHECK(answer->json()["errors"][0]["detail"].get<std::string>().find(said) != std::string::npos);
+  }
+}
+
 TEST_CASE("A file that takes too long to read is left at the deadline, and the server goes on") {
   dini::Limits limits;
   limits.interactive_milliseconds = 20;

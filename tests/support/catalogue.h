@@ -19,12 +19,28 @@ inline const Registry& catalogue() {
   return registry;
 }
 
-/// The files that the graphs of the tests may name: `triangle`, and `square` with colors and texture coordinates.
+/// A strip of all gray values of 8 bits: vertex i has the value i and stands at x = i.
+inline std::string gray_strip() {
+  std::string text;
+  for (int i = 0; i < 256; ++i) {
+    const std::string gray = std::to_string(i);
+    text += "v " + gray + (i % 2 == 0 ? " 0 0 " : " 9 0 ") + gray + " " + gray + " " + gray + "\n";
+    if (i >= 2) text += i % 2 == 0 ? "f -3 -1 -2\n" : "f -3 -2 -1\n";
+  }
+  return text;
+}
+
+/// The files that the graphs of the tests may name: `gray`, `triangle`, `square` with colors and texture coordinates,
+/// `far` with a texture coordinate far off, and `short` with things that are left out.
 inline SharedAssetFile test_file(std::string_view name) {
-  const std::string_view text = name == "triangle" ? "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\n"
-                                : name == "square" ? "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 1\n"
-                                                     "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n"
-                                                   : "";
+  const std::string text = name == "gray"       ? gray_strip()
+                           : name == "triangle" ? "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\n"
+                           : name == "square"   ? "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 1\n"
+                                                  "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n"
+                           : name == "far"      ? "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 1\nvt 1 1\nvt 1 -1e5\n"
+                                                  "f 1/1 2/2 3/3\n"
+                           : name == "short"    ? "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\nl 1 2\n"
+                                                : "";
   if (text.empty()) return nullptr;
   return std::make_shared<const AssetFile>(
       AssetFile{sha256(text), text.size(), std::get<ImportedMesh>(read_obj(text, {}))});

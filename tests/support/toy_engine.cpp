@@ -95,7 +95,7 @@ Result<AssetSummary> ToyEngine::add_asset(std::string_view bytes, const std::str
   if (bytes.starts_with("broken"))
     return Problem{.code = "invalid-asset", .detail = "The toy was given a broken file."};
   if (bytes.starts_with("large")) return Problem{.code = "limit-exceeded", .detail = "The toy was given a large file."};
-  return AssetSummary{std::string(64, 'a'), bytes.size(), "obj", 3, 1};
+  return AssetSummary{std::string(64, 'a'), bytes.size(), "obj", 3, 1, {"1 line (l) is left out"}};
 }
 
 Result<Json> ToyEngine::validate(const Json& graph, const Json& parameters, const Cancel&) const {

@@ -88,10 +88,10 @@ inline void doubled(const Batch<double>& value, const DoubledInputs& in, BatchOu
   for (std::size_t i = 0; i < result.size; ++i) result.set(i, 2 * value[i] + in.offset);
 }
 
-inline double slow_sum(double a, double b) {
-  double same = a;
+inline double slow_sum(const SumInputs& in) {
+  double same = in.a;
   for (int i = 0; i < 50; ++i) same = std::sqrt(same * same);
-  return same + b;
+  return same + in.b;
 }
 
 inline double no_memory(double) { throw std::bad_alloc(); }
@@ -132,8 +132,8 @@ inline Registry registry() {
                 .title("Slow sum")
                 .family("toys")
                 .doc("Adds, slowly.")
-                .input("a", "First.")
-                .input("b", "Second.", defaults(10))
+                .input("a", &SumInputs::a, "First.")
+                .input("b", &SumInputs::b, "Second.", defaults(10))
                 .output("value", "The sum."));
   nodes.add(node("chooser", chosen)
                 .title("Chooser")

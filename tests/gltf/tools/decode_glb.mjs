@@ -1,7 +1,7 @@
 // Opens every primitive of a GLB and checks it against its accessors: counts, bounds bit for bit, finite values, unit
 // normals, indices in range.
 
-const componentArrays = { 5121: Uint8Array, 5125: Uint32Array, 5126: Float32Array };
+const componentArrays = { 5121: Uint8Array, 5123: Uint16Array, 5125: Uint32Array, 5126: Float32Array };
 const typeWidths = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
 const dracoExtension = 'KHR_draco_mesh_compression';
 
@@ -53,7 +53,8 @@ function decodeDraco(gltf, binary, primitive, draco, complain) {
     const attribute = decoder.GetAttributeByUniqueId(mesh, id);
     if (attribute.num_components() !== typeWidths[accessor.type]) complain(`${name} has another width`);
     attributes[name] = copyOut(draco, accessor, mesh.num_points() * attribute.num_components(), (size, pointer) => {
-      const type = accessor.componentType === 5121 ? draco.DT_UINT8 : draco.DT_FLOAT32;
+      const types = { 5121: draco.DT_UINT8, 5123: draco.DT_UINT16, 5126: draco.DT_FLOAT32 };
+      const type = types[accessor.componentType];
       decoder.GetAttributeDataArrayForAllPoints(mesh, attribute, type, size, pointer);
     });
   }
