@@ -191,6 +191,28 @@ test("dropped graphs open, and what cannot be opened says why and changes nothin
     assert.equal(await titleOf(page).inputValue(), "Dropped");
   }));
 
+test("a byte order mark before a graph is no part of it, wherever the graph comes from", () =>
+  withPage({ clipboard: true }, async (page) => {
+    const mark = "\uFEFF";
+    const graph = JSON.parse(readFileSync(new URL("../../examples/fig02_boosted_circle.json", import.meta.url), "utf8"));
+    const text = (title) => mark + JSON.stringify({ ...graph, meta: { ...graph.meta, title } });
+    await openFile(page, "opened.json", text("Opened"));
+    await titled(page, "Opened");
+    await drop(page, "dropped.json", text("Dropped"));
+    await titled(page, "Dropped");
+    const packed = deflateRawSync(text("Linked")).toString("base64url");
+    await withPage({ hash: `#g=${packed}` }, (other) => titled(other, "Linked"));
+    await page.getByRole("button", { name: "New graph" }).click();
+    await page.getByText("An empty graph").waitFor();
+    await page.evaluate((copied) => navigator.clipboard.writeText(copied), text("Copied"));
+    await page.getByRole("button", { name: "Edit", exact: true }).click();
+    await page.getByRole("menuitem", { name: /^Paste Ctrl/ }).click();
+    const pasted = () => page.locator(".react-flow__node-graph").evaluateAll((list) => list.map((item) => item.dataset.id));
+    await eventually(pasted, (ids) => ids.length === Object.keys(graph.nodes).length);
+    await drop(page, "wide.json", Buffer.from(mark + JSON.stringify(graph), "utf16le"));
+    await note(page, "wide.json is no graph: it is not text in UTF-8");
+  }));
+
 test("a model of ours opens its graph, or says that it holds only a hash", () =>
   withPage({}, async (page) => {
     await page.getByRole("slider", { name: "Reach", exact: true }).press("PageUp");

@@ -3,7 +3,7 @@
 import { commandLineText, curlText } from "../app/commands";
 import type { Session } from "../app/session";
 import { fileName } from "../model/format";
-import type { Json } from "../model/json";
+import { parseJsonBytes, type Json } from "../model/json";
 import { createStore, type Store } from "../model/store";
 import { Autosave, tabName } from "./autosave";
 import { askForFile, writeFile, type FileHandle } from "./disk";
@@ -94,9 +94,10 @@ export class Files {
     if (MESH_FILE.test(file.name)) return this.importMesh(file);
     let json: Json;
     try {
-      json = JSON.parse(await file.text()) as Json;
-    } catch {
-      this.say(`${file.name} is no graph: it is not JSON.`, "bad");
+      json = parseJsonBytes(await file.arrayBuffer());
+    } catch (error) {
+      const what = error instanceof TypeError ? "text in UTF-8" : "JSON";
+      this.say(`${file.name} is no graph: it is not ${what}.`, "bad");
       return;
     }
     if (this.open(json, { kind: "file", name: file.name }, file.name) && handle) {

@@ -3,7 +3,7 @@
 import { readLink, type GraphDocument } from "./document";
 import { addNodes, freeId, inOrder, withLinks, type Edit, type NewNode } from "./edit";
 import { addFrame, addNote, freeName } from "./edit_ui";
-import { asArray, asNumber, asObject, asString, isObject, type Json, type JsonObject } from "./json";
+import { asArray, asNumber, asObject, asString, isObject, parseJson, type Json, type JsonObject } from "./json";
 import { frameKey, noteKey, type Frame, type Note, type Position } from "./ui";
 
 /** What copied nodes are: a piece of a document, so that it can be read as one too. */
@@ -37,7 +37,7 @@ export function copyText(document: GraphDocument, ids: ReadonlySet<string>): str
 export function readClip(text: string): Clip | undefined {
   let json: Json;
   try {
-    json = JSON.parse(text) as Json;
+    json = parseJson(text);
   } catch {
     return undefined;
   }

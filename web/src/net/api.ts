@@ -1,6 +1,6 @@
 // The calls to the server. Addresses are relative to the page, so that it also works below a prefix.
 
-import type { Json, JsonObject } from "../model/json";
+import { parseJsonBytes, type Json, type JsonObject } from "../model/json";
 import type { ParameterValues } from "../model/parameters";
 import { boundaryOf, readMultipart } from "./multipart";
 import { readProblem, type Problem } from "./problem";
@@ -102,9 +102,8 @@ async function readAnswer(response: Response): Promise<Answer> {
     const problem = readProblem(0, { title: "Unreadable answer", detail: "The server's answer could not be read." });
     return { kind: "problem", problem };
   }
-  const json = JSON.parse(new TextDecoder().decode(report.data)) as Json;
   const preview = parts?.find((part) => part.name === "preview")?.data.slice() ?? null;
-  return { kind: "model", report: readReport(json), model: model.data.slice(), preview };
+  return { kind: "model", report: readReport(parseJsonBytes(report.data)), model: model.data.slice(), preview };
 }
 
 async function jsonOf(response: Response): Promise<Json> {

@@ -1,6 +1,6 @@
 // The GLB container: a header, a chunk of JSON and a chunk of binary data. Knows neither three nor the browser.
 
-import { isObject, type Json, type JsonObject } from "../model/json";
+import { isObject, parseJsonBytes, type Json, type JsonObject } from "../model/json";
 
 export interface Glb {
   json: JsonObject;
@@ -68,10 +68,10 @@ export function joinGlb({ json, binary }: Glb): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
-function readJson(chunk: Uint8Array): JsonObject {
+function readJson(chunk: Uint8Array<ArrayBuffer>): JsonObject {
   let json: Json;
   try {
-    json = JSON.parse(new TextDecoder().decode(chunk)) as Json;
+    json = parseJsonBytes(chunk);
   } catch {
     throw new Error("The description in the GLB file cannot be read.");
   }
