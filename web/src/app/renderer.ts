@@ -4,6 +4,7 @@
 import type { CameraPlace } from "../model/document";
 import type { Store } from "../model/store";
 import { evaluate, isAlive, type Answer, type Effort, type EvaluateBody } from "../net/api";
+import { failedChecks, withFailedChecks, withoutNodes } from "../net/checks";
 import { Evaluator, type ModelAnswer, type Stamp } from "../net/evaluator";
 import { localProblem } from "../net/problem";
 import { ControlLoader } from "./control";
@@ -114,13 +115,21 @@ export class Renderer {
     // show nothing while a slider moves.
     const key = effort.quality === "final" ? this.supersedeKey : undefined;
     const wish = this.control.key;
-    const answer = await evaluate(body, effort, signal, key);
+    const answer = await this.ask(body, (asked) => evaluate(asked, effort, signal, key));
     this.wishes.set(answer, wish);
-    // What is wrong with a node that is only looked at must not hide the model.
-    if (answer.kind === "problem" && answer.problem.status === 422 && body.preview) {
-      return evaluate({ ...body, preview: undefined }, effort, signal, key);
-    }
     return answer;
+  }
+
+  /** Neither a node that is only looked at, nor a check that cannot run yet, may hide the model. */
+  private async ask(body: EvaluateBody, send: (body: EvaluateBody) => Promise<Answer>): Promise<Answer> {
+    const answer = await send(body);
+    if (answer.kind !== "problem" || answer.problem.status !== 422) return answer;
+    const failed = failedChecks(answer.problem);
+    if (failed.length > 0) {
+      const rest = await this.ask(withoutNodes(body, failed), send);
+      return rest.kind === "model" ? withFailedChecks(rest, failed) : answer;
+    }
+    return body.preview ? this.ask({ ...body, preview: undefined }, send) : answer;
   }
 
   private show({ model: picture, control }: Shape, answer: ModelAnswer, stamp: Stamp): void {

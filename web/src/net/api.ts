@@ -2,6 +2,7 @@
 
 import { parseJsonBytes, type Json, type JsonObject } from "../model/json";
 import type { ParameterValues } from "../model/parameters";
+import { failedChecks, withoutNodes } from "./checks";
 import { boundaryOf, readMultipart } from "./multipart";
 import { readProblem, type Problem } from "./problem";
 import { readReport, type Report } from "./report";
@@ -73,6 +74,7 @@ export async function evaluate(
 
 /** The control geometry alone; null if there is none, or the server cannot tell. Rejects only after `signal`. */
 export async function fetchPreview(body: EvaluateBody, signal: AbortSignal): Promise<Uint8Array<ArrayBuffer> | null> {
+  if (!body.preview) return null;
   try {
     const response = await fetch("v1/evaluate", {
       method: "POST",
@@ -80,7 +82,9 @@ export async function fetchPreview(body: EvaluateBody, signal: AbortSignal): Pro
       body: JSON.stringify({ ...body, output: undefined, quality: "draft" }),
       signal,
     });
-    return response.ok ? new Uint8Array(await response.arrayBuffer()) : null;
+    if (response.ok) return new Uint8Array(await response.arrayBuffer());
+    const failed = failedChecks(readProblem(response.status, await jsonOf(response)));
+    return failed.length > 0 ? await fetchPreview(withoutNodes(body, failed), signal) : null;
   } catch (error) {
     if (signal.aborted) throw error;
     return null;

@@ -58,8 +58,9 @@ function problemsIn({ problem, checked, shown }: Wrong): { errors: ProblemEntry[
   const errors = [...(problem?.errors ?? [])];
   for (const entry of checked?.errors ?? []) if (!errors.some((item) => isSameEntry(item, entry))) errors.push(entry);
   const failed = (shown?.report.checks ?? [])
-    .filter((check) => !check.passed)
-    .map((check) => plainEntry("check-failed", check.node, check.message || `The value is ${check.value}.`));
+    // What keeps a check from running is said by the error of its node.
+    .filter((check) => !check.passed && !errors.some(({ node }) => node === check.node))
+    .map((check) => plainEntry("check-failed", check.node, check.message || "The check failed."));
   const warnings = (shown?.report.warnings ?? []).filter((entry) => !errors.some((item) => isSameEntry(item, entry)));
   return { errors, others: [...failed, ...warnings] };
 }
