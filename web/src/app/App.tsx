@@ -1,5 +1,6 @@
 import { useEffect, useState, type ReactElement } from "react";
 import { FilesLayer } from "../files/FilesLayer";
+import { UnkeptBanner } from "../files/UnkeptBanner";
 import { GraphPane } from "../graph/GraphPane";
 import { Examples } from "../panels/Examples";
 import { Panel } from "../panels/Panel";
@@ -60,6 +61,7 @@ export function App({ editor }: { editor: Editor }): ReactElement {
           onGallery={() => setGallery(isOpen ? "closed" : "open")}
         />
         <Banner />
+        <UnkeptBanner />
         <main className="work">
           {narrow ? (
             <Tabs

@@ -1,11 +1,12 @@
 // What a person does to the nodes: each action reads the selection, makes one edit and says what it did.
 
-import { copyText, DUPLICATE_SHIFT, linkedFrom, paste, readClip, type Clip } from "../model/clip";
+import { copyText, DUPLICATE_SHIFT, paste, readClip, type Clip, type Pasted } from "../model/clip";
 import type { GraphDocument } from "../model/document";
 import { inOrder, moveNodes, removeNodes, setBypass, type Edit } from "../model/edit";
 import { addFrame, addNote, freeName, removeFrame, removeNote, setFlag } from "../model/edit_ui";
 import { disconnect, removeAndHeal } from "../model/edit_wires";
-import { plural } from "../model/format";
+import { literalText, plural } from "../model/format";
+import type { Json } from "../model/json";
 import { viewGraph } from "../model/graph";
 import { layeredLayout, NODE_WIDTH, nodeHeight, roomFor } from "../model/layout";
 import { boundsOf, freePlace } from "../model/place";
@@ -35,8 +36,8 @@ export function remove(editor: Editor, heal: boolean): void {
 
 /** The selected nodes, frames and notes as text; undefined if nothing is selected. */
 export function selectionText(editor: Editor): string | undefined {
-  const { document, selection, areas } = editor.session.store.get();
-  return document ? copyText(document, new Set([...selection, ...areas])) : undefined;
+  const { document, values, selection, areas } = editor.session.store.get();
+  return document ? copyText(document, new Set([...selection, ...areas]), values) : undefined;
 }
 
 export async function copy(editor: Editor): Promise<boolean> {
@@ -96,20 +97,34 @@ function place(
   keepIncoming: boolean,
   label: string,
 ): void {
-  const trial = paste(document, clip, shift, keepIncoming).edit(document);
+  const { values } = editor.session.store.get();
+  const trial = paste(document, clip, shift, keepIncoming, values).edit(document);
   const added = roomOf(editor, trial, document);
   const bounds = boundsOf([...added, ...shifted([...clip.frames, ...clip.notes], shift)]);
   const free = bounds && freePlace(bounds, bounds, occupied(editor, document));
   const moved = bounds && free ? { x: shift.x + free.x - bounds.x, y: shift.y + free.y - bounds.y } : shift;
-  const { edit, ids } = paste(document, clip, moved, keepIncoming);
-  editor.session.edit(`${label} ${plural(ids.length, "node")}`, edit);
+  const pasted = paste(document, clip, moved, keepIncoming, values);
+  const { edit, ids } = pasted;
+  editor.session.edit(`${label} ${plural(ids.length, "node")}`, edit, { values: pasted.values });
   editor.session.select(ids);
-  const lost = keepIncoming ? [...linkedFrom(clip)].filter((id) => !document.nodes.has(id)).length : 0;
-  editor.say(
-    lost > 0
-      ? `Added ${plural(ids.length, "node")}; wires from ${plural(lost, "missing node")} were left out`
-      : `Added ${plural(ids.length, "node")}`,
-  );
+  editor.say(pastedText(pasted));
+}
+
+/** What came, what came along, and what did not. */
+export function pastedText({ ids, cut, drivers }: Pasted): string {
+  const parts = [`Added ${plural(ids.length, "node")}`];
+  const brought = drivers.flatMap((driver) => (driver.kind === "brought" ? [driver.label] : []));
+  if (brought.length > 0) parts.push(`with the ${brought.length > 1 ? "parameters" : "parameter"} ${brought.join(", ")}`);
+  for (const driver of drivers) {
+    if (driver.kind === "present" && driver.value !== undefined) {
+      parts.push(`${driver.label} is ${literalText(driver.value as Json)} in this graph`);
+    }
+    if (driver.kind === "missing") {
+      parts.push(`${driver.inputs.join(", ")} lost the parameter ${driver.name}, which this graph does not have`);
+    }
+  }
+  if (cut > 0) parts.push(`${plural(cut, "incoming wire")} left out`);
+  return parts.join("; ");
 }
 
 export function selectAll(editor: Editor): void {

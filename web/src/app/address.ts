@@ -17,10 +17,11 @@ export function wantsPicture(): boolean {
 export function keepAddress(session: Session): void {
   let written: string | null = null;
   session.store.subscribe(() => {
-    const { exampleId, document: open } = session.store.get();
+    const { exampleId, document: open, origin, isChanged, isAdjusted } = session.store.get();
     if (exampleId === null && open) {
-      // Whatever the address names is not what is open any more.
-      if (location.hash) history.replaceState(null, "", location.pathname + location.search);
+      // A link holds what is open until that is changed. Whatever else the address names is not what is open.
+      const isLink = origin.kind === "shared" && !isChanged && !isAdjusted && location.hash.startsWith("#g=");
+      if (location.hash && !isLink) history.replaceState(null, "", location.pathname + location.search);
       written = "";
       document.title = `${open.title} · Dini`;
       return;

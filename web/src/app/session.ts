@@ -40,6 +40,8 @@ export interface EditOptions {
   gesture?: string;
   /** More of its kind will follow at once: a draft is enough until then. */
   moving?: boolean;
+  /** Values of parameters that come with the edit. */
+  values?: ParameterValues;
 }
 
 export class Session {
@@ -83,7 +85,7 @@ export class Session {
   openDocument(json: Json, origin: Origin): string | undefined {
     const result = readDocument(json);
     if ("error" in result) return result.error;
-    this.open(result.document, origin);
+    this.open(result.document, origin, result.values);
     return undefined;
   }
 
@@ -100,13 +102,13 @@ export class Session {
   }
 
   /** Changes the document. An edit that answers the document it was given changes nothing. */
-  edit(label: string, change: Edit, { gesture, moving = false }: EditOptions = {}): void {
+  edit(label: string, change: Edit, { gesture, moving = false, values: given }: EditOptions = {}): void {
     const { document, values } = this.store.get();
     if (!document) return;
     const next = change(document);
     if (next === document) return;
     this.history.record({ document, values }, label, gesture);
-    this.replace({ document: next, values: knownValues(values, next) }, moving);
+    this.replace({ document: next, values: knownValues(given ? { ...values, ...given } : values, next) }, moving);
   }
 
   /** Writes a literal to a node's input; undefined brings its default back. */
@@ -185,18 +187,18 @@ export class Session {
     this.renderer.viewerFailed(reason);
   }
 
-  private open(read: GraphDocument, origin: Origin): void {
+  private open(read: GraphDocument, origin: Origin, values: ParameterValues = {}): void {
     const { catalogue, opened } = this.store.get();
     if (!catalogue) return;
     const isPlaced = read.positions.size === read.nodes.size;
     const document = isPlaced ? read : moveNodes(layeredLayout(viewGraph(read, catalogue)))(read);
     this.saved = document.json;
-    this.savedValues = {};
+    this.savedValues = values;
     this.history.clear();
     this.renderer.reset();
     this.store.set({
       ...{ document, origin, opened: opened + 1, exampleId: exampleOf(origin), view: viewGraph(document, catalogue) },
-      ...{ values: {}, isChanged: false, isAdjusted: false, shown: null, problem: null, checked: null },
+      ...{ values, isChanged: false, isAdjusted: false, shown: null, problem: null, checked: null },
       ...{ selection: new Set<string>(), areas: new Set<string>(), selected: null, ...this.steps() },
     });
     this.evaluate(false);

@@ -20,6 +20,11 @@ export function graphInGlb(bytes: Uint8Array<ArrayBuffer>): GlbContent {
   return hash && asString(extras["engine"]) ? { kind: "hash", hash } : { kind: "foreign" };
 }
 
+/** The values of the parameters that a model of ours was made with; empty for any other. */
+export function parametersInGlb(bytes: Uint8Array<ArrayBuffer>): JsonObject {
+  return asObject(asObject(asObject(splitGlb(bytes).json["asset"])["extras"])["parameters"]);
+}
+
 /** The same model with the graph that made it in `asset.extras.document`. */
 export function withGraph(bytes: Uint8Array<ArrayBuffer>, document: JsonObject): Uint8Array<ArrayBuffer> {
   const { json, binary } = splitGlb(bytes);

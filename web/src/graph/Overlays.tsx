@@ -8,6 +8,9 @@ import { FindNode } from "./FindNode";
 import { NodeSearch } from "./NodeSearch";
 
 const NOTICE_MILLISECONDS = { said: 2200, refused: 4500 };
+/** What is longer than a short sentence takes longer to read. */
+const MILLISECONDS_A_LETTER = 60;
+const SHORT_LETTERS = 40;
 
 /** What opens over the canvas: the search, menus, lists, and what is said about a socket or an action. */
 export function Overlays({ editor }: { editor: Editor }): ReactElement {
@@ -39,7 +42,8 @@ function Notice({ editor }: { editor: Editor }): ReactElement {
   const [gone, setGone] = useState(0);
   useEffect(() => {
     if (!notice) return undefined;
-    const timer = window.setTimeout(() => setGone(notice.count), NOTICE_MILLISECONDS[notice.tone]);
+    const more = MILLISECONDS_A_LETTER * Math.max(0, notice.text.length - SHORT_LETTERS);
+    const timer = window.setTimeout(() => setGone(notice.count), NOTICE_MILLISECONDS[notice.tone] + more);
     return () => window.clearTimeout(timer);
   }, [notice, editor]);
   const isShown = notice !== null && notice.count !== gone;
