@@ -2,9 +2,11 @@ import { createRoot } from "react-dom/client";
 import { App } from "./app/App";
 import { exampleInAddress, keepAddress, showStateOn } from "./app/address";
 import { Editor } from "./app/editor";
+import { leaveKeysToInputMethods } from "./app/input_method";
 import { Session } from "./app/session";
 import { filesOf } from "./files/Files";
 
+leaveKeysToInputMethods();
 const session = new Session();
 showStateOn(document.documentElement, session.store);
 keepAddress(session);

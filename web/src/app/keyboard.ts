@@ -11,7 +11,7 @@ const SPACE_MILLISECONDS = 400;
 export function listen(editor: Editor): () => void {
   let space: { at: number } | undefined;
   const onKeyDown = (event: KeyboardEvent): void => {
-    if (event.defaultPrevented || event.isComposing) return;
+    if (event.defaultPrevented) return;
     const target = event.target instanceof HTMLElement ? event.target : document.body;
     const key = keyOf(event);
     if (key === "Tab" || key === "Shift+Tab") {

@@ -14,6 +14,7 @@ import {
   toggleBypass,
   toggleFlag,
 } from "./actions";
+import { keyName, type KeyPress } from "../model/keys";
 import { VIEW_KEYS } from "../view3d/view_keys";
 import { filesOf } from "../files/Files";
 import type { Editor } from "./editor";
@@ -108,7 +109,7 @@ const MODEL: readonly Omit<Shortcut, "scope">[] = [
   ...VIEW_KEYS.map(({ key, text }) => ({
     id: `model-${key}`,
     title: text,
-    keys: [key.length === 1 ? key.toUpperCase() : key],
+    keys: [key],
   })),
   { id: "model-turn", title: "Turn", keys: ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown"] },
   { id: "model-zoom", title: "Zoom", keys: ["+", "-"] },
@@ -120,9 +121,11 @@ export const SHORTCUTS: readonly Shortcut[] = [
   ...MODEL.map((item) => ({ ...item, scope: "model" as const })),
 ];
 
+type Pressed = KeyPress & Pick<KeyboardEvent, "ctrlKey" | "metaKey" | "shiftKey" | "altKey">;
+
 /** The key of an event as the table writes it. */
-export function keyOf(event: Pick<KeyboardEvent, "key" | "ctrlKey" | "metaKey" | "shiftKey" | "altKey">): string {
-  const name = event.key === " " ? "Space" : event.key.length === 1 ? event.key.toUpperCase() : event.key;
+export function keyOf(event: Pressed): string {
+  const name = keyName(event);
   // Signs such as "?" are typed with Shift on some keyboards and without on others.
   const isSign = event.key.length === 1 && event.key !== " " && event.key.toLowerCase() === event.key.toUpperCase();
   const parts = [

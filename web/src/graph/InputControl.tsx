@@ -1,10 +1,11 @@
-import { memo, useId, useState, type ReactElement } from "react";
+import { memo, useId, type ReactElement } from "react";
 import { useCurrentSession } from "../app/context";
 import { unitText } from "../model/catalogue";
 import type { InputRow } from "../model/graph";
 import { asParameter, controlKind, fieldValue, listText, readList, withinHard } from "../model/inputs";
 import type { Json } from "../model/json";
 import { colorText, colorValue, decimalsOf, snap, stepOf, type Parameter } from "../model/parameters";
+import { LineField } from "../panels/LineField";
 import { NumberInput } from "../panels/NumberInput";
 
 interface InputControlProps {
@@ -24,35 +25,33 @@ export const InputControl = memo(function InputControl(props: InputControlProps)
   const { node, title, row, onNode, describedBy, invalid = false } = props;
   const session = useCurrentSession();
   const id = useId();
-  const [unreadable, setUnreadable] = useState("");
   const { card } = row;
   const kind = card && controlKind(card, row.literal);
   if (!card || kind === undefined) return null;
   // Numbers on the node would look as if they were given; where one is needed, the panel takes it.
   if (onNode && row.required && row.isDefault && (kind === "number" || kind === "vector")) return null;
   const set = (value: Json, moving = false): void => {
-    setUnreadable("");
     session.setInput(node, row.name, value, { moving });
   };
   const common = {
     id,
     "aria-label": `${row.name} of ${title}`,
-    "aria-invalid": invalid || unreadable !== "" || undefined,
+    "aria-invalid": invalid || undefined,
     "aria-describedby": describedBy,
-    title: unreadable || undefined,
     tabIndex: onNode ? -1 : undefined,
     "data-stop": onNode || undefined,
   };
+  const line = { id, label: common["aria-label"], invalid, described: describedBy, isStop: onNode };
   if (kind === "list") {
     return (
       <LineField
-        {...common}
+        {...line}
         text={listText(row.literal)}
         placeholder={card.required ? "1, 2, 3" : ""}
         onText={(text) => {
           const value = text.trim() === "" ? undefined : readList(text);
-          if (value === undefined && text.trim() !== "") setUnreadable(`“${text}” is no list of numbers.`);
-          else set(value);
+          if (value === undefined && text.trim() !== "") return `“${text}” is no list of numbers such as 1; 2; 3.`;
+          return set(value);
         }}
       />
     );
@@ -67,9 +66,8 @@ export const InputControl = memo(function InputControl(props: InputControlProps)
           {...{ id, parameter, onNode, describedBy }}
           label={common["aria-label"]}
           value={typeof value === "number" ? value : 0}
-          invalid={invalid || unreadable !== ""}
+          invalid={invalid}
           onValue={(next, moving) => set(moving ? withinHard(card, next) : next, true)}
-          onUnreadable={setUnreadable}
         />
       );
     case "vector": {
@@ -84,14 +82,13 @@ export const InputControl = memo(function InputControl(props: InputControlProps)
               label={`${row.name} ${letter} of ${title}`}
               unit={onNode ? "" : letter}
               value={parts[index] ?? 0}
-              invalid={invalid || unreadable !== ""}
+              invalid={invalid}
               onValue={(next) =>
                 set(
                   parts.map((part, at) => (at === index ? next : part)),
                   true,
                 )
               }
-              onUnreadable={setUnreadable}
             />
           ))}
         </span>
@@ -102,7 +99,7 @@ export const InputControl = memo(function InputControl(props: InputControlProps)
         <input
           {...common}
           type="checkbox"
-          className="checkbox nodrag"
+          className="checkbox nodrag nokey"
           checked={value === true}
           onChange={(event) => set(event.currentTarget.checked)}
         />
@@ -111,7 +108,7 @@ export const InputControl = memo(function InputControl(props: InputControlProps)
       return (
         <select
           {...common}
-          className="select nodrag"
+          className="select nodrag nokey"
           value={String(value)}
           onChange={(event) => set(event.currentTarget.value)}
         >
@@ -127,7 +124,7 @@ export const InputControl = memo(function InputControl(props: InputControlProps)
         <input
           {...common}
           type="color"
-          className="color-field nodrag"
+          className="color-field nodrag nokey"
           value={colorText(value)}
           onChange={(event) => set(colorValue(event.currentTarget.value, value) as Json, true)}
         />
@@ -135,7 +132,7 @@ export const InputControl = memo(function InputControl(props: InputControlProps)
     default:
       return (
         <LineField
-          {...common}
+          {...line}
           text={typeof row.literal === "string" ? row.literal : ""}
           placeholder={placeholderOf(row)}
           onText={(text) => set(text === "" && !card.required ? undefined : text)}
@@ -154,7 +151,6 @@ interface NumberControlProps {
   invalid: boolean;
   describedBy?: string;
   onValue(value: number, moving: boolean): void;
-  onUnreadable(message: string): void;
 }
 
 function NumberControl(props: NumberControlProps): ReactElement {
@@ -166,6 +162,7 @@ function NumberControl(props: NumberControlProps): ReactElement {
   return (
     <NumberInput
       {...props}
+      described={props.describedBy}
       unit={props.unit ?? unitText(parameter.unit)}
       decimals={onNode ? 3 : Math.min(6, decimalsOf(step) + 2)}
       step={step}
@@ -173,39 +170,6 @@ function NumberControl(props: NumberControlProps): ReactElement {
       isStop={onNode}
       onType={(next) => onValue(next, false)}
       onMove={(next, scale) => onValue(snap(next, Math.max(least, step * scale)), true)}
-    />
-  );
-}
-
-interface LineFieldProps {
-  text: string;
-  placeholder: string;
-  onText(text: string): void;
-}
-
-/** A line of text that counts when it is left or Enter is pressed. */
-function LineField({ text, placeholder, onText, ...common }: LineFieldProps): ReactElement {
-  const [typed, setTyped] = useState<string | null>(null);
-  const commit = (): void => {
-    if (typed !== null && typed !== text) onText(typed);
-    setTyped(null);
-  };
-  return (
-    <input
-      {...common}
-      type="text"
-      className="text-field nodrag"
-      autoComplete="off"
-      spellCheck={false}
-      placeholder={placeholder}
-      data-typing={typed !== null}
-      value={typed ?? text}
-      onChange={(event) => setTyped(event.currentTarget.value)}
-      onBlur={commit}
-      onKeyDown={(event) => {
-        if (event.key === "Enter") commit();
-        if (event.key === "Escape") setTyped(null);
-      }}
     />
   );
 }

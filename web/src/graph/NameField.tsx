@@ -26,6 +26,7 @@ export function NameField({ id }: { id: string }): ReactElement {
       editor.say(problem, "refused");
     } else if (text !== id) {
       session.edit("Rename", renameNode(id, text));
+      editor.unfold([text], editor.store.get().unfolded.has(id));
       session.select([text]);
       editor.say(`Renamed to ${text}`);
     }
@@ -33,7 +34,7 @@ export function NameField({ id }: { id: string }): ReactElement {
   };
   return (
     <input
-      className="name-field nodrag"
+      className="name-field nodrag nokey"
       aria-label="Name of the node"
       aria-invalid={problem !== undefined}
       title={problem}

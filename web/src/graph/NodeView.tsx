@@ -47,6 +47,11 @@ function Face({ node, isSelected }: { node: ViewNode; isSelected: boolean }): Re
       data-bypass={node.bypass}
       data-known={node.known}
       data-collapsed={node.collapsed}
+      onClick={(event) => {
+        // With a key held a press in a field means a number, and not one more selected node.
+        const isField = event.target instanceof Element && event.target.closest(".nokey") !== null;
+        if (isField && (event.shiftKey || event.ctrlKey || event.metaKey)) event.stopPropagation();
+      }}
       onPointerEnter={() => setIsOver(true)}
       onPointerLeave={() => setIsOver(false)}
     >

@@ -69,7 +69,7 @@ export const NoteView = memo(function NoteView({ data, selected }: NodeProps<Are
     >
       {isWriting ? (
         <textarea
-          className="nodrag nowheel"
+          className="nodrag nokey nowheel"
           aria-label="Text of the note"
           autoFocus
           defaultValue={note.text}
@@ -99,7 +99,7 @@ function TextLine({ label, text, onText }: { label: string; text: string; onText
   const [typed, setTyped] = useState(text);
   return (
     <input
-      className="name-field nodrag"
+      className="name-field nodrag nokey"
       aria-label={label}
       autoFocus
       value={typed}
@@ -128,7 +128,7 @@ function Corner({ box, onSize }: { box: Box; onSize(size: { width: number; heigh
   };
   return (
     <span
-      className="corner nodrag"
+      className="corner nodrag nokey"
       onPointerDown={(event) => {
         event.stopPropagation();
         event.currentTarget.setPointerCapture(event.pointerId);

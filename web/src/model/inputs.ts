@@ -4,6 +4,7 @@ import type { InputCard } from "./catalogue";
 import { evaluateExpression } from "./expression";
 import { numberText } from "./format";
 import { isNumber, type Json } from "./json";
+import { splitNumbers } from "./numbers";
 import { readParameter, sentenceCase, type Parameter, type ParameterType, type ParameterValue } from "./parameters";
 
 /** The control for an input: that of a parameter of this type, or a line of several values. */
@@ -66,14 +67,14 @@ export function listText(literal: Json): string {
 
 /** Reads numbers, or triples in parentheses; undefined if the text is neither. */
 export function readList(text: string): Json {
-  const numbers = (part: string): number[] | undefined => {
-    const values = part.split(/[,;]/).map((item) => evaluateExpression(item));
-    return values.every((value) => value !== undefined) ? values : undefined;
-  };
-  const triples = [...text.matchAll(/\(([^()]*,[^()]*,[^()]*)\)/g)].map((match) => numbers(match[1] ?? ""));
-  if (triples.length > 0) {
-    const rest = text.replace(/\([^()]*\)/g, "").replace(/[\s,;]/g, "");
-    return rest === "" && triples.every((triple) => triple?.length === 3) ? (triples as Json[]) : undefined;
-  }
-  return numbers(text);
+  const groups = [...text.matchAll(/\(([^()]*)\)/g)].map(([, group = ""]) => group);
+  if (!groups.some((group) => splitNumbers(group).length > 1)) return numbersIn(text);
+  const rest = text.replace(/\([^()]*\)/g, "").replace(/[\s,;]/g, "");
+  const triples = groups.map(numbersIn);
+  return rest === "" && triples.every((triple) => triple?.length === 3) ? (triples as Json[]) : undefined;
+}
+
+function numbersIn(text: string): number[] | undefined {
+  const values = splitNumbers(text).map((part) => evaluateExpression(part));
+  return values.every((value) => value !== undefined) ? values : undefined;
 }

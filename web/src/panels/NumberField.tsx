@@ -45,7 +45,7 @@ export function NumberField({
         unit={unitText(parameter.unit)}
         step={step}
         invalid={invalid}
-        describedBy={describedBy}
+        described={describedBy}
         onType={(next) => onChange(next, true)}
         onMove={move}
         onUnreadable={onUnreadable}

@@ -1,6 +1,7 @@
-import { useRef, useState, type CSSProperties, type KeyboardEvent, type PointerEvent, type ReactElement } from "react";
+import { useId, useRef, useState, type CSSProperties, type KeyboardEvent, type PointerEvent, type ReactElement } from "react";
 import { evaluateExpression } from "../model/expression";
 import { numberText } from "../model/format";
+import { describedBy, FieldError } from "./FieldError";
 
 interface NumberInputProps {
   id: string;
@@ -10,7 +11,7 @@ interface NumberInputProps {
   unit?: string;
   step: number;
   invalid: boolean;
-  describedBy?: string;
+  described?: string;
   /** The range that a bar behind the number shows, and that a drag over the whole width runs through. */
   range?: { minimum: number; maximum: number };
   /** One of the stops inside a node: Tab reaches it only from there. */
@@ -19,33 +20,53 @@ interface NumberInputProps {
   onType(value: number): void;
   /** A dragged or stepped value, in steps of `scale` times the step: 0.1 with Shift, 10 with Ctrl. */
   onMove(value: number, scale: number): void;
-  onUnreadable(message: string): void;
+  /** Whether a text that is no number stands in the field. */
+  onUnreadable?(isUnreadable: boolean): void;
+}
+
+interface Drag {
+  pointer: number;
+  x: number;
+  /** The value before rounding, so that slow fine drags add up. */
+  value: number;
+  moved: boolean;
 }
 
 const DRAG_THRESHOLD = 3;
 const PIXELS_PER_STEP = 4;
+/** Width that a drag through the whole range takes at least. */
+const LEAST_WIDTH = 60;
 
 /** A number that is typed (formulas too), dragged sideways, or stepped with the arrow keys. */
 export function NumberInput(props: NumberInputProps): ReactElement {
-  const { id, label, value, decimals, unit = "", step, invalid, describedBy, range, isStop } = props;
-  const { onType, onMove, onUnreadable } = props;
+  const { id, label, value, decimals, unit = "", step, described, range, isStop, onType, onMove, onUnreadable } = props;
+  const errorId = useId();
   const [text, setText] = useState<string | null>(null);
   const [textFor, setTextFor] = useState(value);
-  const drag = useRef({ x: 0, value: 0, moved: false });
+  const [error, setError] = useState("");
+  const drag = useRef<Drag | null>(null);
+  const invalid = props.invalid || error !== "";
   // A value that comes from elsewhere (the bar, a reset) replaces what is being typed.
   if (textFor !== value) {
     setTextFor(value);
     setText(null);
+    setError("");
   }
 
+  const forget = (): void => {
+    setText(null);
+    setError("");
+    onUnreadable?.(false);
+  };
   const commit = (): void => {
     if (text === null) return;
     const typed = evaluateExpression(text);
     if (typed === undefined) {
-      onUnreadable(`“${text}” is not a number or a formula such as 2*pi/3.`);
+      setError(`“${text}” is not a number or a formula such as 2*pi/3.`);
+      onUnreadable?.(true);
       return;
     }
-    setText(null);
+    forget();
     if (typed !== value || invalid) onType(typed);
   };
   const onKeyDown = (event: KeyboardEvent<HTMLInputElement>): void => {
@@ -53,11 +74,10 @@ export function NumberInput(props: NumberInputProps): ReactElement {
       commit();
       event.currentTarget.select();
     } else if (event.key === "Escape") {
-      setText(null);
-      onUnreadable("");
+      forget();
     } else if (event.key === "ArrowUp" || event.key === "ArrowDown") {
       event.preventDefault();
-      setText(null);
+      forget();
       const sign = event.key === "ArrowUp" ? 1 : -1;
       onMove(value + sign * step * scaleOf(event), scaleOf(event));
     }
@@ -65,28 +85,37 @@ export function NumberInput(props: NumberInputProps): ReactElement {
   const onPointerDown = (event: PointerEvent<HTMLInputElement>): void => {
     if (event.button !== 0 || document.activeElement === event.currentTarget) return;
     event.currentTarget.setPointerCapture(event.pointerId);
-    drag.current = { x: event.clientX, value, moved: false };
+    drag.current = { pointer: event.pointerId, x: event.clientX, value, moved: false };
   };
   const onPointerMove = (event: PointerEvent<HTMLInputElement>): void => {
     const state = drag.current;
-    if (document.activeElement === event.currentTarget || !event.currentTarget.hasPointerCapture(event.pointerId))
+    if (state?.pointer !== event.pointerId) return;
+    if (!state.moved) {
+      if (Math.abs(event.clientX - state.x) < DRAG_THRESHOLD) return;
+      // The way to here only told a drag from a press.
+      Object.assign(state, { moved: true, x: event.clientX });
       return;
-    if (!state.moved && Math.abs(event.clientX - state.x) < DRAG_THRESHOLD) return;
-    state.moved = true;
-    const width = event.currentTarget.getBoundingClientRect().width;
-    const perPixel = range ? (range.maximum - range.minimum) / Math.max(60, width) : step / PIXELS_PER_STEP;
-    state.value += (event.clientX - state.x) * perPixel * scaleOf(event);
+    }
+    const width = Math.max(LEAST_WIDTH, event.currentTarget.getBoundingClientRect().width);
+    // Through a range the number goes along with the pointer; Ctrl only takes larger steps there.
+    const perPixel = range
+      ? ((range.maximum - range.minimum) / width) * Math.min(1, scaleOf(event))
+      : (step / PIXELS_PER_STEP) * scaleOf(event);
+    state.value += (event.clientX - state.x) * perPixel;
     state.x = event.clientX;
+    setError("");
     onMove(state.value, scaleOf(event));
   };
   const onPointerUp = (event: PointerEvent<HTMLInputElement>): void => {
     const input = event.currentTarget;
-    if (document.activeElement === input || drag.current.moved) return;
+    const isPress = drag.current?.moved === false;
+    drag.current = null;
+    if (!isPress) return;
     input.focus();
     input.select();
   };
   return (
-    <span className="number-input nodrag" data-invalid={invalid}>
+    <span className="number-input nodrag nokey" data-invalid={invalid}>
       {range && <span className="number-fill" style={{ "--fill": shareOf(value, range) } as CSSProperties} />}
       <input
         id={id}
@@ -99,7 +128,7 @@ export function NumberInput(props: NumberInputProps): ReactElement {
         data-stop={isStop}
         data-typing={text !== null}
         aria-invalid={invalid}
-        aria-describedby={describedBy}
+        aria-describedby={describedBy(described, error !== "" && errorId)}
         value={text ?? numberText(value, decimals)}
         onChange={(event) => setText(event.currentTarget.value)}
         onBlur={commit}
@@ -111,18 +140,20 @@ export function NumberInput(props: NumberInputProps): ReactElement {
         onPointerDown={onPointerDown}
         onPointerMove={onPointerMove}
         onPointerUp={onPointerUp}
+        onPointerCancel={() => (drag.current = null)}
       />
       {unit && (
         <span className="unit" aria-hidden="true">
           {unit.trim()}
         </span>
       )}
+      <FieldError id={errorId} text={error} />
     </span>
   );
 }
 
 /** Shift makes steps finer, Ctrl coarser. */
-function scaleOf(event: { shiftKey: boolean; ctrlKey: boolean; metaKey: boolean }): number {
+export function scaleOf(event: { shiftKey: boolean; ctrlKey: boolean; metaKey: boolean }): number {
   if (event.shiftKey) return 0.1;
   return event.ctrlKey || event.metaKey ? 10 : 1;
 }

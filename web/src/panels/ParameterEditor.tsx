@@ -1,4 +1,4 @@
-import { useId, useState, type ReactElement } from "react";
+import { useId, type ReactElement } from "react";
 import { useCurrent, useCurrentSession, useEditor } from "../app/context";
 import { Icon } from "../app/icons";
 import { changeParameter, removeParameter, usesOf } from "../model/edit_parameters";
@@ -6,6 +6,7 @@ import { evaluateExpression } from "../model/expression";
 import { numberText, plural } from "../model/format";
 import type { Json } from "../model/json";
 import { valueOf, type Parameter } from "../model/parameters";
+import { LineField } from "./LineField";
 
 /** What the form shows of a parameter: its label, its range, its default; and the way to take it away. */
 export function ParameterEditor({ parameter }: { parameter: Parameter }): ReactElement {
@@ -59,27 +60,17 @@ export function ParameterEditor({ parameter }: { parameter: Parameter }): ReactE
   );
 }
 
-function Line({ label, text, onText }: { label: string; text: string; onText(text: string): void }): ReactElement {
+function Line(props: {
+  label: string;
+  text: string;
+  onText(text: string): string | undefined | void;
+}): ReactElement {
+  const { label, text, onText } = props;
   const id = useId();
-  const [typed, setTyped] = useState<string | null>(null);
   return (
     <div className="parameter-line">
       <label htmlFor={id}>{label}</label>
-      <input
-        id={id}
-        type="text"
-        className="text-field"
-        value={typed ?? text}
-        data-typing={typed !== null}
-        onChange={(event) => setTyped(event.currentTarget.value)}
-        onBlur={() => {
-          if (typed !== null && typed !== text) onText(typed.trim());
-          setTyped(null);
-        }}
-        onKeyDown={(event) => {
-          if (event.key === "Enter") event.currentTarget.blur();
-        }}
-      />
+      <LineField id={id} text={text} onText={(typed) => onText(typed.trim())} />
     </div>
   );
 }
@@ -92,7 +83,8 @@ function Bound(props: { label: string; value?: number; onValue(value: number | u
       text={value === undefined ? "" : numberText(value, 6)}
       onText={(text) => {
         const next = evaluateExpression(text);
-        if (text === "" || next !== undefined) onValue(next);
+        if (text !== "" && next === undefined) return `“${text}” is not a number or a formula such as 2*pi/3.`;
+        return onValue(next);
       }}
     />
   );

@@ -15,8 +15,8 @@ export interface FieldProps {
   /** Ids of what describes the field: its description and its error. */
   describedBy?: string;
   onChange(value: ParameterValue, moving: boolean): void;
-  /** A text that is no value; it stays with the field and is not sent. */
-  onUnreadable(message: string): void;
+  /** Whether a text that is no value stands in the field; it is not sent. */
+  onUnreadable(isUnreadable: boolean): void;
 }
 
 /** Label, field, reset button, description and error of one parameter. */
@@ -25,18 +25,18 @@ export function ParameterRow({ parameter }: { parameter: Parameter }): ReactElem
   const id = useId();
   const value = useCurrent((state) => valueOf(parameter, state.values));
   const problem = useCurrent((state) => state.problem);
-  const [unreadable, setUnreadable] = useState("");
+  const [isUnreadable, setUnreadable] = useState(false);
   const [resets, setResets] = useState(0);
   const [isEditing, setIsEditing] = useState(false);
-  const error = unreadable || parameterErrors(problem, parameter.name)[0]?.detail || "";
+  const error = parameterErrors(problem, parameter.name)[0]?.detail ?? "";
   const isChanged = !sameValue(value, parameter.initial);
   const set = (next: ParameterValue, moving: boolean): void => {
-    setUnreadable("");
     session.setParameter(parameter, next, moving);
   };
   const reset = (): void => {
     // Also drops a text in the field that never became a value.
     setResets(resets + 1);
+    setUnreadable(false);
     set(parameter.initial, true);
   };
   const described = [parameter.description && `${id}-about`, error && `${id}-error`].filter(Boolean).join(" ");
@@ -65,7 +65,7 @@ export function ParameterRow({ parameter }: { parameter: Parameter }): ReactElem
         className="reset"
         aria-label={`Reset ${parameter.label}`}
         title="Back to the default"
-        disabled={!isChanged && !unreadable}
+        disabled={!isChanged && !isUnreadable}
         onClick={reset}
       >
         <Icon name="reset" />

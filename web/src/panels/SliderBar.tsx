@@ -1,4 +1,5 @@
 import { useRef, type CSSProperties, type KeyboardEvent, type PointerEvent, type ReactElement } from "react";
+import { scaleOf } from "./NumberInput";
 
 interface SliderBarProps {
   label: string;
@@ -12,10 +13,9 @@ interface SliderBarProps {
   onMove(value: number, scale: number): void;
 }
 
-const FINE = 0.1;
 const PAGE = 10;
 
-/** A bar that is dragged (Shift: finer), or moved with the keys. The wheel never changes it. */
+/** A bar that is dragged (Shift finer, Ctrl coarser), or moved with the keys. The wheel never changes it. */
 export function SliderBar({
   label,
   value,
@@ -35,9 +35,11 @@ export function SliderBar({
     if (event.button !== 0) return;
     event.currentTarget.setPointerCapture(event.pointerId);
     const box = event.currentTarget.getBoundingClientRect();
-    dragged.current = event.shiftKey ? value : minimum + (range * (event.clientX - box.left)) / box.width;
+    // With Shift or Ctrl the value is moved from where it is, and not to where the pointer is.
+    const isRelative = scaleOf(event) !== 1;
+    dragged.current = isRelative ? value : minimum + (range * (event.clientX - box.left)) / box.width;
     lastX.current = event.clientX;
-    if (!event.shiftKey) onMove(dragged.current, 1);
+    if (!isRelative) onMove(dragged.current, 1);
   };
   const onPointerMove = (event: PointerEvent<HTMLDivElement>): void => {
     if (!event.currentTarget.hasPointerCapture(event.pointerId)) return;
@@ -45,8 +47,8 @@ export function SliderBar({
     const share = (event.clientX - lastX.current) / width;
     lastX.current = event.clientX;
     if (share === 0) return;
-    dragged.current += share * range * (event.shiftKey ? FINE : 1);
-    onMove(dragged.current, event.shiftKey ? FINE : 1);
+    dragged.current += share * range * Math.min(1, scaleOf(event));
+    onMove(dragged.current, scaleOf(event));
   };
   const onKeyDown = (event: KeyboardEvent): void => {
     const steps: Record<string, number> = {
@@ -62,8 +64,8 @@ export function SliderBar({
     const change = steps[event.key];
     if (change === undefined) return;
     event.preventDefault();
-    const isFine = event.shiftKey && event.key.startsWith("Arrow");
-    onMove(value + (isFine ? FINE * change : change), isFine ? FINE : 1);
+    const scale = event.key.startsWith("Arrow") ? scaleOf(event) : 1;
+    onMove(value + scale * change, scale);
   };
   const fill = Math.min(1, Math.max(0, (value - minimum) / range));
   return (

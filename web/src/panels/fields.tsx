@@ -71,7 +71,7 @@ export function VectorField({
           unit={letter}
           step={step}
           invalid={invalid}
-          describedBy={describedBy}
+          described={describedBy}
           onType={(next) => set(index, next)}
           onMove={(next, scale) => set(index, snap(next, step * scale))}
           onUnreadable={onUnreadable}

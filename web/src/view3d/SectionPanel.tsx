@@ -52,7 +52,6 @@ export function SectionPanel({ section, reach, onChange }: SectionPanelProps): R
         invalid={false}
         onType={set}
         onMove={(value) => set(value)}
-        onUnreadable={() => undefined}
       />
       <button
         type="button"

@@ -1,11 +1,12 @@
 // Keys of the view, for the pane under the pointer or with the focus.
 
 import { useEffect, useRef, type RefObject } from "react";
+import { digitOf, keyName } from "../model/keys";
 import type { ViewActions } from "./ViewTools";
 
 /** The one table of the view's keys: the shortcut list reads it too. */
 export const VIEW_KEYS = [
-  { key: "f", text: "Fill the view with the selection, or the model" },
+  { key: "F", text: "Fill the view with the selection, or the model" },
   { key: "Home", text: "Opening view" },
   { key: "1", text: "From the front" },
   { key: "3", text: "From the right" },
@@ -16,7 +17,7 @@ export const VIEW_KEYS = [
 /** Runs the actions on their keys, as long as the pointer is over the pane or the focus in it, and no field is edited. */
 export function useViewKeys(pane: RefObject<HTMLElement | null>, actions: ViewActions, onProjection: () => void): void {
   const runs: Record<(typeof VIEW_KEYS)[number]["key"], () => void> = {
-    f: actions.frame,
+    F: actions.frame,
     Home: actions.home,
     1: () => actions.view("front"),
     3: () => actions.view("right"),
@@ -34,8 +35,8 @@ export function useViewKeys(pane: RefObject<HTMLElement | null>, actions: ViewAc
       // Someone who works with the keys may have left the pointer anywhere, but the graph has keys of the same names.
       const hasFocus = element?.contains(target) && (target.role === "img" || !document.querySelector(".graph-pane:hover"));
       if (!element?.matches(":hover") && !hasFocus) return;
-      const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-      const run = VIEW_KEYS.find(({ key }) => key === name);
+      const named = (name: string | undefined) => VIEW_KEYS.find(({ key }) => key === name);
+      const run = named(keyName(event)) ?? named(digitOf(event));
       if (!run) return;
       event.preventDefault();
       newest.current[run.key]();
