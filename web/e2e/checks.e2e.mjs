@@ -18,8 +18,19 @@ async function refuseUnwiredChecks(page) {
       ([, { type, inputs }]) => type === "check" && inputs.value === undefined,
     );
     if (broken.length === 0) return route.continue();
-    const errors = broken.map(([id]) => ({ code: "check-failed", node: id, detail: `${id} cannot run: it has no value.` }));
-    const body = { type: "/problems/check-failed", title: "A check failed", status: 422, detail: "", errors, blocked: [] };
+    const errors = broken.map(([id]) => ({
+      code: "check-failed",
+      node: id,
+      detail: `${id} cannot run: it has no value.`,
+    }));
+    const body = {
+      type: "/problems/check-failed",
+      title: "A check failed",
+      status: 422,
+      detail: "",
+      errors,
+      blocked: [],
+    };
     return route.fulfill({ status: 422, contentType: "application/problem+json", body: JSON.stringify(body) });
   });
 }

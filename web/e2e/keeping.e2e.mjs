@@ -92,7 +92,10 @@ for (const [what, script, reason] of [
       await page.getByRole("alert").filter({ hasText: "“Fragile” was not saved" }).waitFor();
       await asksBeforeLeaving(page);
       await page.getByRole("alert").getByRole("button", { name: "Recover…" }).click();
-      await page.getByRole("dialog", { name: "Recover" }).getByRole("button", { name: /^Fragile/ }).click();
+      await page
+        .getByRole("dialog", { name: "Recover" })
+        .getByRole("button", { name: /^Fragile/ })
+        .click();
       await titled(page, "Fragile");
       await rename(page, "Saved now");
       await warning(page).waitFor();
@@ -167,7 +170,12 @@ test("a shared link stays in the address and survives a reload, until the graph 
     await page.getByRole("button", { name: "Share", exact: true }).click();
     await page.getByRole("menuitem", { name: "Link to this graph…" }).click();
     const link = page.getByRole("dialog", { name: "Share" }).getByRole("textbox", { name: "Link" });
-    const hash = new URL(await eventually(() => link.inputValue(), (text) => text.includes("#g="))).hash;
+    const hash = new URL(
+      await eventually(
+        () => link.inputValue(),
+        (text) => text.includes("#g="),
+      ),
+    ).hash;
     await withPage({ hash }, async (other) => {
       for (let round = 0; round < 2; round++) {
         await titled(other, "Linked");

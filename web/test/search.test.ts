@@ -1,17 +1,16 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { catalogue as cards } from "../e2e/stand_in/cards.mjs";
+import { runsThrough } from "../src/graph/drop_on_wire";
 import { readCatalogue } from "../src/model/catalogue";
+import { readDocument } from "../src/model/document";
 import { evaluateExpression } from "../src/model/expression";
 import { asParameter, controlKind, listText, readList } from "../src/model/inputs";
 import type { Json } from "../src/model/json";
-import { readDocument } from "../src/model/document";
 import { patchDocument } from "../src/model/patch";
 import { freePlace } from "../src/model/place";
 import { findNodes } from "../src/model/search";
-import { runsThrough } from "../src/graph/drop_on_wire";
+import { catalogue } from "./real";
 
-const catalogue = readCatalogue(cards as Json);
 const titles = (text: string): string[] => findNodes(catalogue, text).map(({ card }) => card.title);
 
 test("the search finds by title, id, family, description, and with letters left out, the best first", () => {
@@ -81,7 +80,13 @@ test("commas mean the same in a list as in a field", () => {
     ["1.5,2.5", [1.5, 2.5]],
     ["1e3,5", [1000, 5]],
     ["-1,pi/pi", [-1, 1]],
-    ["(0,5; 1; 2) (1,0,0)", [[0.5, 1, 2], [1, 0, 0]]],
+    [
+      "(0,5; 1; 2) (1,0,0)",
+      [
+        [0.5, 1, 2],
+        [1, 0, 0],
+      ],
+    ],
     ["(1+1,5)*2", [5]],
   ];
   for (const [text, expected] of lists) {

@@ -2,17 +2,19 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import { test } from "node:test";
 import { deflateRawSync } from "node:zlib";
-import type { Origin } from "../src/app/state";
 import { draftNeed } from "../src/files/autosave";
 import { documentText } from "../src/files/document_text";
-import { surplus, type Draft } from "../src/files/drafts";
+import { type Draft, surplus } from "../src/files/drafts";
 import { graphInGlb, withGraph } from "../src/files/glb_graph";
-import { packGraph, unpackGraph } from "../src/files/share";
 import { KeptDrafts } from "../src/files/kept_drafts";
+import { packGraph, unpackGraph } from "../src/files/share";
 import { readDocument } from "../src/model/document";
-import { documentWithValues } from "../src/model/saved_values";
-import { splitGlb } from "../src/view3d/glb";
+import { splitGlb } from "../src/model/glb";
 import type { JsonObject } from "../src/model/json";
+import { documentWithValues } from "../src/model/saved_values";
+import type { Origin } from "../src/session/state";
+import { randomFrom } from "./random";
+import "./deflate_raw";
 
 const examples = readdirSync("../examples")
   .filter((name) => name.endsWith(".json"))
@@ -60,15 +62,16 @@ test("hostile links are refused with a sentence and never thrown", async () => {
 
 test("random damage to a link never throws and never pollutes", async () => {
   const text = await packGraph(examples[0] ?? {});
-  let state = 11;
-  const random = (below: number): number => (state = (state * 48271) % 2147483647) % below;
+  const random = randomFrom(11);
   for (let round = 0; round < 150; round++) {
     const at = random(text.length);
     const letter = "ABCxyz019-_"[random(11)] ?? "A";
     const result = await unpackGraph(text.slice(0, at) + letter + text.slice(at + 1));
     if ("json" in result) readDocument(result.json);
   }
-  const evil = packed('{"format":1,"nodes":{"__proto__":{"type":"x"}},"__proto__":{"polluted":true},"ui":{"nodes":{"__proto__":{"x":1,"y":2}}}}');
+  const evil = packed(
+    '{"format":1,"nodes":{"__proto__":{"type":"x"}},"__proto__":{"polluted":true},"ui":{"nodes":{"__proto__":{"x":1,"y":2}}}}',
+  );
   const result = await unpackGraph(evil);
   assert.ok("json" in result);
   readDocument(result.json);
@@ -131,7 +134,10 @@ test("a model of ours tells what it knows of its graph", () => {
     const stamped = withGraph(sample, json);
     assert.deepEqual(graphInGlb(stamped), { kind: "graph", json });
     assert.deepEqual(splitGlb(stamped).binary, splitGlb(sample).binary, "the model is as it was");
-    assert.deepEqual(graphInGlb(withGraph(stamped, { format: 1, nodes: {} })), { kind: "graph", json: { format: 1, nodes: {} } });
+    assert.deepEqual(graphInGlb(withGraph(stamped, { format: 1, nodes: {} })), {
+      kind: "graph",
+      json: { format: 1, nodes: {} },
+    });
   }
 });
 

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { keyOf, SHORTCUTS, shortcutFor } from "../src/app/shortcuts";
+import { keyOf, SHORTCUTS, shortcutFor } from "../src/session/shortcuts";
 
 test("no two shortcuts that can be heard together have the same key, and every one has a title", () => {
   for (const a of SHORTCUTS) {

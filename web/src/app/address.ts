@@ -1,7 +1,8 @@
 // The page's address names the open example; the page's root element tells tests what is going on.
 
 import type { Store } from "../model/store";
-import type { Session, SessionState } from "./session";
+import type { Session } from "../session/session";
+import type { SessionState } from "../session/state";
 
 /** The example named in "#example=...", or null. */
 export function exampleInAddress(): string | null {

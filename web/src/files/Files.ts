@@ -1,13 +1,14 @@
 // Opening, saving, sharing and recovering the open document. Plain TypeScript; the components read its store.
 
-import { commandLineText, curlText } from "../app/commands";
-import type { Origin, Session } from "../app/session";
 import { fileName } from "../model/format";
-import { asObject, parseJsonBytes, type Json } from "../model/json";
+import { asObject, type Json, parseJsonBytes } from "../model/json";
 import { documentWithValues } from "../model/saved_values";
 import { createStore, type Store } from "../model/store";
+import type { Session } from "../session/session";
+import type { Origin } from "../session/state";
 import { Autosave } from "./autosave";
-import { askForFile, writeFile, type FileHandle } from "./disk";
+import { commandLineText, curlText } from "./commands";
+import { askForFile, type FileHandle, writeFile } from "./disk";
 import { documentText } from "./document_text";
 import { openDraftDatabase } from "./draft_database";
 import type { Draft } from "./drafts";
@@ -183,7 +184,10 @@ export class Files {
         return;
       }
       const short = content.hash.slice(0, 12);
-      this.say(`${file.name} names its graph only by its hash ${short}…; a model exported here with “Graph inside” can be opened.`, "bad");
+      this.say(
+        `${file.name} names its graph only by its hash ${short}…; a model exported here with “Graph inside” can be opened.`,
+        "bad",
+      );
     } catch (error) {
       this.say(`${file.name} was not opened. ${error instanceof Error ? error.message : ""}`, "bad");
     }

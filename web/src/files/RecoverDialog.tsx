@@ -1,8 +1,8 @@
-import { useEffect, useState, type ReactElement } from "react";
-import { useCurrentSession } from "../app/context";
+import { type ReactElement, useEffect, useState } from "react";
 import { plural } from "../model/format";
 import { asObject } from "../model/json";
-import { Dialog } from "./Dialog";
+import { useCurrentSession } from "../widgets/context";
+import { Dialog } from "../widgets/Dialog";
 import type { Draft } from "./drafts";
 import { filesOf } from "./Files";
 

@@ -1,7 +1,7 @@
 import type { ReactElement } from "react";
-import { useCurrentSession } from "../app/context";
-import { useStore } from "../app/hooks";
-import { Icon } from "../app/icons";
+import { useCurrentSession } from "../widgets/context";
+import { useStore } from "../widgets/hooks";
+import { Icon } from "../widgets/Icon";
 import { filesOf } from "./Files";
 
 /** Says that changes would be lost with the page, as long as that is so. */

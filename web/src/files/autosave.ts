@@ -1,8 +1,9 @@
 // Writes the draft of the open document a moment after every change of its graph or its form, and at once when the page
 // is left.
 
-import type { Session, SessionState } from "../app/session";
 import { documentWithValues } from "../model/saved_values";
+import type { Session } from "../session/session";
+import type { SessionState } from "../session/state";
 import type { Draft } from "./drafts";
 import type { KeptDrafts } from "./kept_drafts";
 import { newId, rememberOpen } from "./tab";

@@ -1,6 +1,6 @@
 // The browser's own database as the place for drafts.
 
-import { surplus, type Draft, type DraftStore } from "./drafts";
+import { type Draft, type DraftStore, surplus } from "./drafts";
 
 const STORE = "drafts";
 

@@ -1,7 +1,7 @@
 // The graph inside of a model of ours: the page writes it there on request, beside what the server says of the file.
 
+import { joinGlb, splitGlb } from "../model/glb";
 import { asObject, asString, isObject, type JsonObject } from "../model/json";
-import { joinGlb, splitGlb } from "../view3d/glb";
 
 export type GlbContent =
   | { kind: "graph"; json: JsonObject }

@@ -1,7 +1,7 @@
 // A graph inside of a link: its JSON, deflated, in the letters that an address may hold. What comes out of a link was
 // written by anyone, so its size is bounded before it is read.
 
-import { isObject, parseJsonBytes, type Json, type JsonObject } from "../model/json";
+import { isObject, type Json, type JsonObject, parseJsonBytes } from "../model/json";
 
 /** Longer links are cut off by mail programs and chats; a file is better then. */
 export const LONGEST_LINK = 8000;

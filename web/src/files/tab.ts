@@ -1,8 +1,9 @@
 // What a tab knows over a reload: its own name, and which document was open in it.
 
-import type { Origin, Session } from "../app/session";
-import { asObject, asString, isObject, parseJson, type Json, type JsonObject } from "../model/json";
+import { asObject, asString, isObject, type Json, type JsonObject, parseJson } from "../model/json";
 import { documentWithValues } from "../model/saved_values";
+import type { Session } from "../session/session";
+import type { Origin } from "../session/state";
 import type { Draft } from "./drafts";
 
 const TAB_KEY = "dini.tab";
@@ -45,7 +46,11 @@ export function recallOpen(): OpenDocument | undefined {
   const { json, origin, address, draft } = asObject(parseJson(text));
   if (!isObject(json) || address !== location.hash) return undefined;
   if (!isObject(draft)) return { json, origin: readOrigin(origin) };
-  return { json, origin: { kind: "draft", id: asString(draft["id"]) }, draft: { ...(draft as unknown as Draft), json } };
+  return {
+    json,
+    origin: { kind: "draft", id: asString(draft["id"]) },
+    draft: { ...(draft as unknown as Draft), json },
+  };
 }
 
 function readOrigin(json: Json): Origin {

@@ -1,10 +1,11 @@
-import { useEffect, useState, type CSSProperties, type ReactElement } from "react";
+import { type CSSProperties, type ReactElement, useEffect, useState } from "react";
 import { createPortal } from "react-dom";
-import { useEditing } from "../app/context";
-import type { Editor, Inspected } from "../app/editor";
+import type { Editor, Inspected } from "../session/editor";
+import { useEditing } from "../widgets/context";
+import { PointMenu } from "../widgets/Menu";
 import { ConnectList } from "./ConnectList";
-import { ContextMenu } from "./ContextMenu";
 import { FindNode } from "./FindNode";
+import { MENU_LABELS, menuItems } from "./menu_items";
 import { NodeSearch } from "./NodeSearch";
 
 const NOTICE_MILLISECONDS = { said: 2200, refused: 4500 };
@@ -25,7 +26,15 @@ export function Overlays({ editor }: { editor: Editor }): ReactElement {
       {createPortal(
         <>
           {search && <NodeSearch search={search} />}
-          {menu && <ContextMenu menu={menu} />}
+          {menu && (
+            <PointMenu
+              key={`${menu.screen.x} ${menu.screen.y}`}
+              label={MENU_LABELS[menu.target.kind]}
+              items={menuItems(editor, menu)}
+              screen={menu.screen}
+              onClose={() => editor.store.set({ menu: null })}
+            />
+          )}
           {connecting && <ConnectList start={connecting} />}
           {finding && <FindNode />}
           {inspected && <SocketTip inspected={inspected} />}

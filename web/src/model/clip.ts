@@ -1,14 +1,14 @@
 // Nodes on the clipboard: JSON text that another page, or a text editor, can take as well.
 
-import { driven, driversFor, parametersOf, type Driver } from "./clip_parameters";
+import { type Driver, driven, driversFor, parametersOf } from "./clip_parameters";
 import type { GraphDocument } from "./document";
-import { addNodes, freeId, inOrder, withLinks, type Edit, type NewNode } from "./edit";
+import { addNodes, type Edit, freeId, inOrder, type NewNode, withLinks } from "./edit";
 import { addParameter } from "./edit_parameters";
 import { addFrame, addNote, freeName } from "./edit_ui";
-import { asArray, asNumber, asObject, asString, isObject, parseJson, type Json, type JsonObject } from "./json";
-import { readParameter, type ParameterValues } from "./parameters";
+import { asArray, asNumber, asObject, asString, isObject, type Json, type JsonObject, parseJson } from "./json";
+import { type ParameterValues, readParameter } from "./parameters";
 import { documentWithValues, valuesIn } from "./saved_values";
-import { frameKey, noteKey, type Frame, type Note, type Position } from "./ui";
+import { type Frame, frameKey, type Note, noteKey, type Position } from "./ui";
 
 /** What copied nodes are: a piece of a document, so that it can be read as one too. */
 export interface Clip {
@@ -142,7 +142,10 @@ export function paste(
     };
   });
   const brought = drivers.filter((driver) => driver.kind === "brought");
-  const edits: Edit[] = [...brought.map(({ name, as }) => addParameter(as, asObject(clip.parameters[name]))), addNodes(nodes)];
+  const edits: Edit[] = [
+    ...brought.map(({ name, as }) => addParameter(as, asObject(clip.parameters[name]))),
+    addNodes(nodes),
+  ];
   const ids = nodes.map(({ id }) => id);
   const frames = [...document.frames];
   for (const frame of clip.frames) {

@@ -5,7 +5,7 @@ import type { GraphDocument } from "./document";
 import { freeId } from "./edit";
 import { isEqual } from "./equal";
 import { asObject, isObject, type Json, type JsonObject } from "./json";
-import { readParameter, sameValue, valueOf, type ParameterValue, type ParameterValues } from "./parameters";
+import { type ParameterValue, type ParameterValues, parameterValue, readParameter, sameValue } from "./parameters";
 
 /** What becomes of a parameter that drives copied nodes; `name` is what it is called in the clip. */
 export type Driver =
@@ -43,7 +43,7 @@ export function driversFor(
     }
     const copied = readParameter(name, definition);
     if (present) {
-      const [before, now] = [valueOf(copied, clip.values), valueOf(present, values)];
+      const [before, now] = [parameterValue(copied, clip.values), parameterValue(present, values)];
       const isSame = present.type === copied.type && sameValue(before, now);
       if (isSame) return { kind: "present", name, label: present.label };
       const isItself = isEqual(asObject(document.json["parameters"])[name], definition);

@@ -2,7 +2,7 @@
 // to draw and edit it is read, and its JSON stays what is sent, whatever else it holds.
 
 import { asObject, asString, isNumber, isObject, type Json, type JsonObject } from "./json";
-import { readParameter, type Parameter, type ParameterValues } from "./parameters";
+import { type Parameter, type ParameterValues, readParameter } from "./parameters";
 import { valuesIn, withoutValues } from "./saved_values";
 import { readUi, type UiState } from "./ui";
 

@@ -1,6 +1,6 @@
 // What is drawn of a graph: nodes with rows of sockets, wires with types. Made from document and catalogue alone.
 
-import { FILE_TYPE, takesWires, unitText, type Catalogue, type InputCard, type NodeCard } from "./catalogue";
+import { type Catalogue, FILE_TYPE, type InputCard, type NodeCard, takesWires, unitText } from "./catalogue";
 import type { GraphDocument, GraphNode, Source } from "./document";
 import { isEqual } from "./equal";
 import { literalText } from "./format";

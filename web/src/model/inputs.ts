@@ -5,7 +5,7 @@ import { evaluateExpression } from "./expression";
 import { numberText } from "./format";
 import { isNumber, type Json } from "./json";
 import { splitNumbers } from "./numbers";
-import { readParameter, sentenceCase, type Parameter, type ParameterType, type ParameterValue } from "./parameters";
+import { type Parameter, type ParameterType, type ParameterValue, readParameter, sentenceCase } from "./parameters";
 
 /** The control for an input: that of a parameter of this type, or a line of several values. */
 export type ControlKind = ParameterType | "list";
@@ -30,9 +30,14 @@ export function controlKind(card: InputCard, literal: Json): ControlKind | undef
   return kind;
 }
 
+/** A whole range of so few steps is one to slide through, without the catalogue saying so. */
+const NARROW = 100;
+
 /** The input as a parameter, so that one set of fields edits both. The range is that of the slider. */
 export function asParameter(card: InputCard, kind: ParameterType): Parameter {
   const parameter = readParameter(card.name, { type: kind, default: card.fallback ?? undefined });
+  const { minimum = -Infinity, maximum = Infinity } = card;
+  const isNarrow = kind === "integer" && card.softMaximum === undefined && maximum - minimum <= NARROW;
   return {
     ...parameter,
     label: sentenceCase(card.name),
@@ -40,8 +45,8 @@ export function asParameter(card: InputCard, kind: ParameterType): Parameter {
     choices: card.choices,
     unit: card.unit,
     step: card.step,
-    minimum: card.softMinimum ?? (card.softMaximum === undefined ? undefined : card.minimum),
-    maximum: card.softMaximum,
+    minimum: card.softMinimum ?? (card.softMaximum === undefined && !isNarrow ? undefined : card.minimum),
+    maximum: isNarrow ? maximum : card.softMaximum,
   };
 }
 

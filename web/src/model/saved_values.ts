@@ -1,12 +1,11 @@
 // The form's values as a document keeps them: beside the defaults, below `ui.values`, where they influence nothing that
 // is computed. Whoever evaluates the document elsewhere gives them as parameters, or has the defaults.
 
-import type { GraphDocument } from "./document";
 import { asObject, isNumber, type Json, type JsonObject } from "./json";
-import { sameValue, type Parameter, type ParameterValue, type ParameterValues } from "./parameters";
+import { type Parameter, type ParameterValue, type ParameterValues, sameValue } from "./parameters";
 
 /** The document's JSON with the values that differ from the defaults; what was kept there before goes. */
-export function documentWithValues({ json }: Pick<GraphDocument, "json">, values: ParameterValues): JsonObject {
+export function documentWithValues({ json }: { json: JsonObject }, values: ParameterValues): JsonObject {
   const ui = asObject(json["ui"]);
   if (Object.keys(values).length > 0) return { ...json, ui: { ...ui, values: { ...values } } };
   return withoutValues(json);

@@ -1,33 +1,11 @@
 // The calls to the server. Addresses are relative to the page, so that it also works below a prefix.
 
-import { parseJsonBytes, type Json, type JsonObject } from "../model/json";
-import type { ParameterValues } from "../model/parameters";
+import { type Json, parseJsonBytes } from "../model/json";
 import { failedChecks, withoutNodes } from "./checks";
 import { boundaryOf, readMultipart } from "./multipart";
-import { readProblem, type Problem } from "./problem";
-import { readReport, type Report } from "./report";
-
-export type Quality = "draft" | "final";
-
-export interface EvaluateBody {
-  graph: JsonObject;
-  parameters: ParameterValues;
-  output?: string;
-  /** Nodes, or outputs of them, to draw beside the model. */
-  preview?: string[];
-}
-
-/** How good an answer has to be. Drafts have about `triangles` triangles. */
-export interface Effort {
-  quality: Quality;
-  triangles: number;
-}
-
-export type Answer =
-  | { kind: "model"; report: Report; model: Uint8Array<ArrayBuffer>; preview: Uint8Array<ArrayBuffer> | null }
-  | { kind: "problem"; problem: Problem }
-  /** Nothing usable came: no connection, or the server asks to wait. */
-  | { kind: "away"; retryAfter?: number };
+import { readProblem } from "./problem";
+import { readReport } from "./report";
+import type { Answer, Effort, EvaluateBody } from "./requests";
 
 const MULTIPART = "multipart/form-data";
 const MODEL = "model/gltf-binary";

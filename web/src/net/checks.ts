@@ -2,8 +2,8 @@
 // still wants to see the model: the page then asks once more without it, and says what is wrong with it beside.
 
 import { asObject, type JsonObject } from "../model/json";
-import type { Answer, EvaluateBody } from "./api";
 import type { Problem, ProblemEntry } from "./problem";
+import type { Answer, EvaluateBody } from "./requests";
 
 const CODE = "check-failed";
 

@@ -68,7 +68,9 @@ export function problemsOf(
   state: {
     problem: Problem | null;
     checked: { errors: ProblemEntry[]; blocked: string[] } | null;
-    shown: { report: { warnings: ProblemEntry[]; checks: { node: string; passed: boolean; message: string }[] } } | null;
+    shown: {
+      report: { warnings: ProblemEntry[]; checks: { node: string; passed: boolean; message: string }[] };
+    } | null;
   },
   node: string,
 ): { tone: "error" | "warning" | "blocked"; text?: string } | undefined {

@@ -1,7 +1,7 @@
 // The report that comes with every evaluated model.
 
 import { asArray, asNumber, asObject, asString, isObject, type Json } from "../model/json";
-import { readEntry, type ProblemEntry } from "./problem";
+import { type ProblemEntry, readEntry } from "./problem";
 
 export interface Axis {
   name: string;

@@ -1,24 +1,25 @@
-import { useId, type ReactElement } from "react";
-import { useCurrent, useCurrentSession, useEditor } from "../app/context";
-import { Icon } from "../app/icons";
+import { type ReactElement, useId } from "react";
 import { changeParameter, removeParameter, usesOf } from "../model/edit_parameters";
 import { evaluateExpression } from "../model/expression";
 import { numberText, plural } from "../model/format";
 import type { Json } from "../model/json";
-import { valueOf, type Parameter } from "../model/parameters";
-import { LineField } from "./LineField";
+import { type Parameter, parameterValue } from "../model/parameters";
+import { useCurrent, useCurrentSession, useEditor } from "../widgets/context";
+import { Icon } from "../widgets/Icon";
+import { LineField } from "../widgets/LineField";
 
 /** What the form shows of a parameter: its label, its range, its default; and the way to take it away. */
 export function ParameterEditor({ parameter }: { parameter: Parameter }): ReactElement {
   const session = useCurrentSession();
   const editor = useEditor();
-  const value = useCurrent((state) => valueOf(parameter, state.values));
+  const value = useCurrent((state) => parameterValue(parameter, state.values));
   const uses = useCurrent((state) => (state.document ? usesOf(state.document, parameter.name) : 0));
   const { name } = parameter;
-  const set = (member: string, next: Json): void =>
+  const set = (member: string, next: Json): undefined => {
     session.edit(`Change ${parameter.label}`, changeParameter(name, { [member]: next }), {
       gesture: `parameter ${name} ${member}`,
     });
+  };
   const isNumber = parameter.type === "number" || parameter.type === "integer";
   const isDefault = JSON.stringify(value) === JSON.stringify(parameter.initial);
   return (
@@ -60,11 +61,7 @@ export function ParameterEditor({ parameter }: { parameter: Parameter }): ReactE
   );
 }
 
-function Line(props: {
-  label: string;
-  text: string;
-  onText(text: string): string | undefined | void;
-}): ReactElement {
+function Line(props: { label: string; text: string; onText(text: string): string | undefined }): ReactElement {
   const { label, text, onText } = props;
   const id = useId();
   return (
@@ -84,7 +81,8 @@ function Bound(props: { label: string; value?: number; onValue(value: number | u
       onText={(text) => {
         const next = evaluateExpression(text);
         if (text !== "" && next === undefined) return `“${text}” is not a number or a formula such as 2*pi/3.`;
-        return onValue(next);
+        onValue(next);
+        return undefined;
       }}
     />
   );
