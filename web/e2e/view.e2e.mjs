@@ -401,9 +401,14 @@ test("a model that cannot be read says so and keeps the last one, and the next o
         if (at >= 0) damage(body, at);
         await route.fulfill({ response, body });
       });
+      const { revision } = await factsOf(page);
       await slider.press("ArrowRight");
+      const facts = await eventually(
+        () => factsOf(page),
+        (now) => Number(now.revision) > Number(revision) && now.state === "error",
+      );
+      assert.equal(facts.shown, shown, "the last model stays");
       await page.locator(".view-problem", { hasText: "The model cannot be read" }).waitFor();
-      assert.equal((await factsOf(page)).shown, shown, "the last model stays");
       await page.unroute("**/v1/evaluate");
     }
     await slider.press("ArrowRight");

@@ -30,7 +30,9 @@ test("a menu opens, goes round and acts with the keys, and gives the focus back"
     await menu.waitFor({ state: "detached" });
     await hasFocus(button);
     await page.keyboard.press("Enter");
+    await hasFocus(menu.getByRole("menuitem", { name: /^Paste Ctrl/ }));
     await page.keyboard.press("s");
+    await hasFocus(menu.getByRole("menuitem", { name: /^Select all/ }));
     await page.keyboard.press("Enter");
     await menu.waitFor({ state: "detached" });
     await page.locator(".react-flow__node.selected").nth(8).waitFor();

@@ -41,9 +41,7 @@ export function rememberOpen(session: Session, draft: Draft | undefined): void {
 
 /** The document that was open when the page was left, if the page's address is still that of then. */
 export function recallOpen(): OpenDocument | undefined {
-  const text = read(OPEN_KEY);
-  if (text === null) return undefined;
-  const { json, origin, address, draft } = asObject(parseJson(text));
+  const { json, origin, address, draft } = asObject(readJson(OPEN_KEY));
   if (!isObject(json) || address !== location.hash) return undefined;
   if (!isObject(draft)) return { json, origin: readOrigin(origin) };
   return {
@@ -61,6 +59,14 @@ function readOrigin(json: Json): Origin {
 
 export function newId(): string {
   return [...crypto.getRandomValues(new Uint8Array(9))].map((byte) => byte.toString(16).padStart(2, "0")).join("");
+}
+
+function readJson(key: string): Json {
+  try {
+    return parseJson(read(key) ?? "null");
+  } catch {
+    return null;
+  }
 }
 
 /** Without storage every load of the page is a tab of its own. */
