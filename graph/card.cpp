@@ -1,5 +1,7 @@
 #include "graph/card.h"
 
+#include <algorithm>
+
 namespace dini {
 
 namespace {
@@ -24,7 +26,12 @@ Json degenerate_card(const std::vector<Degenerate>& cases) {
   return list;
 }
 
-Json input_card(const InputPort& port) {
+/// The input names an axis that the node makes, and not one of its inputs that it uses up.
+bool makes_axis(const NodeType& type, const InputPort& port) {
+  return port.spec.is_axis_name && std::find(type.over.begin(), type.over.end(), port.name) == type.over.end();
+}
+
+Json input_card(const NodeType& type, const InputPort& port) {
   Json json = {{"name", port.name},
                {"types", names_of(port.types)},
                {"doc", port.doc},
@@ -38,6 +45,10 @@ Json input_card(const InputPort& port) {
   if (port.spec.soft_maximum) json["soft_maximum"] = *port.spec.soft_maximum;
   if (!port.choices.empty()) json["choices"] = port.choices;
   if (port.names_file) json["names_file"] = true;
+  if (makes_axis(type, port)) json["makes_axis"] = true;
+  if (port.spec.is_axis_name && port.spec.default_value == Json("")) {
+    json["empty_means"] = makes_axis(type, port) ? "the id of this node" : "the last axis that is left";
+  }
   if (port.spec.handle) json["handle"] = handle_card(*port.spec.handle);
   return json;
 }
@@ -55,7 +66,7 @@ bool follows_first_input(const NodeType& type, std::size_t output) {
 
 Json card(const NodeType& type) {
   Json inputs = Json::array();
-  for (const InputPort& port : type.inputs) inputs.push_back(input_card(port));
+  for (const InputPort& port : type.inputs) inputs.push_back(input_card(type, port));
   Json outputs = Json::array();
   for (std::size_t k = 0; k < type.outputs.size(); ++k) {
     Json output = {

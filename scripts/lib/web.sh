@@ -30,3 +30,9 @@ web_build() {
   if [[ -f web/dist/index.html ]] && stamped "$stamp" "$hash"; then return 0; fi
   npm --prefix web run --silent build </dev/null && echo "$hash" >"$stamp"
 }
+
+# web_lint: format and rules of the page's sources and tests; `npm --prefix web run format` mends what can be mended.
+web_lint() {
+  node_install web || return 1
+  npm --prefix web run --silent lint </dev/null
+}

@@ -150,6 +150,14 @@ TEST_CASE("validate finds every example valid and says what a wrong graph lacks"
   CHECK(wrong.out.find("error[unknown-node-type] n: ") == 0);
 }
 
+TEST_CASE("the catalogue of the page's tests is the one that the program prints") {
+  const Outcome outcome = run({"nodes", "--json"});
+  REQUIRE(outcome.code == 0);
+  INFO("It is out of date; write it again with: build/dev/dini nodes --json > web/test/data/catalogue.json");
+  const bool current = contents(DINI_WEB_CATALOGUE) == outcome.out;
+  CHECK(current);
+}
+
 TEST_CASE("docs/nodes.md is what the program writes about its nodes") {
   const Outcome outcome = run({"nodes", "--markdown"});
   REQUIRE(outcome.code == 0);

@@ -85,6 +85,27 @@ TEST_CASE("every card tells in JSON what the declaration says") {
   }
 }
 
+TEST_CASE("a card tells which text names an axis that the node makes, and what an empty one means") {
+  const auto input = [](const std::string& id, const std::string& name) {
+    const NodeType& type = *catalogue().find(id);
+    return card(type)["inputs"][type.input_index(name)];
+  };
+  CHECK(input("range", "axis")["makes_axis"] == true);
+  CHECK(input("range", "axis")["empty_means"] == "the id of this node");
+  CHECK(input("grid", "axis_u")["makes_axis"] == true);
+  CHECK_FALSE(input("grid", "axis_u").contains("empty_means"));
+  CHECK_FALSE(input("warp", "over").contains("makes_axis"));
+  CHECK(input("warp", "over")["empty_means"] == "the last axis that is left");
+  CHECK_FALSE(input("circle", "radius").contains("empty_means"));
+  for (const auto& [id, type] : catalogue().types()) {
+    CAPTURE(id);
+    const Json shown = card(type);
+    std::size_t made = 0;
+    for (const Json& one : shown["inputs"]) made += one.contains("makes_axis") ? 1 : 0;
+    if (type.axes) CHECK(made > 0);
+  }
+}
+
 TEST_CASE("every handle sets a point, a vector or a number and stands at inputs of the same node") {
   std::size_t handles = 0;
   for (const auto& [id, type] : catalogue().types()) {

@@ -29,7 +29,9 @@ const inSight = () => {
 test("a wide graph opens where it ends, large enough to be read, with a map of the rest", () =>
   withPage({ hash: "#example=fig05_twisted_ring" }, async (page) => {
     await map(page).waitFor();
-    await page.waitForFunction(() => document.querySelector(".react-flow__node[data-id=out]").getBoundingClientRect().width > 140);
+    await page.waitForFunction(
+      () => document.querySelector(".react-flow__node[data-id=out]").getBoundingClientRect().width > 140,
+    );
     const count = await page.locator(".react-flow__node").count();
     await eventually(
       () => page.evaluate(inSight),
@@ -60,7 +62,10 @@ test("what is said to someone new covers neither graph nor model nor form", asyn
       const hint = page.getByRole("complementary", { name: "How to begin" });
       await hint.waitFor();
       const [box, work] = [await still(hint), await still(page.getByRole("main"))];
-      assert.ok(box.y >= work.y + work.height - 1, `the panes end at ${work.y + work.height}, the hint begins at ${box.y}`);
+      assert.ok(
+        box.y >= work.y + work.height - 1,
+        `the panes end at ${work.y + work.height}, the hint begins at ${box.y}`,
+      );
       assert.ok(box.x >= 0 && box.x + box.width <= size.width);
       await hint.getByRole("button", { name: "Begin an empty graph" }).click();
       await hint.waitFor({ state: "detached" });

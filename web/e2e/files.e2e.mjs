@@ -78,7 +78,10 @@ async function forget(page, title) {
   await page.getByRole("button", { name: "File", exact: true }).click();
   await page.getByRole("menuitem", { name: "Recover…" }).click();
   const dialog = page.getByRole("dialog", { name: "Recover" });
-  await dialog.getByRole("button", { name: `Delete the draft ${title}` }).first().click();
+  await dialog
+    .getByRole("button", { name: `Delete the draft ${title}` })
+    .first()
+    .click();
   await dialog.getByRole("button", { name: "Close" }).first().click();
   await dialog.waitFor({ state: "detached" });
 }
@@ -92,7 +95,8 @@ test("what is saved, opened and saved again is the same, and keeps its file's na
     const before = await triangles();
     const first = await saved(page);
     assert.equal(first.meta.title, "Mine & <b>yours</b>");
-    assert.notEqual(first.parameters.reach.default, 1, "the slider's value is what is saved");
+    assert.equal(first.parameters.reach.default, 1, "the default stays");
+    assert.ok(first.ui.values.reach > 1, "the slider's value is beside it");
     const given = { ...first, meta: { ...first.meta, title: "Given" } };
     await openFile(page, "my graph.json", JSON.stringify(given));
     await page.waitForFunction(() => document.title.startsWith("Given"));
@@ -172,7 +176,9 @@ test("a draft never takes the place of an example that is asked for", () =>
 
 test("dropped graphs open, and what cannot be opened says why and changes nothing", () =>
   withPage({}, async (page) => {
-    const graph = JSON.parse(readFileSync(new URL("../../examples/fig02_boosted_circle.json", import.meta.url), "utf8"));
+    const graph = JSON.parse(
+      readFileSync(new URL("../../examples/fig02_boosted_circle.json", import.meta.url), "utf8"),
+    );
     graph.meta.title = "Dropped";
     await drop(page, "dropped.json", JSON.stringify(graph));
     await page.waitForFunction(() => document.documentElement.dataset.example === "");
@@ -189,6 +195,31 @@ test("dropped graphs open, and what cannot be opened says why and changes nothin
       await note(page, message);
     }
     assert.equal(await titleOf(page).inputValue(), "Dropped");
+  }));
+
+test("a byte order mark before a graph is no part of it, wherever the graph comes from", () =>
+  withPage({ clipboard: true }, async (page) => {
+    const mark = "\uFEFF";
+    const graph = JSON.parse(
+      readFileSync(new URL("../../examples/fig02_boosted_circle.json", import.meta.url), "utf8"),
+    );
+    const text = (title) => mark + JSON.stringify({ ...graph, meta: { ...graph.meta, title } });
+    await openFile(page, "opened.json", text("Opened"));
+    await titled(page, "Opened");
+    await drop(page, "dropped.json", text("Dropped"));
+    await titled(page, "Dropped");
+    const packed = deflateRawSync(text("Linked")).toString("base64url");
+    await withPage({ hash: `#g=${packed}` }, (other) => titled(other, "Linked"));
+    await page.getByRole("button", { name: "New graph" }).click();
+    await page.getByText("An empty graph").waitFor();
+    await page.evaluate((copied) => navigator.clipboard.writeText(copied), text("Copied"));
+    await page.getByRole("button", { name: "Edit", exact: true }).click();
+    await page.getByRole("menuitem", { name: /^Paste Ctrl/ }).click();
+    const pasted = () =>
+      page.locator(".react-flow__node-graph").evaluateAll((list) => list.map((item) => item.dataset.id));
+    await eventually(pasted, (ids) => ids.length === Object.keys(graph.nodes).length);
+    await drop(page, "wide.json", Buffer.from(mark + JSON.stringify(graph), "utf16le"));
+    await note(page, "wide.json is no graph: it is not text in UTF-8");
   }));
 
 test("a model of ours opens its graph, or says that it holds only a hash", () =>
@@ -222,7 +253,10 @@ test("a dropped mesh is sent to the server and becomes a node that is seen", () 
     await settled(page);
     const after = await saved(page);
     const [id] = Object.keys(after.nodes).filter((name) => !(name in before.nodes));
-    assert.ok(Object.values(after.nodes[id].inputs).some((value) => /^[0-9a-f]{64}$/.test(value)), JSON.stringify(after.nodes[id]));
+    assert.ok(
+      Object.values(after.nodes[id].inputs).some((value) => /^[0-9a-f]{64}$/.test(value)),
+      JSON.stringify(after.nodes[id]),
+    );
     assert.equal(after.ui.nodes[id].preview, true);
     await page.getByRole("button", { name: "Share", exact: true }).click();
     await page.getByRole("menuitem", { name: "Copy as dini eval" }).click();
@@ -302,7 +336,10 @@ test("an edited graph is copied as commands that hold it", () =>
       await note(page, "Copied");
       return eventually(() => page.evaluate(() => navigator.clipboard.readText()), Boolean, "a text on the clipboard");
     };
-    assert.match(await copied("Copy as dini eval"), /^dini eval examples\/fig04_boosted_ring\.json -o boosted-ring\.glb$/);
+    assert.match(
+      await copied("Copy as dini eval"),
+      /^dini eval examples\/fig04_boosted_ring\.json -o boosted-ring\.glb$/,
+    );
     await rename(page, "It's mine");
     const command = await copied("Copy as dini eval");
     assert.match(command, /^dini eval - -o it-s-mine\.glb <<'GRAPH'\n\{.*\}\nGRAPH$/);

@@ -1,6 +1,5 @@
 // Starts the server and a browser for the end-to-end tests.
-// DINI_URL: a running server. DINI_PROGRAM: the program to start, else build/release/dini. Without either, or with
-// DINI_STAND_IN=1, the stand-in answers, which is said aloud: it proves less.
+// DINI_URL: a running server. DINI_PROGRAM: the program to start, else build/release/dini.
 
 import { spawn } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
@@ -36,7 +35,6 @@ const CHROMIUM_ARGUMENTS = [
 export class Server {
   url = process.env.DINI_URL ?? "";
   isOurs = !process.env.DINI_URL;
-  isStandIn = this.isOurs && (process.env.DINI_STAND_IN === "1" || (!process.env.DINI_PROGRAM && !existsSync(program)));
   #child;
   #examples;
 
@@ -47,20 +45,18 @@ export class Server {
 
   async start() {
     if (!this.isOurs) return;
-    if (this.isStandIn) console.log("The stand-in answers, not the server.");
+    if (!existsSync(program)) throw new Error(`${program} is not built; scripts/build makes it.`);
     const folder = mkdtempSync(path.join(tmpdir(), "dini-e2e-"));
     const portFile = path.join(folder, "port");
     const port = this.url ? new URL(this.url).port : "0";
     const common = ["--port", port, "--port-file", portFile];
     const folders = ["--web", path.join(root, "web/dist"), "--examples", this.#examples];
-    const [command, parts] = this.isStandIn
-      ? [process.execPath, [path.join(here, "stand_in/main.mjs"), ...common]]
-      : [program, ["serve", ...common, "--log-level", "warning", ...folders]];
-    this.#child = spawn(command, parts, { stdio: ["ignore", "ignore", "inherit"] });
+    const parts = ["serve", ...common, "--log-level", "warning", ...folders];
+    this.#child = spawn(program, parts, { stdio: ["ignore", "ignore", "inherit"] });
     const limit = Date.now() + LONGEST_WAIT;
     const written = () => existsSync(portFile) && readFileSync(portFile, "utf8").trim() !== "";
     while (!written()) {
-      if (Date.now() > limit) throw new Error(`${command} did not start`);
+      if (Date.now() > limit) throw new Error(`${program} did not start`);
       await new Promise((resolve) => setTimeout(resolve, 20));
     }
     this.url = `http://127.0.0.1:${readFileSync(portFile, "utf8").trim()}`;
@@ -96,7 +92,7 @@ export async function openPage(browser, url, options = {}) {
   await context.addInitScript(() => {
     window.cspViolations = [];
     document.addEventListener("securitypolicyviolation", (event) =>
-      window.cspViolations.push(event.violatedDirective + " " + event.blockedURI),
+      window.cspViolations.push(`${event.violatedDirective} ${event.blockedURI}`),
     );
   });
   // What is said to someone new lies over the page until it is closed.
@@ -137,7 +133,8 @@ export async function openPage(browser, url, options = {}) {
 
 /** Runs in the page: `window.counted` has the workers that were started and the listeners that are there. */
 function countThings() {
-  const counted = (window.counted = { workers: 0, listeners: 0 });
+  const counted = { workers: 0, listeners: 0 };
+  window.counted = counted;
   window.Worker = class extends window.Worker {
     constructor(...parts) {
       super(...parts);
@@ -146,7 +143,8 @@ function countThings() {
   };
   const { addEventListener, removeEventListener } = EventTarget.prototype;
   const kept = new WeakMap();
-  const keyOf = (type, options) => `${type} ${typeof options === "object" ? Boolean(options?.capture) : Boolean(options)}`;
+  const keyOf = (type, options) =>
+    `${type} ${typeof options === "object" ? Boolean(options?.capture) : Boolean(options)}`;
   EventTarget.prototype.addEventListener = function (type, listener, options) {
     // Signals for aborting come and go with their requests.
     if (listener && !(this instanceof AbortSignal) && !options?.once && !options?.signal) {
@@ -161,7 +159,13 @@ function countThings() {
     return addEventListener.call(this, type, listener, options);
   };
   EventTarget.prototype.removeEventListener = function (type, listener, options) {
-    if (kept.get(this ?? window)?.get(keyOf(type, options))?.delete(listener)) counted.listeners--;
+    if (
+      kept
+        .get(this ?? window)
+        ?.get(keyOf(type, options))
+        ?.delete(listener)
+    )
+      counted.listeners--;
     return removeEventListener.call(this, type, listener, options);
   };
 }

@@ -11,6 +11,7 @@ import {
   covered,
   eventually,
   factsOf,
+  openPage,
   picture,
   quiet,
   saved,
@@ -115,7 +116,9 @@ test("a section is placed by hand and by number, along any axis, on either side"
     const panel = page.getByRole("group", { name: "Section" });
     const offset = panel.getByRole("textbox", { name: "Section offset value" });
     const before = Number(await offset.inputValue());
-    await changes(page, "dragged", () => drag(page, page.getByRole("button", { name: "Move the section plane" }), 40, 20));
+    await changes(page, "dragged", () =>
+      drag(page, page.getByRole("button", { name: "Move the section plane" }), 40, 20),
+    );
     await eventually(
       async () => Number(await offset.inputValue()),
       (now) => now !== before,
@@ -149,7 +152,10 @@ test("dragging a gizmo changes the mesh and the document, and one undo returns b
     await handle.waitFor();
     await drag(page, handle, 45, 0);
     const after = await saved(page);
-    assert.ok(after.nodes.ring.inputs.radius > before.json.nodes.ring.inputs.radius + 0.05, JSON.stringify(after.nodes.ring));
+    assert.ok(
+      after.nodes.ring.inputs.radius > before.json.nodes.ring.inputs.radius + 0.05,
+      JSON.stringify(after.nodes.ring),
+    );
     const direction = page.getByRole("button", { name: "Turn normal of Circle" });
     await changes(page, "turned", () => drag(page, direction, 30, 10));
     assert.notDeepEqual((await saved(page)).nodes.ring.inputs.normal, before.json.nodes.ring.inputs.normal);
@@ -320,41 +326,92 @@ test("a long evaluation says so and can be stopped", () =>
 const SMALL_WINDOW = { width: 960, height: 540 };
 
 test("nothing is drawn while nothing changes, and 500 updates leave nothing behind", { timeout: 600_000 }, () =>
-  withPage({ ...SMALL_WINDOW, count: true, hash: `#g=${deflateRawSync(JSON.stringify(SMALL)).toString("base64url")}` }, async (page) => {
-    await selectNode(page, "boosted");
-    await page.getByRole("radio", { name: "Lines" }).click();
-    await page.getByRole("tab", { name: "Controls" }).click();
+  withPage(
+    { ...SMALL_WINDOW, count: true, hash: `#g=${deflateRawSync(JSON.stringify(SMALL)).toString("base64url")}` },
+    async (page) => {
+      await selectNode(page, "boosted");
+      await page.getByRole("radio", { name: "Lines" }).click();
+      await page.getByRole("tab", { name: "Controls" }).click();
+      const slider = page.getByRole("slider", { name: "Reach", exact: true });
+      // In the page, because a call from outside takes longer than an update.
+      const update = async (times) => {
+        await slider.evaluate(async (element, steps) => {
+          const facts = document.documentElement.dataset;
+          for (let step = 0; step < steps; step++) {
+            const key = step % 2 ? "ArrowLeft" : "ArrowRight";
+            element.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
+            do await new Promise((done) => requestAnimationFrame(done));
+            while (facts.revision !== facts.shown);
+          }
+        }, times);
+        await settled(page);
+        await quiet(page);
+      };
+      const facts = () =>
+        page.evaluate(() => ({
+          ...document.querySelector("canvas[role=img]").dataset,
+          ...window.counted,
+          revision: document.documentElement.dataset.revision,
+        }));
+      await update(10);
+      const first = await facts();
+      await update(500);
+      const last = await facts();
+      assert.equal(Number(last.revision) - Number(first.revision), 500);
+      assert.ok(Number(last.frames) - Number(first.frames) >= 500, "every update was drawn");
+      assert.equal(last.geometries, first.geometries, "geometries");
+      assert.equal(last.textures, first.textures, "textures");
+      assert.equal(last.workers, 1, "workers");
+      assert.ok(last.listeners <= first.listeners + 5, `listeners: ${first.listeners}, then ${last.listeners}`);
+      await new Promise((done) => setTimeout(done, 1000));
+      assert.equal((await facts()).frames, last.frames, "no frame without a reason");
+    },
+  ),
+);
+
+/** A page in which the decoder may complain, and nothing else. */
+async function withBroken(run) {
+  const hash = `#g=${deflateRawSync(JSON.stringify(SMALL)).toString("base64url")}`;
+  const page = await openPage(used.browser, server.url, { hash });
+  try {
+    await run(page);
+    const offences = (await page.offences()).filter((text) => !text.includes("THREE.DRACOLoader"));
+    assert.deepEqual(offences, []);
+  } finally {
+    await page.context().close();
+  }
+}
+
+test("a model that cannot be read says so and keeps the last one, and the next one is shown", () =>
+  withBroken(async (page) => {
+    await settled(page);
     const slider = page.getByRole("slider", { name: "Reach", exact: true });
-    // In the page, because a call from outside takes longer than an update.
-    const update = async (times) => {
-      await slider.evaluate(async (element, steps) => {
-        const facts = document.documentElement.dataset;
-        for (let step = 0; step < steps; step++) {
-          const key = step % 2 ? "ArrowLeft" : "ArrowRight";
-          element.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
-          do await new Promise((done) => requestAnimationFrame(done));
-          while (facts.revision !== facts.shown);
-        }
-      }, times);
-      await settled(page);
-      await quiet(page);
-    };
-    const facts = () =>
-      page.evaluate(() => ({
-        ...document.querySelector("canvas[role=img]").dataset,
-        ...window.counted,
-        revision: document.documentElement.dataset.revision,
-      }));
-    await update(10);
-    const first = await facts();
-    await update(500);
-    const last = await facts();
-    assert.equal(Number(last.revision) - Number(first.revision), 500);
-    assert.ok(Number(last.frames) - Number(first.frames) >= 500, "every update was drawn");
-    assert.equal(last.geometries, first.geometries, "geometries");
-    assert.equal(last.textures, first.textures, "textures");
-    assert.equal(last.workers, 1, "workers");
-    assert.ok(last.listeners <= first.listeners + 5, `listeners: ${first.listeners}, then ${last.listeners}`);
-    await new Promise((done) => setTimeout(done, 1000));
-    assert.equal((await facts()).frames, last.frames, "no frame without a reason");
+    const { shown } = await factsOf(page);
+    for (const damage of [
+      // Behind the header and the description lies the compressed data.
+      (bytes, at) =>
+        bytes.fill(7, at + 12 + 8 + bytes.readUInt32LE(at + 12) + 8 + 16, at + bytes.readUInt32LE(at + 8) - 16),
+      (bytes, at) => bytes.fill(0x20, at + 24, at + 200),
+      (bytes, at) => bytes.writeUInt32LE(1, at + 4),
+    ]) {
+      await page.route("**/v1/evaluate", async (route) => {
+        const response = await route.fetch();
+        const body = await response.body();
+        const at = body.indexOf("glTF");
+        if (at >= 0) damage(body, at);
+        await route.fulfill({ response, body });
+      });
+      const { revision } = await factsOf(page);
+      await slider.press("ArrowRight");
+      const facts = await eventually(
+        () => factsOf(page),
+        (now) => Number(now.revision) > Number(revision) && now.state === "error",
+      );
+      assert.equal(facts.shown, shown, "the last model stays");
+      await page.locator(".view-problem", { hasText: "The model cannot be read" }).waitFor();
+      await page.unroute("**/v1/evaluate");
+    }
+    await slider.press("ArrowRight");
+    await settled(page);
+    await page.locator(".view-problem").waitFor({ state: "detached" });
   }));

@@ -3,7 +3,18 @@
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
-import { addNode, at, drag, emptyGraph, input, middle, openEditor, output, untilSelected, wire } from "../e2e/editing.mjs";
+import {
+  addNode,
+  at,
+  drag,
+  emptyGraph,
+  input,
+  middle,
+  openEditor,
+  output,
+  untilSelected,
+  wire,
+} from "../e2e/editing.mjs";
 import { settled } from "../e2e/harness.mjs";
 import { shrink } from "./png.mjs";
 
@@ -76,7 +87,11 @@ async function picture(browser, url, name, options, prepare) {
   await prepare?.(page);
   // Control geometry and notices come and go a moment after what they belong to.
   await page.waitForTimeout(1500);
-  await page.waitForFunction(() => document.querySelector("canvas[role=img]").dataset.still === "true", undefined, PATIENCE);
+  await page.waitForFunction(
+    () => document.querySelector("canvas[role=img]").dataset.still === "true",
+    undefined,
+    PATIENCE,
+  );
   const bytes = shrink(await page.screenshot(PATIENCE), MOST_BYTES);
   writeFileSync(path.join(editorFolder, `${name}.png`), bytes);
   console.log(`${String(bytes.length).padStart(8)}  editor/${name}`);

@@ -1,10 +1,12 @@
 import { createRoot } from "react-dom/client";
 import { App } from "./app/App";
 import { exampleInAddress, keepAddress, showStateOn } from "./app/address";
-import { Editor } from "./app/editor";
-import { Session } from "./app/session";
+import { leaveKeysToInputMethods } from "./app/input_method";
 import { filesOf } from "./files/Files";
+import { Editor } from "./session/editor";
+import { Session } from "./session/session";
 
+leaveKeysToInputMethods();
 const session = new Session();
 showStateOn(document.documentElement, session.store);
 keepAddress(session);

@@ -4,12 +4,11 @@ import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { test } from "node:test";
-import { catalogue as cards } from "../e2e/stand_in/cards.mjs";
-import { examples } from "../e2e/stand_in/examples.mjs";
 import { readCatalogue } from "../src/model/catalogue";
 import { readDocument } from "../src/model/document";
 import { fileOutput, viewGraph } from "../src/model/graph";
 import type { Json } from "../src/model/json";
+import { cards, examples } from "./real";
 
 const IDS =
   "number range list random expression vector point point_pair point_pair_through circle circle_through line sphere flat_point " +

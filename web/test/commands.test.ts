@@ -1,11 +1,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { assetWords, commandLineText } from "../src/app/commands";
-import type { Session } from "../src/app/session";
-import { EMPTY, type SessionState } from "../src/app/state";
+import { assetWords, commandLineText } from "../src/files/commands";
 import { readCatalogue } from "../src/model/catalogue";
 import { readDocument } from "../src/model/document";
 import { createStore } from "../src/model/store";
+import type { Session } from "../src/session/session";
+import { EMPTY, type SessionState } from "../src/session/state";
 
 const HASH = "5".repeat(64);
 const OTHER = "7".repeat(64);
@@ -16,7 +16,10 @@ const catalogue = readCatalogue({
 const json = (hash: string) => ({
   format: 1,
   meta: { title: "A chair" },
-  nodes: { seat: { type: "file_mesh", inputs: { source: hash } }, back: { type: "file_mesh", inputs: { source: hash } } },
+  nodes: {
+    seat: { type: "file_mesh", inputs: { source: hash } },
+    back: { type: "file_mesh", inputs: { source: hash } },
+  },
 });
 
 function command(hash: string, change: Partial<SessionState>): string | undefined {

@@ -43,8 +43,12 @@ test("a saddle is negative, a cylinder and a plane are flat", () => {
     const normal = [Math.cos(3 * u), Math.sin(3 * u), 0];
     return { place: [normal[0] ?? 0, normal[1] ?? 0, v], normal };
   });
-  assert.ok(Math.abs(middle(estimateCurvature("gauss", cylinder.positions, cylinder.normals, cylinder.indices))) < 1e-6);
-  assert.ok(Math.abs(middle(estimateCurvature("mean", cylinder.positions, cylinder.normals, cylinder.indices)) - 0.5) < 1e-3);
+  assert.ok(
+    Math.abs(middle(estimateCurvature("gauss", cylinder.positions, cylinder.normals, cylinder.indices))) < 1e-6,
+  );
+  assert.ok(
+    Math.abs(middle(estimateCurvature("mean", cylinder.positions, cylinder.normals, cylinder.indices)) - 0.5) < 1e-3,
+  );
 });
 
 test("smoothing takes noise out and leaves what is constant", () => {

@@ -2,21 +2,18 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { catalogue as cards } from "../e2e/stand_in/cards.mjs";
-import { examples } from "../e2e/stand_in/examples.mjs";
-import { readCatalogue } from "../src/model/catalogue";
 import { WireCheck } from "../src/model/check";
 import { copyText, paste, readClip } from "../src/model/clip";
-import { emptyDocument, readDocument, type GraphDocument } from "../src/model/document";
+import { emptyDocument, type GraphDocument, readDocument } from "../src/model/document";
 import {
   addNodes,
+  type Edit,
   freeId,
   moveNodes,
   removeNodes,
   renameNode,
   setBypass,
   setInput,
-  type Edit,
 } from "../src/model/edit";
 import { conceal, expose, removeParameter } from "../src/model/edit_parameters";
 import { replaceNode } from "../src/model/edit_replace";
@@ -25,15 +22,8 @@ import { connect, disconnect, insertOnWire, removeAndHeal } from "../src/model/e
 import { viewGraph } from "../src/model/graph";
 import { History } from "../src/model/history";
 import type { Json } from "../src/model/json";
-
-const catalogue = readCatalogue(cards as Json);
-
-type Random = (below: number) => number;
-
-function randomFrom(seed: number): Random {
-  let state = seed * 7919 + 1;
-  return (below) => (state = (state * 48271) % 2147483647) % below;
-}
+import { type Random, randomFrom } from "./random";
+import { catalogue, examples } from "./real";
 
 function open(json: Json): GraphDocument {
   const result = readDocument(json);
@@ -164,7 +154,7 @@ function assertValid(document: GraphDocument, context: string): void {
 
 function isAcyclic(document: GraphDocument): boolean {
   const left = new Map([...document.nodes.values()].map((node) => [node.id, [...node.inputs.values()].flat()]));
-  for (let moved = true; moved;) {
+  for (let moved = true; moved; ) {
     moved = false;
     for (const [id, sources] of left) {
       if (sources.some((source) => source.kind === "link" && left.has(source.node))) continue;

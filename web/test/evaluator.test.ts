@@ -1,10 +1,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import type { Answer } from "../src/net/api";
 import { Evaluator, SETTLE_MILLISECONDS, type Stamp } from "../src/net/evaluator";
 import { localProblem } from "../src/net/problem";
 import { readReport } from "../src/net/report";
+import type { Answer } from "../src/net/requests";
 import { FakeClock } from "./fake_clock";
+import { randomFrom } from "./random";
 
 interface Setup {
   evaluate?: (body: number, quality: string) => number;
@@ -33,7 +34,9 @@ function setUp({ evaluate = () => 10, decode = () => 5, answer }: Setup = {}) {
   const modelOf = (body: number): Answer => ({
     kind: "model",
     report: readReport({ model: { triangles: 1e6 } }),
-    model: new Uint8Array([body]), preview: null });
+    model: new Uint8Array([body]),
+    preview: null,
+  });
   const evaluator = new Evaluator<number, number>({
     async send(body, { quality, triangles }, signal) {
       log.sent.push(`${body} ${quality}`);
@@ -98,8 +101,7 @@ test("while inputs move drafts are shown, and the full quality once they stop", 
 
 test("never more than two in flight, never an older picture, always the newest at the end", async () => {
   for (let seed = 1; seed <= 40; seed++) {
-    let state = seed;
-    const random = (below: number): number => (state = (state * 48271) % 2147483647) % below;
+    const random = randomFrom(seed);
     const { clock, evaluator, log } = setUp({
       evaluate: (_, quality) => random(quality === "final" ? 400 : 150),
       decode: () => random(120),
@@ -234,12 +236,12 @@ test("drafts get coarser while round trips are slow, and finer while they are qu
 
 test("whatever happens, nothing older than what is shown is shown", async () => {
   for (let seed = 1; seed <= 60; seed++) {
-    let state = seed * 7919;
-    const random = (below: number): number => (state = (state * 48271) % 2147483647) % below;
+    const random = randomFrom(seed);
     const answer: Setup["answer"] = (body) => {
       const kind = random(12);
       if (kind === 0) return { kind: "away", retryAfter: random(2) ? 100 + random(400) : undefined };
-      if (kind === 1) return { kind: "problem", problem: { ...localProblem("wrong", ""), status: random(2) ? 422 : 409 } };
+      if (kind === 1)
+        return { kind: "problem", problem: { ...localProblem("wrong", ""), status: random(2) ? 422 : 409 } };
       return { kind: "model", report: readReport({}), model: new Uint8Array([body]), preview: null };
     };
     const { clock, evaluator, log } = setUp({ evaluate: () => random(200), decode: () => random(150), answer });
@@ -256,7 +258,10 @@ test("whatever happens, nothing older than what is shown is shown", async () => 
       await clock.advance(random(120));
       assertNeverOlder(log.shown);
       const since = log.shown.slice(shownAtReset);
-      assert.ok(since.every((stamp) => stamp.revision > lastReset), `seed ${seed}: nothing of the last document`);
+      assert.ok(
+        since.every((stamp) => stamp.revision > lastReset),
+        `seed ${seed}: nothing of the last document`,
+      );
       assert.ok(evaluator.inFlight <= 2 && log.most <= 2, `seed ${seed}`);
     }
     await clock.advance(10_000);

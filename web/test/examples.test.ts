@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { finest, inOrderOfFigures, readExample } from "../src/app/examples";
+import { finest, inOrderOfFigures, readExample } from "../src/session/examples";
 
 test("examples are listed by figure, then those that are none as the server gave them", () => {
   const given = ["", "10", "2", "", "12", "5"].map((figure, at) => readExample({ id: `e${at}`, figure }));

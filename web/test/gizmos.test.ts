@@ -100,10 +100,18 @@ test("a drag moves by what the pointer moved, not to where it is", () => {
 });
 
 test("an arrow's tip and a ring's edge are written as direction and radius", () => {
-  const tip = tipDrag(view, () => [1, 0, 1], () => [0, 0, 1])(ray(1, 2));
+  const tip = tipDrag(
+    view,
+    () => [1, 0, 1],
+    () => [0, 0, 1],
+  )(ray(1, 2));
   assert.deepEqual(tip(ray(1.5, 2), false), [0.5, 0, 1]);
   assert.equal(tip(ray(1, 1), false), undefined, "an arrow never becomes nothing");
-  const radius = radiusDrag(view, () => [0, 0, 0], () => [0, -1, 0])(ray(1, 0));
+  const radius = radiusDrag(
+    view,
+    () => [0, 0, 0],
+    () => [0, -1, 0],
+  )(ray(1, 0));
   assert.equal(radius(ray(3, 4), false), 5);
   assert.ok((radius(ray(0, 0), false) ?? 0) > 0);
 });

@@ -1,14 +1,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { catalogue as cards } from "../e2e/stand_in/cards.mjs";
-import { examples } from "../e2e/stand_in/examples.mjs";
-import { readCatalogue } from "../src/model/catalogue";
-import { readDocument, readLink, type GraphDocument } from "../src/model/document";
-import { fileOutput, viewGraph, type ViewGraph } from "../src/model/graph";
+import { type GraphDocument, readDocument, readLink } from "../src/model/document";
+import { fileOutput, type ViewGraph, viewGraph } from "../src/model/graph";
 import type { Json } from "../src/model/json";
-import { layeredLayout, nodeHeight, NODE_WIDTH } from "../src/model/layout";
-
-const catalogue = readCatalogue(cards as Json);
+import { layeredLayout, NODE_WIDTH, nodeHeight } from "../src/model/layout";
+import { randomFrom } from "./random";
+import { catalogue, examples } from "./real";
 
 function open(json: Json): GraphDocument {
   const result = readDocument(json);
@@ -104,8 +101,7 @@ test("positions are read from ui", () => {
 
 test("the layout of examples and of random graphs has no overlaps and runs from left to right", () => {
   for (const example of examples) assertNoOverlap(viewGraph(open(example.graph as Json), catalogue));
-  let state = 7;
-  const random = (below: number): number => (state = (state * 48271) % 2147483647) % below;
+  const random = randomFrom(7);
   for (let round = 0; round < 20; round++) {
     const nodes: Record<string, Json> = {};
     const count = 1 + random(60);

@@ -4,7 +4,7 @@ import { boundaryOf, readMultipart } from "../src/net/multipart";
 
 const encoder = new TextEncoder();
 
-function body(...parts: (string | Uint8Array)[]): Uint8Array {
+function body(...parts: (string | Uint8Array)[]): Uint8Array<ArrayBuffer> {
   const chunks = parts.map((part) => (typeof part === "string" ? encoder.encode(part) : part));
   const bytes = new Uint8Array(chunks.reduce((sum, chunk) => sum + chunk.length, 0));
   let at = 0;

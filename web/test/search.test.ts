@@ -1,16 +1,16 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { catalogue as cards } from "../e2e/stand_in/cards.mjs";
+import { runsThrough } from "../src/graph/drop_on_wire";
 import { readCatalogue } from "../src/model/catalogue";
+import { readDocument } from "../src/model/document";
+import { evaluateExpression } from "../src/model/expression";
 import { asParameter, controlKind, listText, readList } from "../src/model/inputs";
 import type { Json } from "../src/model/json";
-import { readDocument } from "../src/model/document";
 import { patchDocument } from "../src/model/patch";
 import { freePlace } from "../src/model/place";
 import { findNodes } from "../src/model/search";
-import { runsThrough } from "../src/graph/drop_on_wire";
+import { catalogue } from "./real";
 
-const catalogue = readCatalogue(cards as Json);
 const titles = (text: string): string[] => findNodes(catalogue, text).map(({ card }) => card.title);
 
 test("the search finds by title, id, family, description, and with letters left out, the best first", () => {
@@ -62,9 +62,39 @@ test("typed values find the nodes that hold them, by types and not by names", ()
     triples.map(({ inputs }) => inputs),
     [{ at: [1, 2, 3] }, { a: 1, b: 2, c: 3 }],
   );
-  for (const text of ["1,2", "10<5<0", "1<2", "1,2,x", "n"]) {
+  assert.deepEqual(findNodes(made, "1,2")[0]?.inputs, { it: 1.2 }, "as in a field");
+  for (const text of ["1,2; 3", "1, 2", "10<5<0", "1<2", "1,2,x", "n"]) {
     assert.ok(!findNodes(made, text).some((item) => item.inputs ?? item.slider), text);
   }
+});
+
+test("commas mean the same in a list as in a field", () => {
+  const lists: [string, Json][] = [
+    ["1,5", [1.5]],
+    [",5", [0.5]],
+    ["1,5; 2,5", [1.5, 2.5]],
+    ["1,5;-,5; 2*0,5+1,5", [1.5, -0.5, 2.5]],
+    ["1, 5", [1, 5]],
+    ["1,2,3", [1, 2, 3]],
+    ["1, 2,3", [1, 2, 3]],
+    ["1.5,2.5", [1.5, 2.5]],
+    ["1e3,5", [1000, 5]],
+    ["-1,pi/pi", [-1, 1]],
+    [
+      "(0,5; 1; 2) (1,0,0)",
+      [
+        [0.5, 1, 2],
+        [1, 0, 0],
+      ],
+    ],
+    ["(1+1,5)*2", [5]],
+  ];
+  for (const [text, expected] of lists) {
+    assert.deepEqual(readList(text), expected, text);
+    const alone = Array.isArray(expected) && expected.length === 1 ? expected[0] : undefined;
+    assert.equal(evaluateExpression(text), alone, text);
+  }
+  for (const text of ["1,,5", "1;2,3,4", "1,5;", ",", "1.000,5,5x"]) assert.equal(readList(text), undefined, text);
 });
 
 test("lists are written and read, as numbers or as triples", () => {

@@ -1,48 +1,56 @@
-import { useEffect, useState, type ReactElement } from "react";
+import { type ReactElement, useEffect, useState } from "react";
 import { FilesLayer } from "../files/FilesLayer";
+import { UnkeptBanner } from "../files/UnkeptBanner";
 import { GraphPane } from "../graph/GraphPane";
+import { Controls } from "../panels/Controls";
 import { Examples } from "../panels/Examples";
 import { Panel } from "../panels/Panel";
+import type { Editor } from "../session/editor";
 import { ViewPane } from "../view3d/ViewPane";
+import { EditorContext, useCurrent } from "../widgets/context";
+import { useMedia, useRemembered } from "../widgets/hooks";
+import { Tabs } from "../widgets/Tabs";
+import { Tips } from "../widgets/Tip";
 import { wantsPicture } from "./address";
 import { Banner } from "./Banner";
-import { EditorContext, SessionContext } from "./context";
-import type { Editor } from "./editor";
 import { HelpDialog } from "./HelpDialog";
 import { Hint } from "./Hint";
 import { listen } from "./keyboard";
-import { useMedia, useRemembered, useSession, useTheme } from "./hooks";
 import { SplitPane } from "./SplitPane";
 import { StatusBar } from "./StatusBar";
-import { Tabs } from "./Tabs";
 import { TopBar } from "./TopBar";
+import { useTheme } from "./use_theme";
 
 const NARROW = "(max-width: 899px)";
 
+/** The page. `editor` is what its parts have in common. */
 export function App({ editor }: { editor: Editor }): ReactElement {
-  const { session } = editor;
+  useEffect(() => listen(editor), [editor]);
+  return (
+    <EditorContext value={editor}>
+      <Tips>
+        <Page />
+      </Tips>
+    </EditorContext>
+  );
+}
+
+function Page(): ReactElement {
   const [theme, setTheme] = useTheme();
   const [gallery, setGallery] = useRemembered("dini.gallery", "closed");
   const [tab, setTab] = useState("model");
   const narrow = useMedia(NARROW);
-  const opened = useSession(session, (state) => state.opened);
+  const opened = useCurrent((state) => state.opened);
 
   // In a narrow window, choosing an example is followed by looking at it.
   useEffect(() => {
     // The first graph opens by itself, maybe after a person chose a tab.
     if (opened > 1) setTab("model");
   }, [opened]);
-  useEffect(() => listen(editor), [editor]);
 
   const isPicture = wantsPicture();
-  const view = <ViewPane light={theme === "light"} picture={isPicture} />;
-  if (isPicture) {
-    return (
-      <SessionContext value={session}>
-        <EditorContext value={editor}>{view}</EditorContext>
-      </SessionContext>
-    );
-  }
+  const view = <ViewPane light={theme === "light"} picture={isPicture} controls={<Controls />} />;
+  if (isPicture) return view;
 
   const isOpen = gallery === "open";
   const model = (
@@ -51,53 +59,50 @@ export function App({ editor }: { editor: Editor }): ReactElement {
     </SplitPane>
   );
   return (
-    <SessionContext value={session}>
-      <EditorContext value={editor}>
-        <TopBar
-          theme={theme}
-          onTheme={setTheme}
-          galleryOpen={isOpen}
-          onGallery={() => setGallery(isOpen ? "closed" : "open")}
-        />
-        <Banner />
-        <main className="work">
-          {narrow ? (
-            <Tabs
-              className="pane-tabs"
-              label="Panes"
-              keep
-              chosen={tab}
-              onChoose={setTab}
-              tabs={[
-                { id: "model", title: "Model", content: model },
-                { id: "graph", title: "Graph", content: <GraphPane /> },
-                { id: "examples", title: "Examples", content: <Examples /> },
-              ]}
-            />
-          ) : (
-            <>
-              <SplitPane name="graph" label="Border between graph and model" direction="row" initial={0.54}>
-                {[
-                  <SplitPane
-                    key="left"
-                    name="gallery"
-                    label="Border between graph and examples"
-                    direction="column"
-                    initial={0.515}
-                  >
-                    {[<GraphPane key="graph" />, isOpen && <Examples />]}
-                  </SplitPane>,
-                  model,
-                ]}
-              </SplitPane>
-            </>
-          )}
-        </main>
-        <Hint />
-        <StatusBar />
-        <FilesLayer />
-        <HelpDialog />
-      </EditorContext>
-    </SessionContext>
+    <>
+      <TopBar
+        theme={theme}
+        onTheme={setTheme}
+        galleryOpen={isOpen}
+        onGallery={() => setGallery(isOpen ? "closed" : "open")}
+      />
+      <Banner />
+      <UnkeptBanner />
+      <main className="work">
+        {narrow ? (
+          <Tabs
+            className="pane-tabs"
+            label="Panes"
+            keep
+            chosen={tab}
+            onChoose={setTab}
+            tabs={[
+              { id: "model", title: "Model", content: model },
+              { id: "graph", title: "Graph", content: <GraphPane /> },
+              { id: "examples", title: "Examples", content: <Examples /> },
+            ]}
+          />
+        ) : (
+          <SplitPane name="graph" label="Border between graph and model" direction="row" initial={0.54}>
+            {[
+              <SplitPane
+                key="left"
+                name="gallery"
+                label="Border between graph and examples"
+                direction="column"
+                initial={0.515}
+              >
+                {[<GraphPane key="graph" />, isOpen && <Examples />]}
+              </SplitPane>,
+              model,
+            ]}
+          </SplitPane>
+        )}
+      </main>
+      <Hint />
+      <StatusBar />
+      <FilesLayer />
+      <HelpDialog />
+    </>
   );
 }

@@ -1,7 +1,7 @@
 import type { ReactElement } from "react";
-import { useCurrent } from "./context";
-import { useLasting } from "./hooks";
-import { Icon } from "./icons";
+import { useCurrent } from "../widgets/context";
+import { useLasting } from "../widgets/hooks";
+import { Icon } from "../widgets/Icon";
 
 /** Says that the server is away; it goes by itself when the server is back. */
 export function Banner(): ReactElement | null {

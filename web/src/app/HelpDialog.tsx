@@ -1,7 +1,7 @@
-import { useEffect, useRef, type ReactElement } from "react";
-import { useEditing, useEditor } from "./context";
-import { Icon } from "./icons";
-import { SHORTCUTS, keyText, type Scope } from "./shortcuts";
+import type { ReactElement } from "react";
+import { keyText, type Scope, SHORTCUTS } from "../session/shortcuts";
+import { useEditing, useEditor } from "../widgets/context";
+import { Dialog } from "../widgets/Dialog";
 
 const GROUPS: readonly { scope: Scope; title: string }[] = [
   { scope: "page", title: "Everywhere" },
@@ -17,7 +17,7 @@ const POINTER: readonly [string, string][] = [
   ["Select", "drag a box; Shift adds"],
   ["Move the canvas", "middle or right button, or Space, and drag"],
   ["Zoom", "wheel, or pinch"],
-  ["Change a number", "drag it: Shift finer, Ctrl coarser; click to type, also 2*pi/3"],
+  ["Change a number", "drag it: Shift finer, Ctrl in larger steps; click to type, also 2*pi/3"],
   ["Back to the default", "double-click the input's name"],
   ["Menu", "right button, or press for long"],
 ];
@@ -30,65 +30,38 @@ export function HelpDialog(): ReactElement | null {
 
 function Open(): ReactElement {
   const editor = useEditor();
-  const element = useRef<HTMLDialogElement>(null);
-  useEffect(() => {
-    const dialog = element.current;
-    if (dialog && !dialog.open) dialog.showModal();
-  }, []);
-  const close = (): void => editor.store.set({ help: false });
   return (
-    <dialog
-      ref={element}
-      className="dialog help"
-      aria-labelledby="help-title"
-      onClose={close}
-      onClick={(event) => {
-        if (event.target === element.current) element.current.close();
-      }}
-    >
-      <div className="help-content">
-        <header>
-          <h2 id="help-title">Keys and pointer</h2>
-          <button
-            type="button"
-            className="button icon-button"
-            aria-label="Close"
-            onClick={() => element.current?.close()}
-          >
-            <Icon name="close" />
-          </button>
-        </header>
-        <div className="help-columns">
-          {GROUPS.map(({ scope, title }) => (
-            <section key={scope} aria-label={title}>
-              <h3>{title}</h3>
-              <dl>
-                {SHORTCUTS.filter((item) => item.scope === scope).map((item) => (
-                  <div key={item.id}>
-                    <dt>{item.title}</dt>
-                    <dd>
-                      {item.keys.map((key, index) => (
-                        <kbd key={key}>{keyText(item.id, index)}</kbd>
-                      ))}
-                    </dd>
-                  </div>
-                ))}
-              </dl>
-            </section>
-          ))}
-          <section aria-label="With the pointer">
-            <h3>With the pointer</h3>
+    <Dialog title="Keys and pointer" className="help" onClose={() => editor.store.set({ help: false })}>
+      <div className="help-columns">
+        {GROUPS.map(({ scope, title }) => (
+          <section key={scope} aria-label={title}>
+            <h3>{title}</h3>
             <dl>
-              {POINTER.map(([title, how]) => (
-                <div key={title}>
-                  <dt>{title}</dt>
-                  <dd className="help-how">{how}</dd>
+              {SHORTCUTS.filter((item) => item.scope === scope).map((item) => (
+                <div key={item.id}>
+                  <dt>{item.title}</dt>
+                  <dd>
+                    {item.keys.map((key, index) => (
+                      <kbd key={key}>{keyText(item.id, index)}</kbd>
+                    ))}
+                  </dd>
                 </div>
               ))}
             </dl>
           </section>
-        </div>
+        ))}
+        <section aria-label="With the pointer">
+          <h3>With the pointer</h3>
+          <dl>
+            {POINTER.map(([title, how]) => (
+              <div key={title}>
+                <dt>{title}</dt>
+                <dd className="help-how">{how}</dd>
+              </div>
+            ))}
+          </dl>
+        </section>
       </div>
-    </dialog>
+    </Dialog>
   );
 }

@@ -1,6 +1,6 @@
 import type { ReactElement } from "react";
-import { useCurrent, useEditor } from "./context";
-import { useRemembered } from "./hooks";
+import { useCurrent, useEditor } from "../widgets/context";
+import { useRemembered } from "../widgets/hooks";
 
 /**
  * Said once to someone new: what is on the page and how to change it. It has a place of its own below the panes, so that

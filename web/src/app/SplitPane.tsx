@@ -1,12 +1,12 @@
 import {
-  useRef,
   type CSSProperties,
   type KeyboardEvent,
   type PointerEvent,
   type ReactElement,
   type ReactNode,
+  useRef,
 } from "react";
-import { useRemembered } from "./hooks";
+import { useRemembered } from "../widgets/hooks";
 
 interface SplitPaneProps {
   /** Where the border stands is remembered under this name. */

@@ -1,8 +1,8 @@
 import type { ReactElement } from "react";
-import { useProblemCount } from "../panels/Problems";
 import { millisecondText, plural } from "../model/format";
-import { useCurrent } from "./context";
-import { useLasting } from "./hooks";
+import { useProblemCount } from "../panels/Problems";
+import { useCurrent } from "../widgets/context";
+import { useLasting } from "../widgets/hooks";
 
 /** The line at the bottom: whether the picture is up to date, how large the graph is, what the server took. */
 export function StatusBar(): ReactElement {
@@ -27,7 +27,7 @@ export function StatusBar(): ReactElement {
   const cached = nodes.filter((node) => node.cached).length;
   const total = shown && shown.report.prepare + shown.report.evaluate + shown.report.encode;
   return (
-    <footer className="status-bar" aria-label="Status">
+    <footer className="status-bar" role="contentinfo" aria-label="Status">
       <span className="status-main" data-tone={tone} role="status">
         {text}
       </span>

@@ -1,6 +1,6 @@
-import { useState, type ReactElement } from "react";
+import { type ReactElement, useState } from "react";
 import { setTitle } from "../model/edit";
-import { useCurrent, useCurrentSession } from "./context";
+import { useCurrent, useCurrentSession } from "../widgets/context";
 
 const STATES = { example: "example", file: "saved", new: "not saved", shared: "shared", draft: "draft" };
 

@@ -1,9 +1,12 @@
 import type { ReactElement } from "react";
 import { FileMenu, ShareMenus } from "../files/FileMenus";
+import { IconButton } from "../widgets/Button";
+import { useCurrentSession, useEditor } from "../widgets/context";
+import { Icon } from "../widgets/Icon";
+import { Tip } from "../widgets/Tip";
 import { EditButtons } from "./EditButtons";
+import { Logo } from "./Logo";
 import { TitleField } from "./TitleField";
-import { useCurrentSession, useEditor } from "./context";
-import { Icon, Logo } from "./icons";
 import type { Theme } from "./theme";
 
 interface TopBarProps {
@@ -29,16 +32,12 @@ export function TopBar({ theme, onTheme, galleryOpen, onGallery }: TopBarProps):
         <Icon name="gallery" />
         <span>Examples</span>
       </button>
-      <button
-        type="button"
-        className="button"
-        title="Begin an empty graph"
-        aria-label="New graph"
-        onClick={() => session.newDocument()}
-      >
-        <Icon name="file" />
-        <span className="wide-only">New</span>
-      </button>
+      <Tip text="Begin an empty graph">
+        <button type="button" className="button" aria-label="New graph" onClick={() => session.newDocument()}>
+          <Icon name="file" />
+          <span className="wide-only">New</span>
+        </button>
+      </Tip>
       <span className="rule" />
       <TitleField />
       <span className="rule" />
@@ -46,24 +45,17 @@ export function TopBar({ theme, onTheme, galleryOpen, onGallery }: TopBarProps):
       <span className="spacer" />
       <ShareMenus />
       <span className="rule" />
-      <button
-        type="button"
-        className="button icon-button"
-        aria-label="Keys and pointer"
-        title="Keys and pointer (?)"
+      <IconButton
+        label="Keys and pointer"
+        icon="help"
+        shortcut="help"
         onClick={() => editor.store.set({ help: true })}
-      >
-        <span aria-hidden="true">?</span>
-      </button>
-      <button
-        type="button"
-        className="button icon-button"
-        aria-label={`Use the ${other} theme`}
-        title={`Use the ${other} theme`}
+      />
+      <IconButton
+        label={`Use the ${other} theme`}
+        icon={theme === "dark" ? "sun" : "moon"}
         onClick={() => onTheme(other)}
-      >
-        <Icon name={theme === "dark" ? "sun" : "moon"} />
-      </button>
+      />
     </header>
   );
 }

@@ -1,7 +1,8 @@
 // The page's address names the open example; the page's root element tells tests what is going on.
 
 import type { Store } from "../model/store";
-import type { Session, SessionState } from "./session";
+import type { Session } from "../session/session";
+import type { SessionState } from "../session/state";
 
 /** The example named in "#example=...", or null. */
 export function exampleInAddress(): string | null {
@@ -17,10 +18,11 @@ export function wantsPicture(): boolean {
 export function keepAddress(session: Session): void {
   let written: string | null = null;
   session.store.subscribe(() => {
-    const { exampleId, document: open } = session.store.get();
+    const { exampleId, document: open, origin, isChanged, isAdjusted } = session.store.get();
     if (exampleId === null && open) {
-      // Whatever the address names is not what is open any more.
-      if (location.hash) history.replaceState(null, "", location.pathname + location.search);
+      // A link holds what is open until that is changed. Whatever else the address names is not what is open.
+      const isLink = origin.kind === "shared" && !isChanged && !isAdjusted && location.hash.startsWith("#g=");
+      if (location.hash && !isLink) history.replaceState(null, "", location.pathname + location.search);
       written = "";
       document.title = `${open.title} · Dini`;
       return;

@@ -1,8 +1,9 @@
 // Hears the keys of the table. What is typed into a field, or chosen in a menu, stays there.
 
-import type { Editor } from "./editor";
-import { keyOf, shortcutFor, type Shortcut } from "./shortcuts";
-import { nodeElement, stopsIn } from "./focus";
+import { nodeElement, stopsIn } from "../graph/focus";
+import type { Editor } from "../session/editor";
+import { type GraphKey, keyOf, type PageKey, shortcutOf } from "../session/shortcuts";
+import { KEY_ACTIONS } from "./key_actions";
 
 /** A press of Space that lasts longer, or comes with a press of the pointer, moves the canvas. */
 const SPACE_MILLISECONDS = 400;
@@ -11,20 +12,23 @@ const SPACE_MILLISECONDS = 400;
 export function listen(editor: Editor): () => void {
   let space: { at: number } | undefined;
   const onKeyDown = (event: KeyboardEvent): void => {
-    if (event.defaultPrevented || event.isComposing) return;
+    if (event.defaultPrevented) return;
     const target = event.target instanceof HTMLElement ? event.target : document.body;
     const key = keyOf(event);
     if (key === "Tab" || key === "Shift+Tab") {
       if (moveInNode(target, event.shiftKey)) event.preventDefault();
-      else if (key === "Tab" && opensSearch(editor, target)) run(editor, "add", event);
+      else if (key === "Tab" && opensSearch(editor, target)) {
+        event.preventDefault();
+        KEY_ACTIONS.add(editor);
+      }
       return;
     }
     if (key === "Escape" && leaveNode(target)) {
       event.preventDefault();
       return;
     }
-    const shortcut = wanted(editor, key, target);
-    if (!shortcut?.run) return;
+    const shortcut = wanted(editor, event, target);
+    if (shortcut === undefined) return;
     if (key === "Space") {
       // Holding Space and dragging moves the canvas, so the search opens when the key comes up.
       event.preventDefault();
@@ -32,7 +36,7 @@ export function listen(editor: Editor): () => void {
       return;
     }
     event.preventDefault();
-    shortcut.run(editor);
+    KEY_ACTIONS[shortcut](editor);
   };
   const onKeyUp = (event: KeyboardEvent): void => {
     if (event.key !== " " || !space) return;
@@ -53,29 +57,25 @@ export function listen(editor: Editor): () => void {
   };
 }
 
-function run(editor: Editor, id: string, event: KeyboardEvent): void {
-  event.preventDefault();
-  if (id === "add") editor.openSearch();
-}
-
 /** The shortcut meant by a key: that of the graph where it has the pointer or the focus, or one of the whole page. */
-function wanted(editor: Editor, key: string, target: HTMLElement): Shortcut | undefined {
+function wanted(editor: Editor, event: KeyboardEvent, target: HTMLElement): PageKey | GraphKey | undefined {
   const isField = target.matches("input:not([type=checkbox]), textarea, select, [contenteditable=true]");
-  if (target.closest("[role=menu], [role=dialog], [role=listbox], dialog")) return undefined;
-  const page = shortcutFor(key, "page");
+  if (target.closest("[role=menu], [role=dialog], [role=listbox]")) return undefined;
+  const page = shortcutOf(event, "page");
   // A field whose text is not finished keeps its own undo.
-  if (page) return !isField || (page.inFields && target.dataset["typing"] !== "true") ? page : undefined;
+  if (page) return !isField || (page.inFields && target.dataset["typing"] !== "true") ? page.id : undefined;
   if (isField) return undefined;
   // The pointer says which pane is meant; away from both, the focus does.
   const isUnderPointer = editor.canvas?.isUnderPointer() ?? false;
   if (!isUnderPointer && !target.closest(".graph-pane")) return undefined;
+  const key = keyOf(event);
   const isOverModel = document.querySelector(".view-pane:hover") !== null;
-  if (isOverModel && !key.startsWith("Arrow") && shortcutFor(key, "model")) return undefined;
+  if (isOverModel && !key.startsWith("Arrow") && shortcutOf(event, "model")) return undefined;
   // A button is pressed with Space and Enter, a control moved with the arrows.
   const isControl = target.closest("button, a, [role=button], [role=slider], [role=tab], [role=checkbox]") !== null;
   if (isControl && /^(Space|Enter|Arrow)/.test(key)) return undefined;
   if (key === "Space" && target.closest(".react-flow__node")) return undefined;
-  return shortcutFor(key, "graph");
+  return shortcutOf(event, "graph")?.id;
 }
 
 /** Tab opens the search only where it would not move the focus of someone who works without a pointer. */

@@ -1,5 +1,7 @@
 // Dark or light: follows the system until a person chooses, then the choice is remembered.
 
+import { recall, remember } from "../session/remembered";
+
 export type Theme = "dark" | "light";
 
 const KEY = "dini.theme";
@@ -27,22 +29,4 @@ export function onSystemTheme(listener: () => void): () => void {
   const query = matchMedia(LIGHT);
   query.addEventListener("change", listener);
   return () => query.removeEventListener("change", listener);
-}
-
-/** Reads local storage; null where it is not allowed. */
-export function recall(key: string): string | null {
-  try {
-    return localStorage.getItem(key);
-  } catch {
-    return null;
-  }
-}
-
-export function remember(key: string, value: string | null): void {
-  try {
-    if (value === null) localStorage.removeItem(key);
-    else localStorage.setItem(key, value);
-  } catch {
-    // A page without storage works; it only forgets.
-  }
 }

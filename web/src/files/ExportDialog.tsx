@@ -1,14 +1,18 @@
-import { useEffect, useState, type ReactElement } from "react";
-import { useCurrent, useCurrentSession } from "../app/context";
-import { saveBlob } from "../app/download";
+import { type ReactElement, useEffect, useState } from "react";
 import { byteText, fileName, grouped } from "../model/format";
 import { fileOutput } from "../model/graph";
+import { asParameter, fieldValue, withinHard } from "../model/inputs";
 import type { Json } from "../model/json";
-import { evaluate, type Answer, type Quality } from "../net/api";
+import { documentWithValues } from "../model/saved_values";
+import { evaluate } from "../net/api";
 import { problemText } from "../net/problem";
-import { Dialog } from "./Dialog";
-import { documentText, documentWithValues } from "./document_file";
-import { exportOptions, withOptions, type ExportOption } from "./export_options";
+import type { Answer, Quality } from "../net/requests";
+import { saveBlob } from "../session/download";
+import { useCurrent, useCurrentSession } from "../widgets/context";
+import { Dialog } from "../widgets/Dialog";
+import { ValueField } from "../widgets/ValueField";
+import { documentText } from "./document_text";
+import { type ExportOption, exportOptions, withOptions } from "./export_options";
 import { filesOf } from "./Files";
 import { withGraph } from "./glb_graph";
 
@@ -145,42 +149,23 @@ interface OptionFieldProps {
   onChange(value: Json): void;
 }
 
-function OptionField({ option: { input }, value, onChange }: OptionFieldProps): ReactElement {
+function OptionField({ option: { input, kind }, value, onChange }: OptionFieldProps): ReactElement {
   const id = `export-${input.name}`;
-  const title = input.name.replaceAll("_", " ");
+  const parameter = asParameter(input, kind);
   return (
     <>
       <label htmlFor={id} title={input.doc}>
-        {title.charAt(0).toUpperCase() + title.slice(1)}
+        {parameter.label}
       </label>
-      {input.types.includes("boolean") ? (
-        <input
-          id={id}
-          type="checkbox"
-          className="checkbox"
-          checked={value === true}
-          onChange={(event) => onChange(event.currentTarget.checked)}
-        />
-      ) : input.choices.length > 0 ? (
-        <select id={id} className="select" value={String(value)} onChange={(event) => onChange(event.currentTarget.value)}>
-          {input.choices.map((choice) => (
-            <option key={choice}>{choice}</option>
-          ))}
-        </select>
-      ) : (
-        <span className="export-number">
-          <input
-            id={id}
-            type="range"
-            min={input.softMinimum ?? input.minimum ?? 0}
-            max={input.softMaximum ?? input.maximum ?? 100}
-            step={input.types.includes("integer") ? 1 : (input.step ?? "any")}
-            value={Number(value)}
-            onChange={(event) => onChange(Number(event.currentTarget.value))}
-          />
-          <output htmlFor={id}>{String(value)}</output>
-        </span>
-      )}
+      <ValueField
+        {...{ id, parameter }}
+        label={parameter.label}
+        partLabel={(letter) => `${parameter.label} ${letter}`}
+        value={fieldValue(parameter, value)}
+        look="form"
+        within={(next) => withinHard(input, next)}
+        onChange={(next) => onChange(next as Json)}
+      />
     </>
   );
 }

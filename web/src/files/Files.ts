@@ -1,18 +1,23 @@
 // Opening, saving, sharing and recovering the open document. Plain TypeScript; the components read its store.
 
-import { commandLineText, curlText } from "../app/commands";
-import type { Session } from "../app/session";
 import { fileName } from "../model/format";
-import type { Json } from "../model/json";
+import { asObject, type Json, parseJsonBytes } from "../model/json";
+import { documentWithValues } from "../model/saved_values";
 import { createStore, type Store } from "../model/store";
-import { Autosave, tabName } from "./autosave";
-import { askForFile, writeFile, type FileHandle } from "./disk";
-import { documentText, documentWithValues } from "./document_file";
-import { openDraftStore, type Draft } from "./drafts";
-import { graphInGlb } from "./glb_graph";
+import type { Session } from "../session/session";
+import type { Origin } from "../session/state";
+import { Autosave } from "./autosave";
+import { commandLineText, curlText } from "./commands";
+import { askForFile, type FileHandle, writeFile } from "./disk";
+import { documentText } from "./document_text";
+import { openDraftDatabase } from "./draft_database";
+import type { Draft } from "./drafts";
+import { graphInGlb, parametersInGlb } from "./glb_graph";
 import { addImport, MESH_FILE, uploadMesh } from "./import_mesh";
+import { KeptDrafts } from "./kept_drafts";
 import { meshName, rememberMesh } from "./mesh_names";
 import { LONGEST_LINK, packGraph, unpackGraph } from "./share";
+import { recallOpen, tabName } from "./tab";
 
 export interface FilesState {
   dialog: "model-file" | "recover" | "share" | null;
@@ -24,11 +29,10 @@ export interface FilesState {
 /** What a page begins with instead of an example. */
 export interface Beginning {
   json: Json;
-  origin: { kind: "shared" } | { kind: "draft"; id: string };
+  origin: Origin;
 }
 
 const NOTE_MILLISECONDS = 6000;
-const LONGEST_WAIT_MILLISECONDS = 4000;
 const kept = new WeakMap<Session, Files>();
 
 /** The files of a session; one for each. */
@@ -40,9 +44,9 @@ export function filesOf(session: Session): Files {
 
 export class Files {
   readonly store: Store<FilesState> = createStore<FilesState>({ dialog: null, note: null, link: "" });
-  private readonly drafts = openDraftStore();
+  readonly drafts = new KeptDrafts(openDraftDatabase());
   private readonly tab = tabName();
-  private readonly autosave: Autosave;
+  readonly autosave: Autosave;
   private handle: { file: FileHandle; opened: number } | undefined;
   private timer = 0;
 
@@ -50,7 +54,7 @@ export class Files {
     this.autosave = new Autosave(session, this.drafts, this.tab);
   }
 
-  /** What this load of the page takes up: the graph in its address, else what the same tab had not saved. */
+  /** What this load of the page takes up: the graph in its address, else what was open in the same tab. */
   async beginning(): Promise<Beginning | undefined> {
     const packed = new URLSearchParams(location.hash.slice(1)).get("g");
     if (packed !== null) {
@@ -59,28 +63,22 @@ export class Files {
       this.say(result.error, "bad");
       return undefined;
     }
-    // A database that another page holds back must not hold this page back.
-    const late = new Promise<Draft[]>((resolve) => window.setTimeout(() => resolve([]), LONGEST_WAIT_MILLISECONDS));
-    const mine = (await Promise.race([this.list(), late])).find((draft) => draft.tab === this.tab && draft.address === location.hash);
+    const open = recallOpen();
+    if (open && !open.draft) return open;
+    const isMine = (draft: Draft): boolean => draft.tab === this.tab && draft.address === location.hash;
+    const mine = open?.draft ?? (await this.drafts.list()).find(isMine);
     if (!mine) return undefined;
     // The address will not name an example any more, and another reload has to find it again.
-    void this.drafts.put({ ...mine, address: "" }).catch(() => undefined);
+    const { ancestor, ...draft } = mine;
+    void this.drafts.put({ ...draft, address: "" });
+    if (ancestor !== undefined) void this.drafts.remove(ancestor);
     this.say(`“${mine.title}” is open again with what was not saved.`);
     return { json: mine.json, origin: { kind: "draft", id: mine.id } };
-  }
-
-  /** Drafts, newest first; none where the browser keeps none. */
-  list(): Promise<Draft[]> {
-    return this.drafts.list().catch(() => []);
   }
 
   recover(draft: Draft): void {
     this.open(draft.json, { kind: "draft", id: draft.id }, draft.title);
     this.show(null);
-  }
-
-  async forget(draft: Draft): Promise<void> {
-    await this.drafts.remove(draft.id).catch(() => undefined);
   }
 
   async ask(): Promise<void> {
@@ -94,9 +92,10 @@ export class Files {
     if (MESH_FILE.test(file.name)) return this.importMesh(file);
     let json: Json;
     try {
-      json = JSON.parse(await file.text()) as Json;
-    } catch {
-      this.say(`${file.name} is no graph: it is not JSON.`, "bad");
+      json = parseJsonBytes(await file.arrayBuffer());
+    } catch (error) {
+      const what = error instanceof TypeError ? "text in UTF-8" : "JSON";
+      this.say(`${file.name} is no graph: it is not ${what}.`, "bad");
       return;
     }
     if (this.open(json, { kind: "file", name: file.name }, file.name) && handle) {
@@ -112,13 +111,14 @@ export class Files {
     const known = !elsewhere && this.handle?.opened === opened ? this.handle.file : undefined;
     const written = await writeFile(documentText(documentWithValues(document, values)), name, known);
     if (!written) return;
-    const isSame = this.session.store.get().document === document;
+    const now = this.session.store.get();
+    const isSame = now.document === document && now.values === values;
     if (written !== "download") this.handle = { file: written, opened };
     const kept = written === "download" ? name : written.name;
     // What was edited while the dialog was open is not in the file.
     if (isSame) {
       this.session.markSaved({ kind: "file", name: kept });
-      await this.autosave.saved();
+      this.autosave.saved();
     }
     this.say(`Saved ${kept}`);
   }
@@ -174,14 +174,20 @@ export class Files {
 
   private async takeGlb(file: File): Promise<void> {
     try {
-      const content = graphInGlb(new Uint8Array(await file.arrayBuffer()));
+      const bytes = new Uint8Array(await file.arrayBuffer());
+      const content = graphInGlb(bytes);
       if (content.kind === "foreign") return await this.importMesh(file);
       if (content.kind === "graph") {
-        this.open(content.json, { kind: "file", name: file.name.replace(/\.glb$/i, ".json") }, file.name);
+        // Whoever made it elsewhere gave the values beside the graph.
+        const ui = { values: parametersInGlb(bytes), ...asObject(content.json["ui"]) };
+        this.open({ ...content.json, ui }, { kind: "file", name: file.name.replace(/\.glb$/i, ".json") }, file.name);
         return;
       }
       const short = content.hash.slice(0, 12);
-      this.say(`${file.name} names its graph only by its hash ${short}…; a model exported here with “Graph inside” can be opened.`, "bad");
+      this.say(
+        `${file.name} names its graph only by its hash ${short}…; a model exported here with “Graph inside” can be opened.`,
+        "bad",
+      );
     } catch (error) {
       this.say(`${file.name} was not opened. ${error instanceof Error ? error.message : ""}`, "bad");
     }

@@ -1,7 +1,7 @@
-import { useEffect, useRef, useState, type ReactElement } from "react";
-import { useCurrentSession } from "../app/context";
-import { useStore } from "../app/hooks";
-import { Icon } from "../app/icons";
+import { type ReactElement, useEffect, useRef, useState } from "react";
+import { useCurrentSession } from "../widgets/context";
+import { useStore } from "../widgets/hooks";
+import { Icon } from "../widgets/Icon";
 import { ExportDialog } from "./ExportDialog";
 import { filesOf } from "./Files";
 import { RecoverDialog } from "./RecoverDialog";

@@ -1,8 +1,8 @@
-import { useEffect, useState, type ReactElement } from "react";
-import { useCurrentSession } from "../app/context";
+import { type ReactElement, useEffect, useState } from "react";
 import { plural } from "../model/format";
 import { asObject } from "../model/json";
-import { Dialog } from "./Dialog";
+import { useCurrentSession } from "../widgets/context";
+import { Dialog } from "../widgets/Dialog";
 import type { Draft } from "./drafts";
 import { filesOf } from "./Files";
 
@@ -10,10 +10,10 @@ import { filesOf } from "./Files";
 export function RecoverDialog(): ReactElement {
   const files = filesOf(useCurrentSession());
   const [drafts, setDrafts] = useState<Draft[] | null>(null);
-  useEffect(() => void files.list().then(setDrafts), [files]);
+  useEffect(() => void files.drafts.list().then(setDrafts), [files]);
   const forget = async (draft: Draft): Promise<void> => {
-    await files.forget(draft);
-    setDrafts(await files.list());
+    await files.drafts.remove(draft.id);
+    setDrafts(await files.drafts.list());
   };
   return (
     <Dialog title="Recover" onClose={() => files.show(null)}>

@@ -1,8 +1,8 @@
-import { useRef, type ReactElement } from "react";
-import { useCurrentSession } from "../app/context";
-import { useStore } from "../app/hooks";
-import { Dialog } from "./Dialog";
-import { filesOf, type Files } from "./Files";
+import { type ReactElement, useRef } from "react";
+import { useCurrentSession } from "../widgets/context";
+import { Dialog } from "../widgets/Dialog";
+import { useStore } from "../widgets/hooks";
+import { type Files, filesOf } from "./Files";
 import { LONGEST_LINK } from "./share";
 
 /** The ways to hand a graph to others, one part each, the one that needs nothing from the server first. */
@@ -34,8 +34,8 @@ function WholeLink({ link }: { link: string }): ReactElement {
   if (!link) {
     return (
       <p className="dialog-note">
-        This graph is too large for a link: above {LONGEST_LINK / 1000} kB, mail programs and chats cut links off. Send it
-        as a file.
+        This graph is too large for a link: above {LONGEST_LINK / 1000} kB, mail programs and chats cut links off. Send
+        it as a file.
       </p>
     );
   }

@@ -1,25 +1,14 @@
 // Writes the draft of the open document a moment after every change of its graph or its form, and at once when the page
 // is left.
 
-import type { Session, SessionState } from "../app/session";
-import { documentWithValues } from "./document_file";
-import type { Draft, DraftStore } from "./drafts";
+import { documentWithValues } from "../model/saved_values";
+import type { Session } from "../session/session";
+import type { SessionState } from "../session/state";
+import type { Draft } from "./drafts";
+import type { KeptDrafts } from "./kept_drafts";
+import { newId, rememberOpen } from "./tab";
 
 const PAUSE_MILLISECONDS = 500;
-const TAB_KEY = "dini.tab";
-
-/** A word that a tab keeps over reloads. */
-export function tabName(): string {
-  const fresh = newId();
-  try {
-    const known = sessionStorage.getItem(TAB_KEY);
-    if (known) return known;
-    sessionStorage.setItem(TAB_KEY, fresh);
-  } catch {
-    // Without storage every load is a tab of its own.
-  }
-  return fresh;
-}
 
 export class Autosave {
   private id = newId();
@@ -30,26 +19,56 @@ export class Autosave {
   private written: { json?: unknown; values?: unknown } = {};
   private pending: Draft | undefined;
   private timer = 0;
+  /** How many drafts are on their way to the browser. */
+  private writing = 0;
   /** A draft of this document was written, or will be. */
   private isKept = false;
 
   constructor(
     private readonly session: Session,
-    private readonly store: DraftStore,
+    private readonly drafts: KeptDrafts,
     private readonly tab: string,
   ) {
     session.store.subscribe(() => this.look());
     document.addEventListener("visibilitychange", () => void (document.hidden && this.flush()));
-    window.addEventListener("pagehide", () => this.flush());
+    window.addEventListener("pagehide", () => {
+      this.flush();
+      rememberOpen(session, this.unsaved());
+    });
+    window.addEventListener("beforeunload", (event) => {
+      if (this.isAtRisk()) event.preventDefault();
+    });
   }
 
   /** The open document is saved: its draft is not needed any more. */
-  async saved(): Promise<void> {
+  saved(): void {
     window.clearTimeout(this.timer);
     this.pending = undefined;
-    for (const id of [this.id, this.ancestor]) if (id) await this.store.remove(id).catch(() => undefined);
+    for (const id of [this.id, this.ancestor]) if (id) void this.drafts.remove(id);
     this.ancestor = undefined;
     this.isKept = false;
+  }
+
+  /** The draft is of the document that is open. */
+  isOpen(draft: Draft): boolean {
+    return draft.id === this.id;
+  }
+
+  /**
+   * Something would be lost with the page. What is only on its way counts as long as the browser has not shown that it
+   * keeps drafts.
+   */
+  private isAtRisk(): boolean {
+    this.flush();
+    return this.drafts.held.get().drafts.length > 0 || (this.writing > 0 && !this.drafts.isTrusted);
+  }
+
+  /** The draft of what is open, if that was not saved; of one that was taken up and not changed, the same again. */
+  private unsaved(): Draft | undefined {
+    if (draftNeed(this.session.store.get(), true) !== "write") return undefined;
+    const draft = this.draft();
+    if (!draft || this.ancestor === undefined) return draft;
+    return this.isKept ? { ...draft, ancestor: this.ancestor } : { ...draft, id: this.ancestor };
   }
 
   private look(): void {
@@ -72,7 +91,7 @@ export class Autosave {
     if (need === "remove") {
       this.pending = undefined;
       this.isKept = false;
-      void this.store.remove(this.id).catch(() => undefined);
+      void this.drafts.remove(this.id);
       return;
     }
     this.isKept = true;
@@ -85,12 +104,13 @@ export class Autosave {
     const { pending, ancestor } = this;
     if (!pending) return;
     this.pending = undefined;
-    // A browser that keeps nothing, or is full, is no reason to disturb the work.
-    void this.store
-      .put(pending)
-      .then(() => (ancestor ? this.store.remove(ancestor) : undefined))
-      .catch(() => undefined);
-    this.ancestor = undefined;
+    this.writing++;
+    void this.drafts.put(pending).then((isStored) => {
+      this.writing--;
+      if (!isStored || ancestor === undefined) return;
+      void this.drafts.remove(ancestor);
+      if (this.ancestor === ancestor) this.ancestor = undefined;
+    });
   }
 
   private draft(): Draft | undefined {
@@ -120,8 +140,4 @@ export function draftNeed(
   if (isChanged || isAdjusted) return "write";
   if (!isKept) return "nothing";
   return origin.kind === "draft" ? "write" : "remove";
-}
-
-function newId(): string {
-  return [...crypto.getRandomValues(new Uint8Array(9))].map((byte) => byte.toString(16).padStart(2, "0")).join("");
 }

@@ -1,6 +1,6 @@
 // Files of the computer: through the File System Access API where the browser has it, else as up- and downloads.
 
-import { saveBlob } from "../app/download";
+import { saveBlob } from "../session/download";
 
 /** The parts of the File System Access API that are used; TypeScript's library does not know its dialogs. */
 interface FileHandle {
@@ -31,7 +31,10 @@ export async function askForFile(): Promise<OpenedFile | undefined> {
   if (!showOpenFilePicker) return askByField();
   try {
     const types = [
-      { description: "Graphs and meshes", accept: { "application/json": [".json"], "model/obj": [".obj", ".ply", ".glb"] } },
+      {
+        description: "Graphs and meshes",
+        accept: { "application/json": [".json"], "model/obj": [".obj", ".ply", ".glb"] },
+      },
     ];
     const [handle] = await showOpenFilePicker.call(window, { types, multiple: false });
     return handle && { file: await handle.getFile(), handle };

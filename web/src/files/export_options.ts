@@ -4,9 +4,11 @@ import type { Catalogue, InputCard } from "../model/catalogue";
 import type { GraphDocument } from "../model/document";
 import { fileOutput } from "../model/graph";
 import { asObject, type Json, type JsonObject } from "../model/json";
+import type { ParameterType } from "../model/parameters";
 
 export interface ExportOption {
   input: InputCard;
+  kind: ParameterType;
   /** What stands in the document, or the default. */
   value: Json;
 }
@@ -19,13 +21,19 @@ export function exportOptions(document: GraphDocument, catalogue: Catalogue): Ex
   const card = node && catalogue.nodes.get(node.type);
   return (card?.inputs ?? []).flatMap((input) => {
     const [source] = node?.inputs.get(input.name) ?? [];
-    if (!input.types.every((type) => LITERALS.has(type)) || (source && source.kind !== "literal")) return [];
-    return [{ input, value: source ? source.value : input.fallback }];
+    const [kind] = input.types;
+    const isSetting = kind !== undefined && LITERALS.has(kind) && input.types.length === 1;
+    if (!isSetting || (source && source.kind !== "literal")) return [];
+    return [{ input, kind: kind as ParameterType, value: source ? source.value : input.fallback }];
   });
 }
 
 /** The document with other settings for its file; the open one is not changed. */
-export function withOptions(document: GraphDocument, output: string, changes: Readonly<Record<string, Json>>): JsonObject {
+export function withOptions(
+  document: GraphDocument,
+  output: string,
+  changes: Readonly<Record<string, Json>>,
+): JsonObject {
   const nodes = asObject(document.json["nodes"]);
   const node = asObject(nodes[output]);
   const inputs = { ...asObject(node["inputs"]), ...changes };

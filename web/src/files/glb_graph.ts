@@ -1,7 +1,7 @@
 // The graph inside of a model of ours: the page writes it there on request, beside what the server says of the file.
 
+import { joinGlb, splitGlb } from "../model/glb";
 import { asObject, asString, isObject, type JsonObject } from "../model/json";
-import { joinGlb, splitGlb } from "../view3d/glb";
 
 export type GlbContent =
   | { kind: "graph"; json: JsonObject }
@@ -18,6 +18,11 @@ export function graphInGlb(bytes: Uint8Array<ArrayBuffer>): GlbContent {
   if (isObject(document) && isObject(document["nodes"])) return { kind: "graph", json: document };
   const hash = asString(extras["graph"]);
   return hash && asString(extras["engine"]) ? { kind: "hash", hash } : { kind: "foreign" };
+}
+
+/** The values of the parameters that a model of ours was made with; empty for any other. */
+export function parametersInGlb(bytes: Uint8Array<ArrayBuffer>): JsonObject {
+  return asObject(asObject(asObject(splitGlb(bytes).json["asset"])["extras"])["parameters"]);
 }
 
 /** The same model with the graph that made it in `asset.extras.document`. */

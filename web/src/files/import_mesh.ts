@@ -1,11 +1,11 @@
 // A mesh file becomes a node: the server keeps the file and answers its hash, which is the node's literal.
 
-import { FILE_TYPE, type Catalogue, type InputCard, type NodeCard } from "../model/catalogue";
+import { type Catalogue, FILE_TYPE, type InputCard, type NodeCard } from "../model/catalogue";
 import type { GraphDocument } from "../model/document";
-import { addNodes, freeId, inOrder, type Edit } from "../model/edit";
+import { addNodes, type Edit, freeId, inOrder } from "../model/edit";
 import { setFlag } from "../model/edit_ui";
 import { asString } from "../model/json";
-import { readProblem, problemText } from "../net/problem";
+import { problemText, readProblem } from "../net/problem";
 
 export interface Uploaded {
   sha256: string;
@@ -52,7 +52,8 @@ export function addImport(
   const id = freeId(document, card.id);
   const position = placeBelow(document);
   const node = { id, type: card.id, position, inputs: { [input.name]: sha256 } };
-  const makesFile = (one: NodeCard | undefined): boolean => one?.outputs.some(({ types }) => types.includes(FILE_TYPE)) ?? false;
+  const makesFile = (one: NodeCard | undefined): boolean =>
+    one?.outputs.some(({ types }) => types.includes(FILE_TYPE)) ?? false;
   if ([...document.nodes.values()].some(({ type }) => makesFile(catalogue.nodes.get(type)))) {
     return { edit: inOrder(addNodes([node]), setFlag([id], "preview", true)), id };
   }

@@ -1,8 +1,8 @@
 // Which file an uploaded mesh was. Graphs name meshes by their hash alone; whoever takes a graph to the command line needs
 // the file, so its name is remembered in this browser.
 
-import { recall, remember } from "../app/theme";
 import { asObject, asString, type Json } from "../model/json";
+import { recall, remember } from "../session/remembered";
 
 const KEY = "dini.meshes";
 const MOST_NAMES = 50;

@@ -1,7 +1,7 @@
 // A graph inside of a link: its JSON, deflated, in the letters that an address may hold. What comes out of a link was
 // written by anyone, so its size is bounded before it is read.
 
-import { isObject, type Json, type JsonObject } from "../model/json";
+import { isObject, type Json, type JsonObject, parseJsonBytes } from "../model/json";
 
 /** Longer links are cut off by mail programs and chats; a file is better then. */
 export const LONGEST_LINK = 8000;
@@ -25,7 +25,7 @@ export async function unpackGraph(text: string): Promise<{ json: JsonObject } | 
     const letters = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
     const packed = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
     const bytes = await through(packed, new DecompressionStream("deflate-raw"));
-    json = JSON.parse(new TextDecoder("utf-8", { fatal: true }).decode(bytes)) as Json;
+    json = parseJsonBytes(bytes);
   } catch (error) {
     if (error instanceof RangeError) return { error: "The graph in the link is too large." };
     return { error: "The link is damaged or was cut short." };
@@ -34,7 +34,10 @@ export async function unpackGraph(text: string): Promise<{ json: JsonObject } | 
 }
 
 /** Runs bytes through a stream; throws a RangeError when more comes out than any graph has. */
-async function through(bytes: Uint8Array<ArrayBuffer>, stream: GenericTransformStream): Promise<Uint8Array> {
+async function through(
+  bytes: Uint8Array<ArrayBuffer>,
+  stream: GenericTransformStream,
+): Promise<Uint8Array<ArrayBuffer>> {
   const writer = (stream.writable as WritableStream<Uint8Array>).getWriter();
   // What goes wrong here also ends the reading below, which reports it.
   writer

@@ -1,6 +1,6 @@
+import { MiniMap, type ReactFlowState, useStore } from "@xyflow/react";
 import type { ReactElement } from "react";
-import { MiniMap, useStore, type ReactFlowState } from "@xyflow/react";
-import { useCurrent } from "../app/context";
+import { useCurrent } from "../widgets/context";
 import type { FlowNode } from "./flow_nodes";
 
 /** The map costs more than it helps above this number of nodes. */

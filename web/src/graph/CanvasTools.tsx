@@ -1,41 +1,37 @@
 import type { ReactElement } from "react";
-import { layout } from "../app/actions";
-import { useEditor } from "../app/context";
-import { Icon } from "../app/icons";
-import { keyText } from "../app/shortcuts";
+import { layout } from "../session/actions";
+import { IconButton } from "../widgets/Button";
+import { useEditor } from "../widgets/context";
 
 /** The canvas's buttons, for those who know no keys. */
 export function CanvasTools({ onFit }: { onFit(): void }): ReactElement {
   const editor = useEditor();
   return (
     <div className="pane-tools" role="toolbar" aria-label="Canvas">
-      <button
-        type="button"
+      <IconButton
         className="tool"
-        title={`Find a node of this graph (${keyText("find")})`}
-        aria-label="Find a node"
+        label="Find a node"
+        icon="search"
+        hint="Find a node of this graph"
+        shortcut="find"
         onClick={() => editor.store.set({ finding: true })}
-      >
-        <Icon name="search" />
-      </button>
-      <button
-        type="button"
+      />
+      <IconButton
         className="tool"
-        title={`Lay the graph out (${keyText("layout")})`}
-        aria-label="Lay out"
+        label="Lay out"
+        icon="layout"
+        hint="Lay the graph out"
+        shortcut="layout"
         onClick={() => layout(editor)}
-      >
-        <Icon name="layout" />
-      </button>
-      <button
-        type="button"
+      />
+      <IconButton
         className="tool"
-        title={`Show the whole graph (${keyText("fit-all")})`}
-        aria-label="Fit graph"
+        label="Fit graph"
+        icon="frame"
+        hint="Show the whole graph"
+        shortcut="fit-all"
         onClick={onFit}
-      >
-        <Icon name="frame" />
-      </button>
+      />
     </div>
   );
 }

@@ -1,13 +1,13 @@
-import { useMemo, useState, type ReactElement } from "react";
-import { useCurrent, useEditor } from "../app/context";
-import { socketKey, type SocketPlace } from "../app/editor";
+import { type ReactElement, useMemo, useState } from "react";
 import { WireCheck } from "../model/check";
 import { disconnect } from "../model/edit_wires";
 import { matchText } from "../model/search";
 import type { Position } from "../model/ui";
-import { Chooser, type Choice } from "./Chooser";
-import { Mark } from "./Mark";
-import { Popup } from "./Popup";
+import { type SocketPlace, socketKey } from "../session/editor";
+import { type Choice, Chooser } from "../widgets/Chooser";
+import { useCurrent, useEditor } from "../widgets/context";
+import { Mark } from "../widgets/Mark";
+import { Popup } from "../widgets/Popup";
 import { between, draw, wiringFrom } from "./wiring";
 
 interface EndChoice extends Choice {
@@ -16,7 +16,7 @@ interface EndChoice extends Choice {
 }
 
 /** Connecting without a pointer: every socket that the given one can be joined to, and what else can be done with it. */
-export function ConnectList({ start }: { start: SocketPlace & { screen: Position } }): ReactElement {
+export function ConnectList({ start }: { start: SocketPlace & { screen: Position } }): ReactElement | null {
   const editor = useEditor();
   const view = useCurrent((state) => state.view);
   const document = useCurrent((state) => state.document);
@@ -66,11 +66,11 @@ export function ConnectList({ start }: { start: SocketPlace & { screen: Position
       run: () => openSearchFrom(editor, start),
     });
     const shown = more.filter((item) => item.key === "new" || matchText("disconnect", text));
-    shown.forEach((item, index) => (item.heading = index === 0 && found.length > 0 ? "More" : undefined));
-    return [...found, ...shown];
+    const headed = shown.map((item, index) => (index === 0 && found.length > 0 ? { ...item, heading: "More" } : item));
+    return [...found, ...headed];
   }, [editor, view, start, text]);
   const close = (): void => editor.store.set({ connecting: null });
-  if (!document) return <></>;
+  if (!document) return null;
   const label = `Connect ${start.name} of ${view?.byId.get(start.node)?.title ?? start.node}`;
   return (
     <Popup screen={start.screen} label={label} className="node-search" onClose={close}>

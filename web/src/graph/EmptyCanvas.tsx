@@ -1,9 +1,9 @@
-import { useMemo, type ReactElement } from "react";
-import { addFinding } from "../app/adding";
-import { useCurrent, useEditor } from "../app/context";
-import { Icon } from "../app/icons";
+import { type ReactElement, useMemo } from "react";
 import type { NodeCard } from "../model/catalogue";
-import { Mark } from "./Mark";
+import { addFinding } from "../session/adding";
+import { useCurrent, useEditor } from "../widgets/context";
+import { Icon } from "../widgets/Icon";
+import { Mark } from "../widgets/Mark";
 
 /** Types worth beginning with: each offers one node that needs nothing else. */
 const FIRST_TYPES = ["circle", "generator", "mesh"];
@@ -34,7 +34,7 @@ export function EmptyCanvas(): ReactElement {
           </button>
         ))}
         <button type="button" className="button quiet" onClick={() => editor.openSearch()}>
-          <Icon name="plus" />
+          <Icon name="add" />
           <span>All nodes</span>
         </button>
       </div>

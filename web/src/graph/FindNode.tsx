@@ -1,9 +1,9 @@
-import { useMemo, useState, type ReactElement } from "react";
-import { useCurrent, useEditor } from "../app/context";
+import { type ReactElement, useMemo, useState } from "react";
 import { matchText } from "../model/search";
-import { Chooser, type Choice } from "./Chooser";
-import { Mark } from "./Mark";
-import { Popup } from "./Popup";
+import { type Choice, Chooser } from "../widgets/Chooser";
+import { useCurrent, useEditor } from "../widgets/context";
+import { Mark } from "../widgets/Mark";
+import { Popup } from "../widgets/Popup";
 
 interface NodeChoice extends Choice {
   id: string;

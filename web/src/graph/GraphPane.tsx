@@ -1,23 +1,18 @@
-import { useMemo, useRef, useState, type CSSProperties, type ReactElement } from "react";
-import {
-  ReactFlow,
-  SelectionMode,
-  Background,
-  BackgroundVariant,
-  type ReactFlowInstance,
-} from "@xyflow/react";
-import { useCurrent, useEditing, useEditor } from "../app/context";
+import { Background, BackgroundVariant, ReactFlow, SelectionMode } from "@xyflow/react";
+import { type CSSProperties, type ReactElement, useMemo, useRef, useState } from "react";
 import { wireType } from "../model/catalogue";
+import { useCurrent, useEditing, useEditor } from "../widgets/context";
 import { FrameView, NoteView } from "./areas";
-import { CanvasTools } from "./CanvasTools";
 import { CanvasMap, MAP_TO } from "./CanvasMap";
+import { CanvasTools } from "./CanvasTools";
 import { EmptyCanvas } from "./EmptyCanvas";
-import { useFlowNodes, type FlowNode } from "./flow_nodes";
+import type { Flow } from "./flow";
+import { type FlowNode, useFlowNodes } from "./flow_nodes";
 import { useHandlers } from "./handlers";
 import { NodeView } from "./NodeView";
 import { Overlays } from "./Overlays";
 import { openingFit, useCanvas } from "./use_canvas";
-import { WireView, type WireEdge } from "./WireView";
+import { type WireEdge, WireView } from "./WireView";
 
 const NODE_TYPES = { graph: NodeView, frame: FrameView, note: NoteView };
 const EDGE_TYPES = { wire: WireView };
@@ -25,8 +20,6 @@ const EDGE_TYPES = { wire: WireView };
 const ONLY_VISIBLE_FROM = 150;
 /** The middle and the right button move the canvas while the left one draws boxes. */
 const OTHER_BUTTONS = [1, 2];
-
-export type Flow = ReactFlowInstance<FlowNode, WireEdge>;
 
 /** The graph: a canvas on which it is built. */
 export function GraphPane(): ReactElement {

@@ -1,13 +1,13 @@
-import { useMemo, useState, type ReactElement } from "react";
-import { addFinding } from "../app/adding";
-import { useCurrent, useEditor } from "../app/context";
-import { looseEnd, type Search } from "../app/editor";
+import { type ReactElement, useMemo, useState } from "react";
 import { listed } from "../model/check";
 import { socketsFor } from "../model/edit_wires";
-import { findNodes, type Finding } from "../model/search";
-import { Chooser, type Choice } from "./Chooser";
-import { Mark } from "./Mark";
-import { Popup } from "./Popup";
+import { type Finding, findNodes } from "../model/search";
+import { addFinding } from "../session/adding";
+import { looseEnd, type Search } from "../session/editor";
+import { type Choice, Chooser } from "../widgets/Chooser";
+import { useCurrent, useEditor } from "../widgets/context";
+import { Mark } from "../widgets/Mark";
+import { Popup } from "../widgets/Popup";
 
 interface FoundChoice extends Choice {
   finding: Finding;

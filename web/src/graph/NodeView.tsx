@@ -1,15 +1,15 @@
-import { useUpdateNodeInternals, type Node, type NodeProps } from "@xyflow/react";
-import { memo, useEffect, useState, type ReactElement } from "react";
-import { toggleFlag } from "../app/actions";
-import { useCurrent, useCurrentSession, useEditing, useEditor } from "../app/context";
-import { socketKey } from "../app/editor";
-import { Icon } from "../app/icons";
+import { type Node, type NodeProps, useUpdateNodeInternals } from "@xyflow/react";
+import { memo, type ReactElement, useEffect, useState } from "react";
 import { FILE_TYPE } from "../model/catalogue";
 import { millisecondText, plural } from "../model/format";
 import type { InputRow, ViewNode } from "../model/graph";
 import { problemsOf } from "../net/problem";
-import { InputControl } from "./InputControl";
-import { NameField } from "./NameField";
+import { toggleFlag } from "../session/actions";
+import { socketKey } from "../session/editor";
+import { useCurrent, useCurrentSession, useEditing, useEditor } from "../widgets/context";
+import { Icon } from "../widgets/Icon";
+import { InputField } from "../widgets/InputField";
+import { NameField } from "../widgets/NameField";
 import { Socket } from "./Socket";
 
 export type GraphNodeData = Node<{ id: string }, "graph">;
@@ -40,6 +40,8 @@ function Face({ node, isSelected }: { node: ViewNode; isSelected: boolean }): Re
   const isOpen = isUnfolded || isWanted;
   useEffect(() => update(node.id), [isOpen, node.rows, node.collapsed, text, node.id, update]);
   return (
+    // biome-ignore lint/a11y/noStaticElementInteractions: the canvas makes the node around it an element with a role and keys.
+    // biome-ignore lint/a11y/useKeyWithClickEvents: nothing is done here, only kept from being done twice.
     <div
       className="node"
       data-tone={tone}
@@ -47,6 +49,11 @@ function Face({ node, isSelected }: { node: ViewNode; isSelected: boolean }): Re
       data-bypass={node.bypass}
       data-known={node.known}
       data-collapsed={node.collapsed}
+      onClick={(event) => {
+        // With a key held a press in a field means a number, and not one more selected node.
+        const isField = event.target instanceof Element && event.target.closest(".nokey") !== null;
+        if (isField && (event.shiftKey || event.ctrlKey || event.metaKey)) event.stopPropagation();
+      }}
       onPointerEnter={() => setIsOver(true)}
       onPointerLeave={() => setIsOver(false)}
     >
@@ -64,6 +71,7 @@ const Head = memo(function Head({ node, tone }: { node: ViewNode; tone?: string 
   const hasPicture = node.outputs.some((row) => row.type !== FILE_TYPE && isDrawn(row.type));
   const hint = `${node.title} (${node.id})${node.doc ? `\n${node.doc}` : ""}\nDouble-click to rename`;
   return (
+    // biome-ignore lint/a11y/noStaticElementInteractions: F2 does the same.
     <div className="node-head" onDoubleClick={() => editor.store.set({ renaming: node.id })}>
       {(tone === "error" || tone === "warning") && <Icon name="alert" />}
       {isRenaming ? (
@@ -110,7 +118,7 @@ function Rows({ node, isOpen, isUnfolded }: { node: ViewNode; isOpen: boolean; i
           onClick={() => editor.unfold([node.id], !isUnfolded)}
         >
           {isUnfolded ? "Hide defaults" : plural(node.folded.length, "default")}
-          <Icon name="chevron" />
+          <Icon name="open" />
         </button>
       )}
       {node.outputs.map((row) => (
@@ -131,6 +139,7 @@ const Input = memo(function Input({ row, id, title }: { row: InputRow; id: strin
       {row.hasSocket && (
         <Socket node={id} side="input" name={row.name} type={row.type} nodeTitle={title} doc={row.doc} />
       )}
+      {/* biome-ignore lint/a11y/noStaticElementInteractions: a short way for the pointer; the default can be typed as well. */}
       <span className="row-name" title={row.doc} onDoubleClick={row.linked || row.isDefault ? undefined : reset}>
         {row.name}
       </span>
@@ -139,7 +148,7 @@ const Input = memo(function Input({ row, id, title }: { row: InputRow; id: strin
           <span aria-hidden="true">◈</span> {row.parameter}
         </span>
       ) : row.linked ? null : (
-        <InputControl node={id} title={title} row={row} onNode />
+        <InputField node={id} title={title} row={row} look="node" />
       )}
     </div>
   );

@@ -1,13 +1,17 @@
-import { useEffect, useState, type CSSProperties, type ReactElement } from "react";
+import { type CSSProperties, type ReactElement, useEffect, useState } from "react";
 import { createPortal } from "react-dom";
-import { useEditing } from "../app/context";
-import type { Editor, Inspected } from "../app/editor";
+import type { Editor, Inspected } from "../session/editor";
+import { useEditing } from "../widgets/context";
+import { PointMenu } from "../widgets/Menu";
 import { ConnectList } from "./ConnectList";
-import { ContextMenu } from "./ContextMenu";
 import { FindNode } from "./FindNode";
+import { MENU_LABELS, menuItems } from "./menu_items";
 import { NodeSearch } from "./NodeSearch";
 
 const NOTICE_MILLISECONDS = { said: 2200, refused: 4500 };
+/** What is longer than a short sentence takes longer to read. */
+const MILLISECONDS_A_LETTER = 60;
+const SHORT_LETTERS = 40;
 
 /** What opens over the canvas: the search, menus, lists, and what is said about a socket or an action. */
 export function Overlays({ editor }: { editor: Editor }): ReactElement {
@@ -22,7 +26,15 @@ export function Overlays({ editor }: { editor: Editor }): ReactElement {
       {createPortal(
         <>
           {search && <NodeSearch search={search} />}
-          {menu && <ContextMenu menu={menu} />}
+          {menu && (
+            <PointMenu
+              key={`${menu.screen.x} ${menu.screen.y}`}
+              label={MENU_LABELS[menu.target.kind]}
+              items={menuItems(editor, menu)}
+              screen={menu.screen}
+              onClose={() => editor.store.set({ menu: null })}
+            />
+          )}
           {connecting && <ConnectList start={connecting} />}
           {finding && <FindNode />}
           {inspected && <SocketTip inspected={inspected} />}
@@ -39,7 +51,8 @@ function Notice({ editor }: { editor: Editor }): ReactElement {
   const [gone, setGone] = useState(0);
   useEffect(() => {
     if (!notice) return undefined;
-    const timer = window.setTimeout(() => setGone(notice.count), NOTICE_MILLISECONDS[notice.tone]);
+    const more = MILLISECONDS_A_LETTER * Math.max(0, notice.text.length - SHORT_LETTERS);
+    const timer = window.setTimeout(() => setGone(notice.count), NOTICE_MILLISECONDS[notice.tone] + more);
     return () => window.clearTimeout(timer);
   }, [notice, editor]);
   const isShown = notice !== null && notice.count !== gone;

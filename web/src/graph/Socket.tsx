@@ -1,8 +1,8 @@
 import { Handle, Position } from "@xyflow/react";
-import { memo, type CSSProperties, type ReactElement } from "react";
-import { useCurrent, useEditor, useEditing } from "../app/context";
-import { socketKey } from "../app/editor";
+import { type CSSProperties, memo, type ReactElement } from "react";
 import { wireType } from "../model/catalogue";
+import { socketKey } from "../session/editor";
+import { useCurrent, useEditing, useEditor } from "../widgets/context";
 import { inspectSocket } from "./inspection";
 
 interface SocketProps {

@@ -1,8 +1,8 @@
-import { BaseEdge, EdgeLabelRenderer, getBezierPath, type Edge, type EdgeProps } from "@xyflow/react";
-import { memo, useState, type ReactElement } from "react";
-import { useCurrent, useEditing } from "../app/context";
+import { BaseEdge, type Edge, EdgeLabelRenderer, type EdgeProps, getBezierPath } from "@xyflow/react";
+import { memo, type ReactElement, useState } from "react";
 import type { ViewWire } from "../model/graph";
 import { axesText } from "../net/report";
+import { useCurrent, useEditing } from "../widgets/context";
 
 export type WireEdge = Edge<{ wire: ViewWire }, "wire">;
 
@@ -15,7 +15,7 @@ export const WireView = memo(function WireView(props: EdgeProps<WireEdge>): Reac
   const [isOver, setIsOver] = useState(false);
   const isTarget = useEditing((state) => state.target === id);
   const [path, x, y] = getBezierPath({ sourceX, sourceY, targetX, targetY, sourcePosition, targetPosition });
-  const isFamily = useCurrent((state) => (data ? (valueOf(state, data.wire)?.axes.length ?? 0) > 0 : false));
+  const isFamily = useCurrent((state) => (data ? (wireValue(state, data.wire)?.axes.length ?? 0) > 0 : false));
   return (
     <g
       className="wire"
@@ -32,7 +32,7 @@ export const WireView = memo(function WireView(props: EdgeProps<WireEdge>): Reac
 
 function WireLabel({ wire, x, y }: { wire: ViewWire; x: number; y: number }): ReactElement {
   const text = useCurrent((state) => {
-    const value = valueOf(state, wire);
+    const value = wireValue(state, wire);
     return value ? axesText(value.type, value.axes) : wire.type || "unknown type";
   });
   return (
@@ -45,7 +45,7 @@ function WireLabel({ wire, x, y }: { wire: ViewWire; x: number; y: number }): Re
 }
 
 /** What the server says a wire carries: as checked, or as evaluated last. */
-function valueOf(
+function wireValue(
   state: Parameters<Parameters<typeof useCurrent>[0]>[0],
   wire: ViewWire,
 ): { type: string; axes: { name: string; size: number; closed: boolean }[] } | undefined {

@@ -1,11 +1,11 @@
 // Frames and notes: what is said about the graph on its canvas.
 
 import type { Node, NodeProps } from "@xyflow/react";
-import { memo, useRef, useState, type PointerEvent, type ReactElement } from "react";
-import { useCurrent, useCurrentSession, useEditing, useEditor } from "../app/context";
-import { Icon } from "../app/icons";
+import { memo, type PointerEvent, type ReactElement, useRef, useState } from "react";
 import { changeFrame, changeNote } from "../model/edit_ui";
-import { FRAME_COLORS, frameKey, noteKey, type Box } from "../model/ui";
+import { type Box, FRAME_COLORS, frameKey, noteKey } from "../model/ui";
+import { useCurrent, useCurrentSession, useEditing, useEditor } from "../widgets/context";
+import { Icon } from "../widgets/Icon";
 
 export type AreaNode = Node<{ id: string }, "frame" | "note">;
 
@@ -28,6 +28,7 @@ export const FrameView = memo(function FrameView({ data, selected }: NodeProps<A
   };
   return (
     <div className="frame" data-color={frame.color} data-selected={selected}>
+      {/* biome-ignore lint/a11y/noStaticElementInteractions: F2 does the same. */}
       <div className="frame-head" onDoubleClick={() => editor.store.set({ renaming: frameKey(data.id) })}>
         {isRenaming ? (
           <TextLine label="Title of the frame" text={frame.title} onText={rename} />
@@ -62,6 +63,7 @@ export const NoteView = memo(function NoteView({ data, selected }: NodeProps<Are
   const isWriting = useEditing((state) => state.renaming === noteKey(data.id));
   if (!note) return null;
   return (
+    // biome-ignore lint/a11y/noStaticElementInteractions: F2 does the same.
     <div
       className="note"
       data-selected={selected}
@@ -69,7 +71,7 @@ export const NoteView = memo(function NoteView({ data, selected }: NodeProps<Are
     >
       {isWriting ? (
         <textarea
-          className="nodrag nowheel"
+          className="nodrag nokey nowheel"
           aria-label="Text of the note"
           autoFocus
           defaultValue={note.text}
@@ -99,7 +101,7 @@ function TextLine({ label, text, onText }: { label: string; text: string; onText
   const [typed, setTyped] = useState(text);
   return (
     <input
-      className="name-field nodrag"
+      className="name-field nodrag nokey"
       aria-label={label}
       autoFocus
       value={typed}
@@ -128,7 +130,7 @@ function Corner({ box, onSize }: { box: Box; onSize(size: { width: number; heigh
   };
   return (
     <span
-      className="corner nodrag"
+      className="corner nodrag nokey"
       onPointerDown={(event) => {
         event.stopPropagation();
         event.currentTarget.setPointerCapture(event.pointerId);

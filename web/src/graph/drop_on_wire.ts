@@ -1,9 +1,9 @@
 // A node without wires that is dragged over a wire can be put into it.
 
-import type { Editor } from "../app/editor";
 import { socketsFor } from "../model/edit_wires";
 import type { ViewWire } from "../model/graph";
 import type { Box, Position } from "../model/ui";
+import type { Editor } from "../session/editor";
 
 const SAMPLES = 24;
 /** How far inside its box a node must hold the wire. */

@@ -3,10 +3,10 @@
 
 import { applyNodeChanges, type NodeChange } from "@xyflow/react";
 import { useCallback, useEffect, useRef, useState } from "react";
-import { useCurrentSession } from "../app/context";
-import type { SessionState } from "../app/session";
 import { NODE_WIDTH } from "../model/layout";
-import { frameKey, noteKey, type Box, type Position } from "../model/ui";
+import { type Box, frameKey, noteKey, type Position } from "../model/ui";
+import type { SessionState } from "../session/state";
+import { useCurrentSession } from "../widgets/context";
 import type { AreaNode } from "./areas";
 import type { GraphNodeData } from "./NodeView";
 

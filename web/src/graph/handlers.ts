@@ -1,30 +1,30 @@
 // What the pointer does on the canvas, as React Flow and the pane around it report it.
 
 import type {
-  Connection as FlowConnection,
   EdgeChange,
   FinalConnectionState,
+  Connection as FlowConnection,
   OnConnectStartParams,
 } from "@xyflow/react";
 import {
-  useMemo,
-  useRef,
   type FocusEvent as ReactFocusEvent,
   type MouseEvent as ReactMouseEvent,
   type PointerEvent as ReactPointerEvent,
+  useMemo,
+  useRef,
 } from "react";
-import { useEditor } from "../app/context";
-import type { Editor, MenuTarget } from "../app/editor";
-import { inOrder, moveNodes, type Edit } from "../model/edit";
-import { collectMembers, moveFrame, changeNote } from "../model/edit_ui";
+import { type Edit, inOrder, moveNodes } from "../model/edit";
+import { changeNote, collectMembers, moveFrame } from "../model/edit_ui";
 import { insertOnWire } from "../model/edit_wires";
 import type { ViewWire } from "../model/graph";
 import type { Position } from "../model/ui";
+import type { Editor, MenuTarget } from "../session/editor";
+import { useEditor } from "../widgets/context";
 import { wireUnder } from "./drop_on_wire";
+import type { Flow } from "./flow";
 import type { FlowNode } from "./flow_nodes";
-import type { Flow } from "./GraphPane";
-import { draw, dropped, isAllowed, pullWire, startWiring } from "./wiring";
 import type { WireEdge } from "./WireView";
+import { draw, dropped, isAllowed, pullWire, startWiring } from "./wiring";
 
 const LONG_PRESS_MILLISECONDS = 550;
 const LONG_PRESS_REACH = 8;

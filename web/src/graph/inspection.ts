@@ -1,10 +1,10 @@
 // Looking into a socket: what flows there, asked of the server a moment after the pointer or the focus came to rest.
 
-import type { Editor } from "../app/editor";
 import { grouped, numberText } from "../model/format";
 import { isNumber, isObject, type Json } from "../model/json";
 import { axesText } from "../net/report";
-import { boundsOf, inspect, type Inspection } from "../net/validation";
+import { boundsOf, type Inspection, inspect } from "../net/validation";
+import type { Editor } from "../session/editor";
 
 export interface InspectedSocket {
   node: string;
@@ -39,7 +39,8 @@ async function look(editor: Editor, socket: InspectedSocket, element: Element): 
   const place = sourceOf(editor, socket);
   const { document, values } = editor.session.store.get();
   if (!place || !document) return;
-  const mine = (request = new AbortController());
+  const mine = new AbortController();
+  request = mine;
   const answer = await inspect({ graph: document.json, parameters: values }, place.node, place.output, mine.signal);
   const { inspected } = editor.store.get();
   if (mine.signal.aborted || !answer || !inspected || inspected.title !== title) return;

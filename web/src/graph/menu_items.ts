@@ -1,32 +1,24 @@
 // What the context menus offer, by what was pressed. Each item names its shortcut, which runs the same action.
 
+import { setInput } from "../model/edit";
+import { disconnect } from "../model/edit_wires";
 import {
   addNoteHere,
-  copy,
-  cut,
-  duplicate,
   frameSelection,
   layout,
-  pasteClipboard,
   remove,
+  rename,
   selectAll,
   toggleBypass,
   toggleFlag,
-} from "../app/actions";
-import type { Editor, Menu } from "../app/editor";
-import { rename, unfoldSelection } from "../app/focus";
-import { disconnect } from "../model/edit_wires";
-import { setInput } from "../model/edit";
+  unfoldSelection,
+} from "../session/actions";
+import { copy, cut, duplicate, pasteClipboard } from "../session/clipboard";
+import type { Editor, Menu } from "../session/editor";
+import type { MenuItem } from "../widgets/Menu";
 
-export interface MenuItem {
-  title: string;
-  /** Id in the table of shortcuts, for its key. */
-  shortcut?: string;
-  run(): void;
-  isDisabled?: boolean;
-  /** A line stands above it. */
-  isNewGroup?: boolean;
-}
+/** What the menus are called, for those who hear the page. */
+export const MENU_LABELS = { canvas: "Canvas menu", node: "Node menu", wire: "Wire menu", area: "Area menu" } as const;
 
 export function menuItems(editor: Editor, { target, screen }: Menu): MenuItem[] {
   switch (target.kind) {

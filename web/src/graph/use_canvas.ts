@@ -1,15 +1,15 @@
 // The canvas as the editor's actions use it, and the rule that a graph nobody moved stays in view.
 
 import type { FitViewOptions } from "@xyflow/react";
-import { useCallback, useEffect, useRef, type RefObject } from "react";
-import { useEditor } from "../app/context";
-import type { SocketPlace } from "../app/editor";
-import { nodeElement } from "../app/focus";
-import type { SessionState } from "../app/session";
+import { type RefObject, useCallback, useEffect, useRef } from "react";
 import { fileOutput } from "../model/graph";
 import { NODE_WIDTH, nodeHeight } from "../model/layout";
 import type { Box, Position } from "../model/ui";
-import type { Flow } from "./GraphPane";
+import type { SocketPlace } from "../session/editor";
+import type { SessionState } from "../session/state";
+import { useEditor } from "../widgets/context";
+import type { Flow } from "./flow";
+import { nodeElement } from "./focus";
 import { OPENING_PADDING, openingNodes, READABLE_ZOOM } from "./opening";
 
 const FOCUS_MILLISECONDS = 20_000;

@@ -1,12 +1,12 @@
 // Drawing wires with the pointer: which sockets take the wire, what is done where it is let go.
 
-import type { Connection as FlowConnection, FinalConnectionState } from "@xyflow/react";
-import { socketKey, type Editor, type SocketPlace, type Wiring } from "../app/editor";
-import { WireCheck, type Connection } from "../model/check";
-import { connect, disconnect } from "../model/edit_wires";
+import type { FinalConnectionState, Connection as FlowConnection } from "@xyflow/react";
+import { type Connection, WireCheck } from "../model/check";
 import { inOrder } from "../model/edit";
+import { connect, disconnect } from "../model/edit_wires";
 import type { ViewWire } from "../model/graph";
 import type { Position } from "../model/ui";
+import { type Editor, type SocketPlace, socketKey, type Wiring } from "../session/editor";
 
 /** A wire from this socket is under the hand: every other socket says whether it takes it. */
 export function startWiring(editor: Editor, start: SocketPlace): void {

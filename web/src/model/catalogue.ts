@@ -32,6 +32,10 @@ export interface InputCard {
   choices: string[];
   /** The text names a file kept by the server. */
   namesFile: boolean;
+  /** The text names an axis that the node makes. */
+  makesAxis: boolean;
+  /** What stands for an empty text, in a few words; empty where it stands for itself. */
+  emptyMeans: string;
   /** How the value is dragged in space, where it can be. */
   handle?: HandleHint;
 }
@@ -155,6 +159,8 @@ function readInput(item: Record<string, Json>): InputCard {
     step: asNumber(item["step"]),
     choices: asArray(item["choices"]).map(asString),
     namesFile: item["names_file"] === true,
+    makesAxis: item["makes_axis"] === true,
+    emptyMeans: asString(item["empty_means"]),
     handle: readHandle(asObject(item["handle"])),
   };
 }

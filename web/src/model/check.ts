@@ -1,7 +1,7 @@
 // Whether a wire may be drawn, told before the server is asked. It is stricter in nothing and milder in axes, which only
 // the server knows.
 
-import { takesWires, type Catalogue, type InputCard } from "./catalogue";
+import { type Catalogue, type InputCard, takesWires } from "./catalogue";
 import type { GraphDocument } from "./document";
 import { OutputTypes } from "./types";
 

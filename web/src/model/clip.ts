@@ -1,14 +1,21 @@
 // Nodes on the clipboard: JSON text that another page, or a text editor, can take as well.
 
-import { readLink, type GraphDocument } from "./document";
-import { addNodes, freeId, inOrder, withLinks, type Edit, type NewNode } from "./edit";
+import { type Driver, driven, driversFor, parametersOf } from "./clip_parameters";
+import type { GraphDocument } from "./document";
+import { addNodes, type Edit, freeId, inOrder, type NewNode, withLinks } from "./edit";
+import { addParameter } from "./edit_parameters";
 import { addFrame, addNote, freeName } from "./edit_ui";
-import { asArray, asNumber, asObject, asString, isObject, type Json, type JsonObject } from "./json";
-import { frameKey, noteKey, type Frame, type Note, type Position } from "./ui";
+import { asArray, asNumber, asObject, asString, isObject, type Json, type JsonObject, parseJson } from "./json";
+import { type ParameterValues, readParameter } from "./parameters";
+import { documentWithValues, valuesIn } from "./saved_values";
+import { type Frame, frameKey, type Note, noteKey, type Position } from "./ui";
 
 /** What copied nodes are: a piece of a document, so that it can be read as one too. */
 export interface Clip {
   nodes: JsonObject;
+  /** Definitions of the parameters that drive the nodes, and those of their values that differ from the defaults. */
+  parameters: JsonObject;
+  values: ParameterValues;
   places: ReadonlyMap<string, Position>;
   frames: readonly Frame[];
   notes: readonly Note[];
@@ -16,8 +23,15 @@ export interface Clip {
 
 export const DUPLICATE_SHIFT = 32;
 
-/** The text of the given nodes, frames and notes, with the wires among them and the wires that come in. */
-export function copyText(document: GraphDocument, ids: ReadonlySet<string>): string | undefined {
+/**
+ * The text of the given nodes, frames and notes, with the wires among them, the wires that come in, and the parameters
+ * that drive them.
+ */
+export function copyText(
+  document: GraphDocument,
+  ids: ReadonlySet<string>,
+  values: ParameterValues = {},
+): string | undefined {
   const all = asObject(document.json["nodes"]);
   const nodes: JsonObject = {};
   for (const id of document.nodes.keys()) if (ids.has(id)) nodes[id] = all[id];
@@ -30,14 +44,18 @@ export function copyText(document: GraphDocument, ids: ReadonlySet<string>): str
   const ui: JsonObject = { nodes: places };
   if (frames.length > 0) ui["frames"] = frames.map((frame) => ({ ...frame }));
   if (notes.length > 0) ui["notes"] = notes.map((note) => ({ ...note }));
-  return JSON.stringify({ format: 1, nodes, ui }, null, 1);
+  const known = asObject(document.json["parameters"]);
+  const used = [...parametersOf(nodes)].filter((name) => Object.hasOwn(known, name));
+  const parameters = Object.fromEntries(used.map((name) => [name, known[name]])) as JsonObject;
+  const given = Object.fromEntries(Object.entries(values).filter(([name]) => used.includes(name)));
+  return JSON.stringify(documentWithValues({ json: { format: 1, parameters, nodes, ui } }, given), null, 1);
 }
 
 /** Reads copied text; undefined if it is something else. */
 export function readClip(text: string): Clip | undefined {
   let json: Json;
   try {
-    json = JSON.parse(text) as Json;
+    json = parseJson(text);
   } catch {
     return undefined;
   }
@@ -56,8 +74,12 @@ export function readClip(text: string): Clip | undefined {
     width: asNumber(item["width"]) ?? 240,
     height: asNumber(item["height"]) ?? 120,
   });
+  const parameters = asObject(root["parameters"]);
+  const read = Object.entries(parameters).map(([name, item]) => readParameter(name, asObject(item)));
   return {
     nodes: root["nodes"],
+    parameters,
+    values: valuesIn(ui, read),
     places,
     frames: asArray(ui["frames"])
       .map(asObject)
@@ -75,12 +97,24 @@ export function readClip(text: string): Clip | undefined {
 
 export interface Pasted {
   edit: Edit;
+  /** Values of the parameters that came along. */
+  values: ParameterValues;
   /** The names the nodes have in the document, and the keys of frames and notes. */
   ids: string[];
+  /** How many incoming wires were left out. */
+  cut: number;
+  /** How the nodes' parameters became some of the document. */
+  drivers: Driver[];
 }
 
 /** The clip's nodes under free names, `shift` from where they were. Incoming wires stay only if wanted and possible. */
-export function paste(document: GraphDocument, clip: Clip, shift: Position, keepIncoming: boolean): Pasted {
+export function paste(
+  document: GraphDocument,
+  clip: Clip,
+  shift: Position,
+  keepIncoming: boolean,
+  present: ParameterValues = {},
+): Pasted {
   const names = new Map<string, string>();
   const taken = new Set<string>();
   for (const id of Object.keys(clip.nodes)) {
@@ -88,12 +122,15 @@ export function paste(document: GraphDocument, clip: Clip, shift: Position, keep
     taken.add(name);
     names.set(id, name);
   }
-  const parameters = new Set(document.parameters.map((parameter) => parameter.name));
+  const drivers = driversFor(document, clip, present);
+  let cut = 0;
   const nodes: NewNode[] = Object.entries(clip.nodes).map(([id, item]) => {
-    const wired = withLinks(withoutParameters(asObject(item), parameters), (link) => {
+    const wired = withLinks(driven(asObject(item), drivers), (link) => {
       const name = names.get(link.node);
       if (name !== undefined) return { ...link, node: name };
-      return keepIncoming && document.nodes.has(link.node) ? link : undefined;
+      if (keepIncoming && document.nodes.has(link.node)) return link;
+      cut++;
+      return undefined;
     });
     const place = clip.places.get(id) ?? { x: 0, y: 0 };
     return {
@@ -104,7 +141,11 @@ export function paste(document: GraphDocument, clip: Clip, shift: Position, keep
       position: { x: place.x + shift.x, y: place.y + shift.y },
     };
   });
-  const edits: Edit[] = [addNodes(nodes)];
+  const brought = drivers.filter((driver) => driver.kind === "brought");
+  const edits: Edit[] = [
+    ...brought.map(({ name, as }) => addParameter(as, asObject(clip.parameters[name]))),
+    addNodes(nodes),
+  ];
   const ids = nodes.map(({ id }) => id);
   const frames = [...document.frames];
   for (const frame of clip.frames) {
@@ -127,30 +168,8 @@ export function paste(document: GraphDocument, clip: Clip, shift: Position, keep
     edits.push(addNote(made));
     ids.push(noteKey(made.id));
   }
-  return { edit: inOrder(...edits), ids };
-}
-
-/** Every node a clip is linked to but does not bring along. */
-export function linkedFrom(clip: Clip): Set<string> {
-  const found = new Set<string>();
-  const visit = (value: Json): void => {
-    if (Array.isArray(value)) value.forEach(visit);
-    else if (isObject(value) && typeof value["from"] === "string") found.add(readLink(value["from"]).node);
-  };
-  for (const node of Object.values(clip.nodes)) Object.values(asObject(asObject(node)["inputs"])).forEach(visit);
-  for (const id of Object.keys(clip.nodes)) found.delete(id);
-  return found;
-}
-
-/** A parameter that the document does not have cannot drive anything; the input falls back to its default. */
-function withoutParameters(item: JsonObject, known: ReadonlySet<string>): JsonObject {
-  const isUnknown = (value: Json): boolean =>
-    isObject(value) && typeof value["parameter"] === "string" && !known.has(value["parameter"]);
-  const inputs: JsonObject = {};
-  for (const [name, value] of Object.entries(asObject(item["inputs"]))) {
-    const left = Array.isArray(value) ? value.filter((one) => !isUnknown(one)) : isUnknown(value) ? undefined : value;
-    if (left !== undefined && !(Array.isArray(left) && Array.isArray(value) && left.length === 0 && value.length > 0))
-      inputs[name] = left;
-  }
-  return { ...item, inputs };
+  const values = Object.fromEntries(
+    brought.flatMap(({ name, as }) => (Object.hasOwn(clip.values, name) ? [[as, clip.values[name] ?? 0]] : [])),
+  );
+  return { edit: inOrder(...edits), values, ids, cut, drivers };
 }

@@ -2,7 +2,8 @@
 // to draw and edit it is read, and its JSON stays what is sent, whatever else it holds.
 
 import { asObject, asString, isNumber, isObject, type Json, type JsonObject } from "./json";
-import { readParameter, type Parameter } from "./parameters";
+import { type Parameter, type ParameterValues, readParameter } from "./parameters";
+import { valuesIn, withoutValues } from "./saved_values";
 import { readUi, type UiState } from "./ui";
 
 export type { Position } from "./ui";
@@ -40,7 +41,8 @@ export interface GraphDocument extends UiState {
   nodes: Map<string, GraphNode>;
 }
 
-export type ReadResult = { document: GraphDocument } | { error: string };
+/** The document, and the form's values that were kept with it; they are not part of its JSON any more. */
+export type ReadResult = { document: GraphDocument; values: ParameterValues } | { error: string };
 
 const NEWEST_FORMAT = 1;
 const UNTITLED = "Untitled graph";
@@ -65,7 +67,8 @@ export function readDocument(json: Json): ReadResult {
     return { error: `This graph has format ${format}; this page reads formats up to ${NEWEST_FORMAT}.` };
   }
   if (!isObject(json["nodes"])) return { error: "This graph has no nodes." };
-  return { document: readMembers(json) };
+  const document = readMembers(withoutValues(json));
+  return { document, values: valuesIn(json["ui"], document.parameters) };
 }
 
 /** The document with other members. What stays the same object in the JSON stays the same object in what is read of it. */

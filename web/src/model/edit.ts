@@ -1,7 +1,7 @@
 // Changes of a document, each a pure function: the document given is left as it is, and what a change does not touch
 // stays the same object. The JSON is what is changed; everything else is read from it again.
 
-import { readLink, rewritten, type GraphDocument } from "./document";
+import { type GraphDocument, readLink, rewritten } from "./document";
 import { asObject, isObject, type Json, type JsonObject } from "./json";
 import type { Position } from "./ui";
 

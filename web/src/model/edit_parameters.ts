@@ -1,10 +1,10 @@
 // Changes of the graph's parameters: exposing an input, editing what the form shows, taking a parameter away.
 
 import type { InputCard } from "./catalogue";
-import { rewritten, type GraphDocument } from "./document";
-import { changeNode, freeId, inOrder, setInput, withInput, type Edit } from "./edit";
+import { type GraphDocument, rewritten } from "./document";
+import { changeNode, type Edit, freeId, inOrder, setInput, withInput } from "./edit";
 import { asObject, isObject, type Json, type JsonObject } from "./json";
-import { sentenceCase, type ParameterType } from "./parameters";
+import { type ParameterType, sentenceCase } from "./parameters";
 
 /** The type of parameter that can drive an input, or undefined if none can. */
 export function parameterTypeFor(input: InputCard): ParameterType | undefined {

@@ -1,7 +1,7 @@
 // Changes below `ui`: flags of nodes, frames and notes. None of them changes what is computed.
 
 import type { GraphDocument } from "./document";
-import { moveNodes, withUi, type Edit } from "./edit";
+import { type Edit, moveNodes, withUi } from "./edit";
 import { asArray, asObject, asString, type Json, type JsonObject } from "./json";
 import type { Box, Frame, Note, Position } from "./ui";
 

@@ -1,9 +1,9 @@
 // Changes of wires: drawing, taking off, healing the gap a removed node leaves, inserting a node into a wire.
 
 import type { Catalogue, NodeCard } from "./catalogue";
-import { accepts, upstreamOf, WireCheck, type Connection } from "./check";
+import { accepts, type Connection, upstreamOf, WireCheck } from "./check";
 import type { GraphDocument } from "./document";
-import { changeNode, linkText, removeNodes, setInput, withInput, type Edit } from "./edit";
+import { changeNode, type Edit, linkText, removeNodes, setInput, withInput } from "./edit";
 import { asObject, type Json } from "./json";
 
 /** The end of a wire at an input, one of several where the input takes several. */
@@ -127,7 +127,7 @@ function mayHaveAxes(document: GraphDocument, catalogue: Catalogue, node: string
     const item = document.nodes.get(id);
     const card = catalogue.nodes.get(item?.type ?? "");
     // What makes an axis lets it be named, or is given a list.
-    if (card?.inputs.some((input) => /^axis/.test(input.name) && input.types.includes("text"))) return true;
+    if (card?.inputs.some((input) => input.makesAxis)) return true;
     const lists = card?.inputs.filter((input) => input.several) ?? [];
     if (lists.some((input) => Array.isArray(literalOf(document, id, input.name)))) return true;
   }
@@ -152,7 +152,7 @@ function sourceBefore(
     const item = document.nodes.get(node);
     const order = catalogue.nodes.get(item?.type ?? "")?.inputs.map((input) => input.name) ?? [];
     const link = order.flatMap((name) => item?.inputs.get(name) ?? []).find((source) => source.kind === "link");
-    if (!link || link.kind !== "link") return undefined;
+    if (link?.kind !== "link") return undefined;
     if (!gone.has(link.node)) {
       const outputs = catalogue.nodes.get(document.nodes.get(link.node)?.type ?? "")?.outputs ?? [];
       const output = link.output ?? outputs[0]?.name;

@@ -1,5 +1,7 @@
 // Arithmetic in number fields: "2*pi/3", "1e-3", "-(4+0.5)^2", "sqrt(2)". Nothing else is understood.
 
+import { splitNumbers } from "./numbers";
+
 const CONSTANTS: Readonly<Record<string, number>> = { pi: Math.PI, tau: 2 * Math.PI, e: Math.E };
 
 const FUNCTIONS: Readonly<Record<string, (x: number) => number>> = {
@@ -14,9 +16,14 @@ const FUNCTIONS: Readonly<Record<string, (x: number) => number>> = {
 
 const DEEPEST = 100;
 
-/** The value of the formula, or undefined if it cannot be read or is not finite. A comma counts as a decimal point. */
+/** The value of the formula, or undefined if it cannot be read or is not finite. Commas are read as in numbers.ts. */
 export function evaluateExpression(text: string): number | undefined {
-  const tokens = tokenize(text.trim().replaceAll(",", ".").replaceAll("−", "-").replaceAll("×", "*"));
+  const [part, ...more] = splitNumbers(text);
+  return part === undefined || more.length > 0 ? undefined : evaluated(part);
+}
+
+function evaluated(text: string): number | undefined {
+  const tokens = tokenize(text.trim().replaceAll("−", "-").replaceAll("×", "*"));
   if (!tokens || tokens.length === 0) return undefined;
   const reader = new Reader(tokens);
   const value = reader.sum(0);

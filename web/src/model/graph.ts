@@ -1,7 +1,8 @@
 // What is drawn of a graph: nodes with rows of sockets, wires with types. Made from document and catalogue alone.
 
-import { FILE_TYPE, takesWires, unitText, type Catalogue, type InputCard, type NodeCard } from "./catalogue";
+import { type Catalogue, FILE_TYPE, type InputCard, type NodeCard, takesWires, unitText } from "./catalogue";
 import type { GraphDocument, GraphNode, Source } from "./document";
+import { isEqual } from "./equal";
 import { literalText } from "./format";
 import type { Json } from "./json";
 import { OutputTypes } from "./types";
@@ -187,14 +188,4 @@ function wiresInto(to: string, input: string, sources: readonly Source[], types:
     const type = types.of(source.node, output) ?? "";
     return [{ id: `${to}.${input}.${index}`, from: source.node, output, to, input, index, type }];
   });
-}
-
-/** Deep equality of plain data. */
-export function isEqual(a: unknown, b: unknown): boolean {
-  if (a === b) return true;
-  if (typeof a !== "object" || typeof b !== "object" || a === null || b === null) return false;
-  if (Array.isArray(a) !== Array.isArray(b)) return false;
-  const [left, right] = [a as Record<string, unknown>, b as Record<string, unknown>];
-  const keys = Object.keys(left);
-  return keys.length === Object.keys(right).length && keys.every((key) => isEqual(left[key], right[key]));
 }

@@ -4,7 +4,8 @@ import type { InputCard } from "./catalogue";
 import { evaluateExpression } from "./expression";
 import { numberText } from "./format";
 import { isNumber, type Json } from "./json";
-import { readParameter, sentenceCase, type Parameter, type ParameterType, type ParameterValue } from "./parameters";
+import { splitNumbers } from "./numbers";
+import { type Parameter, type ParameterType, type ParameterValue, readParameter, sentenceCase } from "./parameters";
 
 /** The control for an input: that of a parameter of this type, or a line of several values. */
 export type ControlKind = ParameterType | "list";
@@ -29,9 +30,14 @@ export function controlKind(card: InputCard, literal: Json): ControlKind | undef
   return kind;
 }
 
+/** A whole range of so few steps is one to slide through, without the catalogue saying so. */
+const NARROW = 100;
+
 /** The input as a parameter, so that one set of fields edits both. The range is that of the slider. */
 export function asParameter(card: InputCard, kind: ParameterType): Parameter {
   const parameter = readParameter(card.name, { type: kind, default: card.fallback ?? undefined });
+  const { minimum = -Infinity, maximum = Infinity } = card;
+  const isNarrow = kind === "integer" && card.softMaximum === undefined && maximum - minimum <= NARROW;
   return {
     ...parameter,
     label: sentenceCase(card.name),
@@ -39,8 +45,8 @@ export function asParameter(card: InputCard, kind: ParameterType): Parameter {
     choices: card.choices,
     unit: card.unit,
     step: card.step,
-    minimum: card.softMinimum ?? (card.softMaximum === undefined ? undefined : card.minimum),
-    maximum: card.softMaximum,
+    minimum: card.softMinimum ?? (card.softMaximum === undefined && !isNarrow ? undefined : card.minimum),
+    maximum: isNarrow ? maximum : card.softMaximum,
   };
 }
 
@@ -66,14 +72,14 @@ export function listText(literal: Json): string {
 
 /** Reads numbers, or triples in parentheses; undefined if the text is neither. */
 export function readList(text: string): Json {
-  const numbers = (part: string): number[] | undefined => {
-    const values = part.split(/[,;]/).map((item) => evaluateExpression(item));
-    return values.every((value) => value !== undefined) ? values : undefined;
-  };
-  const triples = [...text.matchAll(/\(([^()]*,[^()]*,[^()]*)\)/g)].map((match) => numbers(match[1] ?? ""));
-  if (triples.length > 0) {
-    const rest = text.replace(/\([^()]*\)/g, "").replace(/[\s,;]/g, "");
-    return rest === "" && triples.every((triple) => triple?.length === 3) ? (triples as Json[]) : undefined;
-  }
-  return numbers(text);
+  const groups = [...text.matchAll(/\(([^()]*)\)/g)].map(([, group = ""]) => group);
+  if (!groups.some((group) => splitNumbers(group).length > 1)) return numbersIn(text);
+  const rest = text.replace(/\([^()]*\)/g, "").replace(/[\s,;]/g, "");
+  const triples = groups.map(numbersIn);
+  return rest === "" && triples.every((triple) => triple?.length === 3) ? (triples as Json[]) : undefined;
+}
+
+function numbersIn(text: string): number[] | undefined {
+  const values = splitNumbers(text).map((part) => evaluateExpression(part));
+  return values.every((value) => value !== undefined) ? values : undefined;
 }

@@ -44,7 +44,7 @@ export function readParameter(name: string, item: JsonObject): Parameter {
 }
 
 /** The value in use: the changed one, else the default. */
-export function valueOf(parameter: Parameter, values: ParameterValues): ParameterValue {
+export function parameterValue(parameter: Parameter, values: ParameterValues): ParameterValue {
   return values[parameter.name] ?? parameter.initial;
 }
 
@@ -113,7 +113,7 @@ export function colorText(value: ParameterValue): string {
       .toString(16)
       .padStart(2, "0");
   };
-  return "#" + [0, 1, 2].map((i) => part(value[i])).join("");
+  return `#${[0, 1, 2].map((i) => part(value[i])).join("")}`;
 }
 
 /** The color in the notation the document uses for this parameter. */

@@ -1,6 +1,6 @@
 // JSON Patch (RFC 6902) as problems bring it: the operations add, remove and replace, within the graph.
 
-import { rewritten, type GraphDocument } from "./document";
+import { type GraphDocument, rewritten } from "./document";
 import { isObject, type Json } from "./json";
 
 export interface PatchStep {

@@ -24,7 +24,7 @@ export function previewWish(
   const names = new Set<string>();
   const faint = new Set<string>();
   const add = (node: ViewNode | undefined, isWanted: (type: string, output: string) => boolean): boolean => {
-    if (!node || !node.known || broken.has(node.id)) return false;
+    if (!node?.known || broken.has(node.id)) return false;
     const outputs = node.outputs.filter(({ type, name }) => type !== FILE_TYPE && isWanted(type, name));
     for (const { name } of outputs) names.add(`${node.id}.${name}`);
     return outputs.length > 0;

@@ -5,6 +5,7 @@ import { accepts } from "./check";
 import { evaluateExpression } from "./expression";
 import { numberText } from "./format";
 import type { Json, JsonObject } from "./json";
+import { splitNumbers } from "./numbers";
 
 /** The loose end of a wire that a new node is to take: an output that feeds it, or an input that it feeds. */
 export interface LooseEnd {
@@ -90,10 +91,10 @@ function typedValues(catalogue: Catalogue, text: string): Finding[] {
       slider: { input, item: { type: "number", default: value, min, max } },
     }));
   }
-  const coordinates = text.split(/[,;]\s*/).map((part) => evaluateExpression(part));
+  const coordinates = splitNumbers(text).map((part) => evaluateExpression(part));
   if (coordinates.length === 3 && coordinates.every((part) => part !== undefined))
     return triples(catalogue, coordinates);
-  const value = /\d|^(pi|tau)\b/.test(text) && !text.includes(",") ? evaluateExpression(text) : undefined;
+  const value = /\d|^(pi|tau)\b/.test(text) ? evaluateExpression(text) : undefined;
   if (value === undefined) return [];
   return constants(catalogue, "number").map(({ card, input }) => ({
     card,

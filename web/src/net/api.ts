@@ -1,32 +1,11 @@
 // The calls to the server. Addresses are relative to the page, so that it also works below a prefix.
 
-import type { Json, JsonObject } from "../model/json";
-import type { ParameterValues } from "../model/parameters";
+import { type Json, parseJsonBytes } from "../model/json";
+import { failedChecks, withoutNodes } from "./checks";
 import { boundaryOf, readMultipart } from "./multipart";
-import { readProblem, type Problem } from "./problem";
-import { readReport, type Report } from "./report";
-
-export type Quality = "draft" | "final";
-
-export interface EvaluateBody {
-  graph: JsonObject;
-  parameters: ParameterValues;
-  output?: string;
-  /** Nodes, or outputs of them, to draw beside the model. */
-  preview?: string[];
-}
-
-/** How good an answer has to be. Drafts have about `triangles` triangles. */
-export interface Effort {
-  quality: Quality;
-  triangles: number;
-}
-
-export type Answer =
-  | { kind: "model"; report: Report; model: Uint8Array<ArrayBuffer>; preview: Uint8Array<ArrayBuffer> | null }
-  | { kind: "problem"; problem: Problem }
-  /** Nothing usable came: no connection, or the server asks to wait. */
-  | { kind: "away"; retryAfter?: number };
+import { readProblem } from "./problem";
+import { readReport } from "./report";
+import type { Answer, Effort, EvaluateBody } from "./requests";
 
 const MULTIPART = "multipart/form-data";
 const MODEL = "model/gltf-binary";
@@ -73,6 +52,7 @@ export async function evaluate(
 
 /** The control geometry alone; null if there is none, or the server cannot tell. Rejects only after `signal`. */
 export async function fetchPreview(body: EvaluateBody, signal: AbortSignal): Promise<Uint8Array<ArrayBuffer> | null> {
+  if (!body.preview) return null;
   try {
     const response = await fetch("v1/evaluate", {
       method: "POST",
@@ -80,7 +60,9 @@ export async function fetchPreview(body: EvaluateBody, signal: AbortSignal): Pro
       body: JSON.stringify({ ...body, output: undefined, quality: "draft" }),
       signal,
     });
-    return response.ok ? new Uint8Array(await response.arrayBuffer()) : null;
+    if (response.ok) return new Uint8Array(await response.arrayBuffer());
+    const failed = failedChecks(readProblem(response.status, await jsonOf(response)));
+    return failed.length > 0 ? await fetchPreview(withoutNodes(body, failed), signal) : null;
   } catch (error) {
     if (signal.aborted) throw error;
     return null;
@@ -102,9 +84,8 @@ async function readAnswer(response: Response): Promise<Answer> {
     const problem = readProblem(0, { title: "Unreadable answer", detail: "The server's answer could not be read." });
     return { kind: "problem", problem };
   }
-  const json = JSON.parse(new TextDecoder().decode(report.data)) as Json;
   const preview = parts?.find((part) => part.name === "preview")?.data.slice() ?? null;
-  return { kind: "model", report: readReport(json), model: model.data.slice(), preview };
+  return { kind: "model", report: readReport(parseJsonBytes(report.data)), model: model.data.slice(), preview };
 }
 
 async function jsonOf(response: Response): Promise<Json> {

@@ -1,8 +1,8 @@
 // Keeps the picture up with the inputs: the newest input wins, no answer older than the shown one is shown, and the
 // server never has more than two of our requests. Knows neither the page nor HTTP, so it runs against a fake clock.
 
-import type { Answer, Effort, Quality } from "./api";
 import { localProblem, type Problem } from "./problem";
+import type { Answer, Effort, Quality } from "./requests";
 
 export type ModelAnswer = Extract<Answer, { kind: "model" }>;
 

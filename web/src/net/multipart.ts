@@ -3,7 +3,7 @@
 export interface Part {
   name: string;
   type: string;
-  data: Uint8Array;
+  data: Uint8Array<ArrayBuffer>;
 }
 
 const CR = 13;
@@ -18,7 +18,7 @@ export function boundaryOf(contentType: string): string | undefined {
 }
 
 /** Splits a body into its parts. Parts share the body's memory. Undefined if it is cut short or malformed. */
-export function readMultipart(body: Uint8Array, boundary: string): Part[] | undefined {
+export function readMultipart(body: Uint8Array<ArrayBuffer>, boundary: string): Part[] | undefined {
   const mark = new TextEncoder().encode(`--${boundary}`);
   const parts: Part[] = [];
   let at = indexOf(body, mark, 0);
@@ -51,7 +51,7 @@ function endOfLine(body: Uint8Array, from: number): number {
   return body[at] === CR && body[at + 1] === LF ? at + 2 : -1;
 }
 
-function readPart(bytes: Uint8Array): Part | undefined {
+function readPart(bytes: Uint8Array<ArrayBuffer>): Part | undefined {
   const headers = new Map<string, string>();
   let at = 0;
   for (;;) {

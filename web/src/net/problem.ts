@@ -68,7 +68,9 @@ export function problemsOf(
   state: {
     problem: Problem | null;
     checked: { errors: ProblemEntry[]; blocked: string[] } | null;
-    shown: { report: { warnings: ProblemEntry[] } } | null;
+    shown: {
+      report: { warnings: ProblemEntry[]; checks: { node: string; passed: boolean; message: string }[] };
+    } | null;
   },
   node: string,
 ): { tone: "error" | "warning" | "blocked"; text?: string } | undefined {
@@ -76,6 +78,8 @@ export function problemsOf(
   const error = state.problem?.errors.find(names) ?? state.checked?.errors.find(names);
   // An input that waits for its wire is no mistake; it is only not finished.
   if (error) return { tone: error.code === "required-input-missing" ? "warning" : "error", text: error.detail };
+  const check = state.shown?.report.checks.find((one) => one.node === node && !one.passed);
+  if (check) return { tone: "error", text: check.message || "The check failed." };
   const warning = state.shown?.report.warnings.find(names);
   if (warning) return { tone: "warning", text: warning.detail };
   const isBlocked = state.problem?.blocked.includes(node) || state.checked?.blocked.includes(node);

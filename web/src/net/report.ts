@@ -1,7 +1,7 @@
 // The report that comes with every evaluated model.
 
 import { asArray, asNumber, asObject, asString, isObject, type Json } from "../model/json";
-import { readEntry, type ProblemEntry } from "./problem";
+import { type ProblemEntry, readEntry } from "./problem";
 
 export interface Axis {
   name: string;
@@ -17,7 +17,6 @@ export interface NodeReport {
 
 export interface Check {
   node: string;
-  value?: number;
   passed: boolean;
   message: string;
 }
@@ -56,7 +55,6 @@ export function readReport(json: Json): Report {
       .filter(isObject)
       .map((item) => ({
         node: asString(item["node"]),
-        value: asNumber(item["value"]),
         passed: item["passed"] === true,
         message: asString(item["message"]),
       })),

@@ -1,9 +1,9 @@
 // Questions about a graph that evaluate nothing that is not asked for: what is wrong with it, what a wire carries.
 
 import { asArray, asNumber, asObject, asString, isObject, type Json } from "../model/json";
-import type { EvaluateBody } from "./api";
-import { readEntry, readProblem, type Problem, type ProblemEntry } from "./problem";
-import { readAxes, type Axis } from "./report";
+import { type Problem, type ProblemEntry, readEntry, readProblem } from "./problem";
+import { type Axis, readAxes } from "./report";
+import type { EvaluateBody } from "./requests";
 
 export interface WireValue {
   type: string;

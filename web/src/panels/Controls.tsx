@@ -1,6 +1,6 @@
 import type { ReactElement } from "react";
-import { useCurrent, useCurrentSession } from "../app/context";
-import { Icon } from "../app/icons";
+import { useCurrent, useCurrentSession } from "../widgets/context";
+import { Icon } from "../widgets/Icon";
 import { ParameterRow } from "./ParameterRow";
 
 /** A row per graph parameter. Changing one evaluates the graph again. */

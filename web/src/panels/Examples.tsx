@@ -1,9 +1,10 @@
 import type { ReactElement } from "react";
-import { useCurrent, useCurrentSession } from "../app/context";
-import type { Example } from "../app/session";
-import { Icon } from "../app/icons";
+import type { Example } from "../session/state";
+import { useCurrent, useCurrentSession } from "../widgets/context";
+import { Icon } from "../widgets/Icon";
 
-const PLACEHOLDERS = 6;
+/** Until the list is here. */
+const PLACEHOLDERS = ["a", "b", "c", "d", "e", "f"];
 
 /** The gallery: a card per built-in graph. */
 export function Examples(): ReactElement {
@@ -22,8 +23,7 @@ export function Examples(): ReactElement {
             <Card example={example} isChosen={example.id === chosen} onOpen={() => session.openExample(example.id)} />
           </li>
         ))}
-        {!examples &&
-          Array.from({ length: PLACEHOLDERS }, (_, index) => <li key={index} className="card card-empty" />)}
+        {!examples && PLACEHOLDERS.map((key) => <li key={key} className="card card-empty" />)}
       </ul>
       {examples?.length === 0 && <p className="empty">This server has no examples.</p>}
     </nav>

@@ -1,9 +1,9 @@
 import type { ReactElement } from "react";
-import { useCurrentSession, useEditor } from "../app/context";
 import { conceal, expose, parameterTypeFor } from "../model/edit_parameters";
 import type { InputRow } from "../model/graph";
 import type { Json } from "../model/json";
-import { valueOf } from "../model/parameters";
+import { parameterValue } from "../model/parameters";
+import { useCurrentSession, useEditor } from "../widgets/context";
 
 /** The diamond beside an input: puts it on the Controls form as a parameter of the graph, or takes it off again. */
 export function ExposeButton({ row, id }: { row: InputRow; id: string }): ReactElement {
@@ -23,7 +23,7 @@ export function ExposeButton({ row, id }: { row: InputRow; id: string }): ReactE
       return;
     }
     const parameter = document?.parameters.find((item) => item.name === row.parameterName);
-    const present = parameter ? (valueOf(parameter, values) as Json) : card.fallback;
+    const present = parameter ? (parameterValue(parameter, values) as Json) : card.fallback;
     session.edit(`Take ${row.name} off the controls`, conceal(id, row.name, row.parameterName, present));
     editor.say(`${row.name} is no longer a parameter`);
   };

@@ -1,14 +1,14 @@
-import { Fragment, memo, useId, type ReactElement } from "react";
-import { toggleBypass, toggleFlag } from "../app/actions";
-import { useCurrent, useCurrentSession, useEditing, useEditor } from "../app/context";
-import { Icon } from "../app/icons";
-import { InputControl } from "../graph/InputControl";
-import { Mark } from "../graph/Mark";
-import { NameField } from "../graph/NameField";
+import { Fragment, memo, type ReactElement, useId } from "react";
 import { millisecondText, plural } from "../model/format";
 import type { InputRow, ViewNode } from "../model/graph";
 import { problemsOf } from "../net/problem";
 import { axesText } from "../net/report";
+import { toggleBypass, toggleFlag } from "../session/actions";
+import { useCurrent, useCurrentSession, useEditing, useEditor } from "../widgets/context";
+import { Icon } from "../widgets/Icon";
+import { InputField } from "../widgets/InputField";
+import { Mark } from "../widgets/Mark";
+import { NameField } from "../widgets/NameField";
 import { ExposeButton } from "./ExposeButton";
 
 /** The selected node: every input to edit, what it does, what it gives. */
@@ -100,6 +100,7 @@ const Row = memo(function Row({ row, id, title }: { row: InputRow; id: string; t
   const reset = (): void => session.setInput(id, row.name, undefined);
   return (
     <div className="parameter" data-default={row.isDefault}>
+      {/* biome-ignore lint/a11y/noStaticElementInteractions: a short way for the pointer; the default can be typed as well. */}
       <span
         className="parameter-label"
         title={`${row.doc}${canReset ? "\nDouble-click for the default" : ""}`}
@@ -162,7 +163,7 @@ function Source({
   if (!row.card) return <span className="muted">{row.value}</span>;
   return (
     <span className="inspector-field">
-      <InputControl node={id} title={title} row={row} onNode={false} describedBy={about} />
+      <InputField node={id} title={title} row={row} look="panel" described={about} />
     </span>
   );
 }

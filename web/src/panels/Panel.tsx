@@ -1,6 +1,6 @@
-import { useEffect, useState, type ReactElement } from "react";
-import { useCurrent } from "../app/context";
-import { Tabs } from "../app/Tabs";
+import { type ReactElement, useEffect, useState } from "react";
+import { useCurrent } from "../widgets/context";
+import { Tabs } from "../widgets/Tabs";
 import { Controls } from "./Controls";
 import { Inspector } from "./Inspector";
 import { Problems, useProblemCount } from "./Problems";

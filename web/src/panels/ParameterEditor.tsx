@@ -1,23 +1,25 @@
-import { useId, useState, type ReactElement } from "react";
-import { useCurrent, useCurrentSession, useEditor } from "../app/context";
-import { Icon } from "../app/icons";
+import { type ReactElement, useId } from "react";
 import { changeParameter, removeParameter, usesOf } from "../model/edit_parameters";
 import { evaluateExpression } from "../model/expression";
 import { numberText, plural } from "../model/format";
 import type { Json } from "../model/json";
-import { valueOf, type Parameter } from "../model/parameters";
+import { type Parameter, parameterValue } from "../model/parameters";
+import { useCurrent, useCurrentSession, useEditor } from "../widgets/context";
+import { Icon } from "../widgets/Icon";
+import { LineField } from "../widgets/LineField";
 
 /** What the form shows of a parameter: its label, its range, its default; and the way to take it away. */
 export function ParameterEditor({ parameter }: { parameter: Parameter }): ReactElement {
   const session = useCurrentSession();
   const editor = useEditor();
-  const value = useCurrent((state) => valueOf(parameter, state.values));
+  const value = useCurrent((state) => parameterValue(parameter, state.values));
   const uses = useCurrent((state) => (state.document ? usesOf(state.document, parameter.name) : 0));
   const { name } = parameter;
-  const set = (member: string, next: Json): void =>
+  const set = (member: string, next: Json): undefined => {
     session.edit(`Change ${parameter.label}`, changeParameter(name, { [member]: next }), {
       gesture: `parameter ${name} ${member}`,
     });
+  };
   const isNumber = parameter.type === "number" || parameter.type === "integer";
   const isDefault = JSON.stringify(value) === JSON.stringify(parameter.initial);
   return (
@@ -59,27 +61,13 @@ export function ParameterEditor({ parameter }: { parameter: Parameter }): ReactE
   );
 }
 
-function Line({ label, text, onText }: { label: string; text: string; onText(text: string): void }): ReactElement {
+function Line(props: { label: string; text: string; onText(text: string): string | undefined }): ReactElement {
+  const { label, text, onText } = props;
   const id = useId();
-  const [typed, setTyped] = useState<string | null>(null);
   return (
     <div className="parameter-line">
       <label htmlFor={id}>{label}</label>
-      <input
-        id={id}
-        type="text"
-        className="text-field"
-        value={typed ?? text}
-        data-typing={typed !== null}
-        onChange={(event) => setTyped(event.currentTarget.value)}
-        onBlur={() => {
-          if (typed !== null && typed !== text) onText(typed.trim());
-          setTyped(null);
-        }}
-        onKeyDown={(event) => {
-          if (event.key === "Enter") event.currentTarget.blur();
-        }}
-      />
+      <LineField id={id} text={text} onText={(typed) => onText(typed.trim())} />
     </div>
   );
 }
@@ -92,7 +80,9 @@ function Bound(props: { label: string; value?: number; onValue(value: number | u
       text={value === undefined ? "" : numberText(value, 6)}
       onText={(text) => {
         const next = evaluateExpression(text);
-        if (text === "" || next !== undefined) onValue(next);
+        if (text !== "" && next === undefined) return `“${text}” is not a number or a formula such as 2*pi/3.`;
+        onValue(next);
+        return undefined;
       }}
     />
   );

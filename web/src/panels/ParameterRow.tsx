@@ -1,54 +1,34 @@
-import { useId, useState, type ReactElement } from "react";
-import { useCurrent, useCurrentSession } from "../app/context";
-import { Icon } from "../app/icons";
-import { sameValue, valueOf, type Parameter, type ParameterValue } from "../model/parameters";
+import { type ReactElement, useId, useState } from "react";
+import { clamp, type Parameter, type ParameterValue, parameterValue, sameValue } from "../model/parameters";
 import { parameterErrors } from "../net/problem";
-import { NumberField } from "./NumberField";
+import { IconButton } from "../widgets/Button";
+import { useCurrent, useCurrentSession } from "../widgets/context";
+import { describedBy } from "../widgets/FieldError";
+import { Icon } from "../widgets/Icon";
+import { ValueField } from "../widgets/ValueField";
 import { ParameterEditor } from "./ParameterEditor";
-import { ChoiceField, ColorField, SwitchField, TextField, VectorField } from "./fields";
-
-export interface FieldProps {
-  id: string;
-  parameter: Parameter;
-  value: ParameterValue;
-  invalid: boolean;
-  /** Ids of what describes the field: its description and its error. */
-  describedBy?: string;
-  onChange(value: ParameterValue, moving: boolean): void;
-  /** A text that is no value; it stays with the field and is not sent. */
-  onUnreadable(message: string): void;
-}
 
 /** Label, field, reset button, description and error of one parameter. */
 export function ParameterRow({ parameter }: { parameter: Parameter }): ReactElement {
   const session = useCurrentSession();
   const id = useId();
-  const value = useCurrent((state) => valueOf(parameter, state.values));
+  const value = useCurrent((state) => parameterValue(parameter, state.values));
   const problem = useCurrent((state) => state.problem);
-  const [unreadable, setUnreadable] = useState("");
+  const [isUnreadable, setUnreadable] = useState(false);
   const [resets, setResets] = useState(0);
   const [isEditing, setIsEditing] = useState(false);
-  const error = unreadable || parameterErrors(problem, parameter.name)[0]?.detail || "";
+  const error = parameterErrors(problem, parameter.name)[0]?.detail ?? "";
   const isChanged = !sameValue(value, parameter.initial);
   const set = (next: ParameterValue, moving: boolean): void => {
-    setUnreadable("");
     session.setParameter(parameter, next, moving);
   };
   const reset = (): void => {
     // Also drops a text in the field that never became a value.
     setResets(resets + 1);
+    setUnreadable(false);
     set(parameter.initial, true);
   };
-  const described = [parameter.description && `${id}-about`, error && `${id}-error`].filter(Boolean).join(" ");
-  const field: FieldProps = {
-    id,
-    parameter,
-    value,
-    invalid: error !== "",
-    describedBy: described || undefined,
-    onChange: set,
-    onUnreadable: setUnreadable,
-  };
+  const described = describedBy(parameter.description && `${id}-about`, error && `${id}-error`);
   return (
     <div className="parameter" data-invalid={error !== ""} data-parameter={parameter.name}>
       <label
@@ -59,27 +39,33 @@ export function ParameterRow({ parameter }: { parameter: Parameter }): ReactElem
       >
         {parameter.label}
       </label>
-      <Field key={resets} {...field} />
-      <button
-        type="button"
+      <ValueField
+        key={resets}
+        {...{ id, parameter, value, described }}
+        label={parameter.label}
+        partLabel={(letter) => `${parameter.label} ${letter}`}
+        look="form"
+        invalid={error !== ""}
+        within={(next) => clamp(parameter, next)}
+        onChange={set}
+        onUnreadable={setUnreadable}
+      />
+      <IconButton
         className="reset"
-        aria-label={`Reset ${parameter.label}`}
-        title="Back to the default"
-        disabled={!isChanged && !unreadable}
+        label={`Reset ${parameter.label}`}
+        icon="reset"
+        hint="Back to the default"
+        disabled={!isChanged && !isUnreadable}
         onClick={reset}
-      >
-        <Icon name="reset" />
-      </button>
-      <button
-        type="button"
+      />
+      <IconButton
         className="reset"
-        aria-label={`Settings of ${parameter.label}`}
-        title="Label, range and default"
-        aria-expanded={isEditing}
+        label={`Settings of ${parameter.label}`}
+        icon="pencil"
+        hint="Label, range and default"
+        expanded={isEditing}
         onClick={() => setIsEditing(!isEditing)}
-      >
-        <Icon name="pencil" />
-      </button>
+      />
       {error && (
         <p className="parameter-error" id={`${id}-error`} role="alert">
           <Icon name="alert" />
@@ -94,22 +80,4 @@ export function ParameterRow({ parameter }: { parameter: Parameter }): ReactElem
       {isEditing && <ParameterEditor parameter={parameter} />}
     </div>
   );
-}
-
-function Field(props: FieldProps): ReactElement {
-  switch (props.parameter.type) {
-    case "number":
-    case "integer":
-      return <NumberField {...props} />;
-    case "boolean":
-      return <SwitchField {...props} />;
-    case "choice":
-      return <ChoiceField {...props} />;
-    case "vector":
-      return <VectorField {...props} />;
-    case "color":
-      return <ColorField {...props} />;
-    default:
-      return <TextField {...props} />;
-  }
 }

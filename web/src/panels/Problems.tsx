@@ -1,11 +1,11 @@
 import type { ReactElement } from "react";
-import { useCurrent, useCurrentSession, useEditor } from "../app/context";
-import { Icon } from "../app/icons";
-import type { SessionState } from "../app/session";
 import { plural } from "../model/format";
-import { patchDocument } from "../model/patch";
 import type { ParameterValue } from "../model/parameters";
-import { isSameEntry, parameterOf, type ProblemEntry } from "../net/problem";
+import { patchDocument } from "../model/patch";
+import { isSameEntry, type ProblemEntry, parameterOf } from "../net/problem";
+import type { SessionState } from "../session/state";
+import { useCurrent, useCurrentSession, useEditor } from "../widgets/context";
+import { Icon } from "../widgets/Icon";
 
 /** Errors of the newest evaluation and of the whole graph, plus failed checks and warnings of the shown picture. */
 export function useProblemCount(): number {
@@ -35,11 +35,11 @@ export function Problems(): ReactElement {
         {problem && errors.length === 0 && (
           <Row tone="error" entry={plainEntry(problem.code, "", problem.detail || problem.title)} />
         )}
-        {errors.map((entry, index) => (
-          <Row key={`error-${index}`} tone="error" entry={entry} />
+        {errors.map((entry) => (
+          <Row key={keyOf(entry)} tone="error" entry={entry} />
         ))}
-        {others.map((entry, index) => (
-          <Row key={`warning-${index}`} tone="warning" entry={entry} />
+        {others.map((entry) => (
+          <Row key={keyOf(entry)} tone="warning" entry={entry} />
         ))}
       </ul>
       {blocked.length > 0 && (
@@ -58,10 +58,15 @@ function problemsIn({ problem, checked, shown }: Wrong): { errors: ProblemEntry[
   const errors = [...(problem?.errors ?? [])];
   for (const entry of checked?.errors ?? []) if (!errors.some((item) => isSameEntry(item, entry))) errors.push(entry);
   const failed = (shown?.report.checks ?? [])
-    .filter((check) => !check.passed)
-    .map((check) => plainEntry("check-failed", check.node, check.message || `The value is ${check.value}.`));
+    // What keeps a check from running is said by the error of its node.
+    .filter((check) => !check.passed && !errors.some(({ node }) => node === check.node))
+    .map((check) => plainEntry("check-failed", check.node, check.message || "The check failed."));
   const warnings = (shown?.report.warnings ?? []).filter((entry) => !errors.some((item) => isSameEntry(item, entry)));
   return { errors, others: [...failed, ...warnings] };
+}
+
+function keyOf({ code, node, port, pointer, detail }: ProblemEntry): string {
+  return [code, node, port, pointer, detail].join(" ");
 }
 
 function plainEntry(code: string, node: string, detail: string): ProblemEntry {

@@ -1,5 +1,6 @@
 import type { ReactElement } from "react";
 import { numberText } from "../model/format";
+import { Segments } from "../widgets/Segments";
 import type { CurvatureKind } from "./curvature";
 import type { CurvatureScale } from "./model_look";
 
@@ -20,13 +21,7 @@ export function Legend({ scale, kind, onKind }: LegendProps): ReactElement {
   const end = scale ? numberText(Number(scale.range.toPrecision(2))) : "";
   return (
     <div className="legend" role="group" aria-label="Curvature legend">
-      <div className="segments" role="radiogroup" aria-label="Curvature kind">
-        {KINDS.map(({ id, title }) => (
-          <button key={id} type="button" role="radio" aria-checked={id === kind} onClick={() => onKind(id)}>
-            {title}
-          </button>
-        ))}
-      </div>
+      <Segments label="Curvature kind" options={KINDS} chosen={kind} onChoose={onKind} />
       {scale ? (
         <>
           <span className="legend-bar" aria-hidden="true" />

@@ -1,8 +1,9 @@
 import type { ReactElement } from "react";
 import { numberText } from "../model/format";
-import { NumberInput } from "../panels/NumberInput";
+import { IconButton } from "../widgets/Button";
+import { NumberInput } from "../widgets/NumberInput";
+import { Segments } from "../widgets/Segments";
 import type { Section, SectionAxis } from "./section";
-import { ToolIcon } from "./ToolIcon";
 
 interface SectionPanelProps {
   section: Section;
@@ -10,7 +11,11 @@ interface SectionPanelProps {
   onChange(section: Section): void;
 }
 
-const LETTERS: readonly SectionAxis[] = ["x", "y", "z"];
+const AXES: readonly { id: SectionAxis; title: string }[] = [
+  { id: "x", title: "X" },
+  { id: "y", title: "Y" },
+  { id: "z", title: "Z" },
+];
 
 /** The section's axis, place and side; the same plane can be dragged in the view. */
 export function SectionPanel({ section, reach, onChange }: SectionPanelProps): ReactElement {
@@ -19,19 +24,12 @@ export function SectionPanel({ section, reach, onChange }: SectionPanelProps): R
   const set = (offset: number): void => onChange({ ...section, offset });
   return (
     <div className="section-panel" role="group" aria-label="Section">
-      <div className="segments" role="radiogroup" aria-label="Section axis">
-        {LETTERS.map((axis) => (
-          <button
-            key={axis}
-            type="button"
-            role="radio"
-            aria-checked={section.axis === axis}
-            onClick={() => onChange({ ...section, axis })}
-          >
-            {axis.toUpperCase()}
-          </button>
-        ))}
-      </div>
+      <Segments
+        label="Section axis"
+        options={AXES}
+        chosen={section.axis}
+        onChoose={(axis) => onChange({ ...section, axis })}
+      />
       <input
         type="range"
         aria-label="Section offset"
@@ -52,18 +50,13 @@ export function SectionPanel({ section, reach, onChange }: SectionPanelProps): R
         invalid={false}
         onType={set}
         onMove={(value) => set(value)}
-        onUnreadable={() => undefined}
       />
-      <button
-        type="button"
-        className="button icon-button"
-        aria-pressed={section.flipped}
-        aria-label="Keep the other side"
-        title="Keep the other side"
+      <IconButton
+        label="Keep the other side"
+        icon="flip"
+        pressed={section.flipped}
         onClick={() => onChange({ ...section, flipped: !section.flipped })}
-      >
-        <ToolIcon name="flip" />
-      </button>
+      />
     </div>
   );
 }

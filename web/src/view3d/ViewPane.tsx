@@ -1,27 +1,33 @@
-import { useEffect, useRef, useState, type ReactElement } from "react";
-import { useCurrent, useCurrentSession } from "../app/context";
-import { saveBlob } from "../app/download";
-import { makeThumbnails } from "../app/thumbnails";
+import { type ReactElement, type ReactNode, useEffect, useRef, useState } from "react";
 import { fileName } from "../model/format";
-import { Controls } from "../panels/Controls";
+import { saveBlob } from "../session/download";
+import { makeThumbnails } from "../session/thumbnails";
+import { useCurrent, useCurrentSession } from "../widgets/context";
 import { showGizmosOf, writeGizmo } from "./gizmo_link";
 import { Legend } from "./Legend";
 import type { CurvatureScale } from "./model_look";
-import { useShowMode } from "./show_mode";
 import { SectionPanel } from "./SectionPanel";
-import { useViewKeys } from "./view_keys";
-import { useViewSettings } from "./view_settings";
+import { useShowMode } from "./show_mode";
 import type { Viewer } from "./Viewer";
 import { Progress, Statistics } from "./ViewStatus";
-import { StandardViews, ViewTools, type ViewActions } from "./ViewTools";
+import { StandardViews, type ViewActions, ViewTools } from "./ViewTools";
+import { useViewKeys } from "./view_keys";
+import { useViewSettings } from "./view_settings";
 
 const LABEL = "The model. Drag to turn, Shift and drag to move, wheel to zoom; arrow keys turn.";
+
+interface ViewPaneProps {
+  light: boolean;
+  picture: boolean;
+  /** The form beside the model when that is shown to someone. */
+  controls: ReactNode;
+}
 
 /**
  * The pane around the 3D view. The view itself is loaded after the first paint and lives outside React. As a picture it
  * is the model and nothing else.
  */
-export function ViewPane({ light, picture }: { light: boolean; picture: boolean }): ReactElement {
+export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElement {
   const session = useCurrentSession();
   const pane = useRef<HTMLElement>(null);
   const place = useRef<HTMLDivElement>(null);
@@ -110,11 +116,7 @@ export function ViewPane({ light, picture }: { light: boolean; picture: boolean 
       {settings.mode === "by-curvature" && (
         <Legend scale={scale} kind={settings.curvatureKind} onKind={(curvatureKind) => choice.set({ curvatureKind })} />
       )}
-      {showing && (
-        <div className="show-controls">
-          <Controls />
-        </div>
-      )}
+      {showing && <div className="show-controls">{controls}</div>}
     </section>
   );
 }

@@ -1,10 +1,10 @@
-import { useEffect, useState, type ReactElement } from "react";
-import { useCurrent, useCurrentSession } from "../app/context";
-import { useLasting } from "../app/hooks";
-import { Icon } from "../app/icons";
+import { type ReactElement, useEffect, useState } from "react";
 import { byteText, grouped, millisecondText } from "../model/format";
 import { fileOutput } from "../model/graph";
 import { problemText } from "../net/problem";
+import { useCurrent, useCurrentSession } from "../widgets/context";
+import { useLasting } from "../widgets/hooks";
+import { Icon } from "../widgets/Icon";
 
 /** From here on a person may want to stop it. */
 const LONG_MILLISECONDS = 1200;
@@ -68,7 +68,7 @@ export function Statistics(): ReactElement | null {
     `${millisecondText(shown.decodeMilliseconds)} decode`,
   ];
   return (
-    <div className="statistics" aria-label="Statistics">
+    <div className="statistics" role="group" aria-label="Statistics">
       {parts.map((part) => (
         <span key={part.replace(/^[\d\s.]+/, "")} data-minor={part.endsWith("vertices")}>
           {part}

@@ -1,13 +1,16 @@
-import type { ReactElement, ReactNode } from "react";
-import { Icon } from "../app/icons";
+import type { ReactElement } from "react";
+import { keyText, type ShortcutId } from "../session/shortcuts";
+import { IconButton } from "../widgets/Button";
+import type { IconName } from "../widgets/Icon";
+import { Segments } from "../widgets/Segments";
+import { Tip } from "../widgets/Tip";
 import type { StandardView } from "./rig";
-import { ToolIcon } from "./ToolIcon";
 import { MODES, type ViewChoice } from "./view_settings";
 
-const STANDARD: readonly { id: StandardView; title: string; hint: string }[] = [
-  { id: "front", title: "Front", hint: "From the front, along Y (1)" },
-  { id: "right", title: "Right", hint: "From the right, along X (3)" },
-  { id: "top", title: "Top", hint: "From above, along Z (7)" },
+const STANDARD: readonly { id: StandardView; title: string; hint: string; shortcut?: ShortcutId }[] = [
+  { id: "front", title: "Front", hint: "From the front, along Y", shortcut: "model-front" },
+  { id: "right", title: "Right", hint: "From the right, along X", shortcut: "model-right" },
+  { id: "top", title: "Top", hint: "From above, along Z", shortcut: "model-above" },
   { id: "iso", title: "Iso", hint: "From a corner" },
 ];
 
@@ -31,49 +34,48 @@ export function ViewTools({ choice, actions, showing, onSection }: ViewToolsProp
   const { settings, set } = choice;
   return (
     <div className="view-tools">
-      <div className="segments" role="radiogroup" aria-label="Shading">
-        {MODES.map((item) => (
-          <button
-            key={item.id}
-            type="button"
-            role="radio"
-            aria-checked={settings.mode === item.id}
-            title={item.hint}
-            onClick={() => set({ mode: item.id })}
-          >
-            {item.title}
-          </button>
-        ))}
-      </div>
+      <Segments label="Shading" options={MODES} chosen={settings.mode} onChoose={(mode) => set({ mode })} />
       <div className="segments" role="group" aria-label="View">
-        <Toggle title="Grid" on={settings.grid} onChange={(grid) => set({ grid })}>
-          <Icon name="grid" />
-        </Toggle>
-        <Toggle title="Axes" on={settings.axes} onChange={(axes) => set({ axes })}>
-          <Icon name="axes" />
-        </Toggle>
-        <Toggle title="Control geometry" on={settings.control} onChange={(control) => set({ control })}>
-          <ToolIcon name="control" />
-        </Toggle>
-        <Toggle title="Section" on={settings.section !== null} onChange={onSection}>
-          <ToolIcon name="section" />
-        </Toggle>
-        <Action title="Frame" hint="Fill the view with the selection, or the model (F)" onClick={actions.frame}>
-          <Icon name="frame" />
-        </Action>
-        <Action title="Home view" hint="Opening view (Home)" onClick={actions.home}>
-          <Icon name="home" />
-        </Action>
-        <Action title="Save a picture" hint="Save a picture (PNG)" onClick={actions.screenshot}>
-          <ToolIcon name="camera" />
-        </Action>
-        <Action
-          title={showing ? "Leave the show" : "Show"}
+        <Toggle label="Grid" icon="grid" on={settings.grid} onChange={(grid) => set({ grid })} />
+        <Toggle label="Axes" icon="axes" on={settings.axes} onChange={(axes) => set({ axes })} />
+        <Toggle
+          label="Control geometry"
+          icon="control"
+          hint="Control geometry: what selected and previewed nodes make"
+          on={settings.control}
+          onChange={(control) => set({ control })}
+        />
+        <Toggle label="Section" icon="section" on={settings.section !== null} onChange={onSection} />
+        <IconButton
+          className=""
+          label="Frame"
+          icon="frame"
+          hint="Fill the view with the selection, or the model"
+          shortcut="model-fill"
+          onClick={actions.frame}
+        />
+        <IconButton
+          className=""
+          label="Home view"
+          icon="home"
+          hint="Opening view"
+          shortcut="model-home"
+          onClick={actions.home}
+        />
+        <IconButton
+          className=""
+          label="Save a picture"
+          icon="camera"
+          hint="Save a picture (PNG)"
+          onClick={actions.screenshot}
+        />
+        <IconButton
+          className=""
+          label={showing ? "Leave the show" : "Show"}
+          icon={showing ? "leave" : "show"}
           hint={showing ? "Back to the editor (Esc)" : "The model and its controls, nothing else"}
           onClick={actions.show}
-        >
-          <ToolIcon name={showing ? "leave" : "show"} />
-        </Action>
+        />
       </div>
     </div>
   );
@@ -84,50 +86,34 @@ export function StandardViews({ choice, actions }: Pick<ViewToolsProps, "choice"
   const { settings, set } = choice;
   return (
     <div className="segments" role="group" aria-label="Standard views">
-      {STANDARD.map(({ id, title, hint }) => (
-        <button key={id} type="button" title={hint} onClick={() => actions.view(id)}>
-          {title}
-        </button>
+      {STANDARD.map(({ id, title, hint, shortcut }) => (
+        <Tip key={id} text={hint} keys={shortcut && keyText(shortcut)}>
+          <button type="button" onClick={() => actions.view(id)}>
+            {title}
+          </button>
+        </Tip>
       ))}
       <Toggle
-        title="Orthographic"
-        hint="Without perspective (5)"
+        label="Orthographic"
+        icon="perspective"
+        hint="Without perspective"
+        shortcut="model-perspective"
         on={settings.orthographic}
         onChange={(orthographic) => set({ orthographic })}
-      >
-        <ToolIcon name="perspective" />
-      </Toggle>
+      />
     </div>
   );
 }
 
 interface ToggleProps {
-  title: string;
+  label: string;
+  icon: IconName;
   hint?: string;
+  shortcut?: ShortcutId;
   on: boolean;
   onChange(on: boolean): void;
-  children: ReactNode;
 }
 
-function Toggle({ title, hint, on, onChange, children }: ToggleProps): ReactElement {
-  return (
-    <button type="button" aria-pressed={on} aria-label={title} title={hint ?? title} onClick={() => onChange(!on)}>
-      {children}
-    </button>
-  );
-}
-
-interface ActionProps {
-  title: string;
-  hint: string;
-  onClick(): void;
-  children: ReactNode;
-}
-
-function Action({ title, hint, onClick, children }: ActionProps): ReactElement {
-  return (
-    <button type="button" aria-label={title} title={hint} onClick={onClick}>
-      {children}
-    </button>
-  );
+function Toggle({ on, onChange, ...button }: ToggleProps): ReactElement {
+  return <IconButton {...button} className="" pressed={on} onClick={() => onChange(!on)} />;
 }

@@ -1,26 +1,26 @@
 // The 3D view. Draws only when something changed; React never runs while it does.
 
 import { Scene, Vector3, type WebGLRenderer } from "three";
-import type { ControlInfo } from "../app/state";
 import type { CameraPlace } from "../model/document";
+import type { ControlInfo } from "../session/state";
 import { makeRenderer } from "./canvas";
 import { ControlGeometry } from "./control_geometry";
 import { ControlMaterials } from "./control_materials";
-import { Decoder, type DecodedModel } from "./decode";
+import { type DecodedModel, Decoder } from "./decode";
 import { inGraph, tidy } from "./drag";
-import { frame, framingOf, samplePositions, type Framing } from "./framing";
-import { GizmoLayer, type GizmoHost } from "./gizmos";
+import { type Framing, frame, framingOf, samplePositions } from "./framing";
 import type { Gizmo } from "./gizmo_values";
+import { type GizmoHost, GizmoLayer } from "./gizmos";
 import { Ground } from "./ground";
 import { HandleLayer } from "./handles";
 import { Materials } from "./materials";
 import { ModelLook } from "./model_look";
-import { cellSize } from "./overlays";
 import { pointsInward } from "./orientation";
-import { pngOf, pictureOf } from "./pictures";
+import { cellSize } from "./overlays";
+import { pictureOf, pngOf } from "./pictures";
 import { fineRatio, Rest, setRatio } from "./rest";
 import { CameraRig, directionOf, type StandardView } from "./rig";
-import { SectionPlane, type Section } from "./section";
+import { type Section, SectionPlane } from "./section";
 import { isSoftwareRendering } from "./software";
 import { drawingSize } from "./thick_lines";
 import { PLAIN, type ViewerHost, type ViewSettings } from "./viewer_settings";
@@ -146,7 +146,8 @@ export class Viewer {
     const before = this.settings;
     this.settings = settings;
     this.rig.projection = settings.orthographic ? "orthographic" : "perspective";
-    const changed = (...names: (keyof ViewSettings)[]): boolean => names.some((name) => settings[name] !== before[name]);
+    const changed = (...names: (keyof ViewSettings)[]): boolean =>
+      names.some((name) => settings[name] !== before[name]);
     if (changed("mode", "light", "curvatureKind")) this.dressModel();
     if (changed("light", "grid", "axes")) this.ground.set(this.radius, this.settings);
     if (changed("light", "section")) this.placeSection();

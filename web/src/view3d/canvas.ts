@@ -6,7 +6,11 @@ import { WebGLRenderer } from "three";
  * A renderer with a canvas that can have the focus. `quality` is "plain" where WebGL runs on the processor, where smooth
  * edges and small pixels take long. Throws if WebGL 2 is not available.
  */
-export function makeRenderer(container: HTMLElement, label: string, quality: "smooth" | "plain" | "usual"): WebGLRenderer {
+export function makeRenderer(
+  container: HTMLElement,
+  label: string,
+  quality: "smooth" | "plain" | "usual",
+): WebGLRenderer {
   const antialias = quality !== "plain";
   const renderer = new WebGLRenderer({ antialias, alpha: true, powerPreference: "high-performance" });
   const ratios = { smooth: 2, plain: 1, usual: Math.min(2, window.devicePixelRatio) };

@@ -1,8 +1,8 @@
 // Points, point pairs, circles and lines of the chosen nodes, drawn over the model in the colors of their types. What is
 // behind the model shows through, fainter.
 
-import { BufferGeometry, Group, Line, LineSegments, Mesh, Points, Vector3, type Object3D } from "three";
-import type { ControlInfo } from "../app/state";
+import { type BufferGeometry, Group, Line, LineSegments, Mesh, type Object3D, Points, Vector3 } from "three";
+import type { ControlInfo } from "../session/state";
 import type { ControlMaterials } from "./control_materials";
 import type { DecodedModel } from "./decode";
 import { segmentGeometry, thickLines } from "./thick_lines";

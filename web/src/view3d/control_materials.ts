@@ -3,13 +3,13 @@
 
 import {
   Color,
+  type DepthModes,
   DoubleSide,
   GreaterDepth,
   LessEqualDepth,
+  type Material,
   MeshBasicMaterial,
   PointsMaterial,
-  type DepthModes,
-  type Material,
 } from "three";
 import { thickMaterial } from "./thick_lines";
 
@@ -30,10 +30,7 @@ export class ControlMaterials {
   /** The two materials of a drawing: before the model, and behind it. */
   pair(kind: ControlKind, color: string, isFaint: boolean): [Material, Material] {
     const strength = (isFaint ? FAINT : 1) * (kind === "faces" ? FACES : 1);
-    return [
-      this.one(kind, color, strength, LessEqualDepth),
-      this.one(kind, color, strength * HIDDEN, GreaterDepth),
-    ];
+    return [this.one(kind, color, strength, LessEqualDepth), this.one(kind, color, strength * HIDDEN, GreaterDepth)];
   }
 
   /** The colors are made for dark ground; on light ground they are taken down until they are seen. */

@@ -1,6 +1,6 @@
 // What a drag across the picture means in space. Rays go from the eye through the pointer.
 
-import { Vector3, type Ray } from "three";
+import { type Ray, Vector3 } from "three";
 
 /** Rays flatter than this against a plane or nearer than this to an axis say nothing useful about it. */
 const FLAT = 0.04;

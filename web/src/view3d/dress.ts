@@ -1,35 +1,38 @@
-// Gives a primitive of a model the look of the page.
+// Gives the parts of a model the look of the page.
 
-import { type BufferGeometry, Line, LineSegments, Mesh, Points, type Material, type Object3D } from "three";
-import type { GltfPrimitive } from "./gltf";
-import type { Materials } from "./materials";
+import { type BufferGeometry, type Line, type LineBasicMaterial, type Material, Mesh, Points } from "three";
+import type { Materials, Style } from "./materials";
 
-/** The drawn object of a primitive. Materials are shared; colors, opacity and vertex colors are the model's own. */
-export function dress(geometry: BufferGeometry, primitive: GltfPrimitive, materials: Materials): Object3D {
-  const style = {
-    color: primitive.color,
-    translucent: primitive.translucent,
-    vertexColors: geometry.hasAttribute("color"),
-  };
-  switch (primitive.mode) {
-    case "triangles": {
-      if (!geometry.hasAttribute("normal")) geometry.computeVertexNormals();
-      const mesh = new Mesh(geometry, materials.studio(style));
-      studioMaterials.set(mesh, mesh.material);
-      return mesh;
-    }
-    case "points":
-      return new Points(geometry, materials.points(style));
-    case "lines":
-      return new LineSegments(geometry, materials.lines(style));
-    case "line-strip":
-      return new Line(geometry, materials.lines(style));
+/** Colors, opacity and vertex colors are the model's own; everything else is shared by all models. */
+export function dress(
+  object: Mesh<BufferGeometry> | Line<BufferGeometry> | Points<BufferGeometry>,
+  materials: Materials,
+): void {
+  const style = styleOf(object.geometry, object.material);
+  if (object instanceof Mesh) {
+    if (!object.geometry.hasAttribute("normal")) object.geometry.computeVertexNormals();
+    const material = materials.studio(style);
+    object.material = material;
+    studioMaterials.set(object, material);
+  } else {
+    object.material = object instanceof Points ? materials.points(style) : materials.lines(style);
   }
 }
 
 /** The dressed material of a mesh, whatever it wears at the moment. */
 export function studioOf(mesh: Mesh): Material | undefined {
   return studioMaterials.get(mesh);
+}
+
+/** What the file says, as the loader has put it into a material that is not used any further. */
+function styleOf(geometry: BufferGeometry, material: Material | Material[]): Style {
+  const { color, opacity, transparent } = material as LineBasicMaterial;
+  (material as Material).dispose();
+  return {
+    color: [color.r, color.g, color.b, opacity],
+    translucent: transparent,
+    vertexColors: geometry.hasAttribute("color"),
+  };
 }
 
 const studioMaterials = new WeakMap<Mesh, Material>();

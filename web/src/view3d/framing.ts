@@ -1,6 +1,14 @@
 // Where the camera stands so that a model fills the view.
 
-import { Box3, Matrix4, Mesh, type BufferGeometry, type Object3D, type PerspectiveCamera, Vector3 } from "three";
+import {
+  Box3,
+  type BufferGeometry,
+  type Matrix4,
+  type Mesh,
+  type Object3D,
+  type PerspectiveCamera,
+  Vector3,
+} from "three";
 import type { CameraPlace, Triple } from "../model/document";
 
 /** Share of the view that a framed model takes: what stands over the picture should not cover it. */

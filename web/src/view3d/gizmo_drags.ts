@@ -1,6 +1,6 @@
 // How each handle of a gizmo turns a pointer's ray into a new value. All of it in the scene's coordinates.
 
-import { Vector3, type Ray } from "three";
+import { type Ray, Vector3 } from "three";
 import { alongAxis, inGraph, inScene, onPlane, snapped, tidy } from "./drag";
 import type { Vec } from "./gizmo_values";
 

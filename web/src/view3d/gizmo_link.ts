@@ -1,9 +1,9 @@
 // Joins the gizmos to the session: what is selected is shown, what is dragged is written as an edit.
 
-import type { Session } from "../app/session";
 import type { Json } from "../model/json";
 import { inspect } from "../net/validation";
-import { anchorsOf, gizmosOf, vectorOf, type Anchor, type Gizmo, type GizmoSource, type Vec } from "./gizmo_values";
+import type { Session } from "../session/session";
+import { type Anchor, anchorsOf, type Gizmo, type GizmoSource, gizmosOf, type Vec, vectorOf } from "./gizmo_values";
 import type { Viewer } from "./Viewer";
 
 /** A drag of something upstream should not ask for every step of it. */
@@ -23,7 +23,8 @@ export function showGizmosOf(session: Session, viewer: Viewer): () => void {
   const ask = async (anchors: readonly Anchor[]): Promise<void> => {
     const { document, values } = session.store.get();
     if (!document) return;
-    const mine = (request = new AbortController());
+    const mine = new AbortController();
+    request = mine;
     const found = new Map<string, Vec>();
     for (const { port, node, output } of anchors) {
       const answer = await inspect({ graph: document.json, parameters: values }, node, output, mine.signal);

@@ -4,7 +4,7 @@
 import type { Catalogue, InputCard } from "../model/catalogue";
 import type { GraphDocument, GraphNode } from "../model/document";
 import { isNumber, type Json } from "../model/json";
-import { valueOf, type Parameter, type ParameterValue, type ParameterValues } from "../model/parameters";
+import { type Parameter, type ParameterValue, type ParameterValues, parameterValue } from "../model/parameters";
 
 export type Vec = readonly [number, number, number];
 
@@ -22,9 +22,7 @@ export type Gizmo =
   | (Base & { kind: "radius"; value: number; at: Vec; normal: Vec });
 
 /** Where the dragged value is written: to the literal at an input, or to the parameter that drives it. */
-export type GizmoTarget =
-  | { kind: "input"; node: string; port: string }
-  | { kind: "parameter"; parameter: Parameter };
+export type GizmoTarget = { kind: "input"; node: string; port: string } | { kind: "parameter"; parameter: Parameter };
 
 export interface GizmoSource {
   document: GraphDocument | null;
@@ -106,7 +104,7 @@ function held(document: GraphDocument, values: ParameterValues, node: GraphNode,
   if (source.kind === "literal") return { value: source.value, target };
   if (source.kind === "link") return undefined;
   const parameter = document.parameters.find((one) => one.name === source.name);
-  return parameter && { value: valueOf(parameter, values), target: { kind: "parameter", parameter } };
+  return parameter && { value: parameterValue(parameter, values), target: { kind: "parameter", parameter } };
 }
 
 /** Three finite numbers, or nothing. */

@@ -1,8 +1,8 @@
 // One gizmo: its lines in the scene, and the handles over them.
 
-import { Color, Group, Quaternion, Vector3, type Mesh, type Object3D, type Ray, type ShaderMaterial } from "three";
+import { Color, Group, type Mesh, type Object3D, Quaternion, type Ray, type ShaderMaterial, Vector3 } from "three";
 import { inScene } from "./drag";
-import { AXES, axisDrag, planeDrag, radiusDrag, sum, tipDrag, type DragView } from "./gizmo_drags";
+import { AXES, axisDrag, type DragView, planeDrag, radiusDrag, sum, tipDrag } from "./gizmo_drags";
 import type { Gizmo, Vec } from "./gizmo_values";
 import type { Handle } from "./handles";
 import { pairsOf, segmentGeometry, thickLines, thickMaterial } from "./thick_lines";
@@ -37,8 +37,7 @@ export class GizmoView {
     public gizmo: Gizmo,
     private readonly host: GizmoHost,
   ) {
-    this.handles =
-      gizmo.kind === "position" ? this.position() : gizmo.kind === "radius" ? this.radius() : this.arrow();
+    this.handles = gizmo.kind === "position" ? this.position() : gizmo.kind === "radius" ? this.radius() : this.arrow();
   }
 
   update(): void {
@@ -49,7 +48,9 @@ export class GizmoView {
     else if (gizmo.kind === "radius") orient(this.group, inScene(gizmo.normal), gizmo.value);
     else orient(this.group, inScene(gizmo.value), Math.hypot(...gizmo.value));
     if (gizmo.kind !== "position") return;
-    this.lines.forEach((line, axis) => (line.visible = !this.isTowardsEye(axis)));
+    this.lines.forEach((line, axis) => {
+      line.visible = !this.isTowardsEye(axis);
+    });
   }
 
   dispose(): void {
@@ -62,7 +63,9 @@ export class GizmoView {
 
   private position(): Handle[] {
     const { label } = this.gizmo;
-    AXES.forEach((axis, at) => this.line(pairsOf([0, 0, 0, ...inScene(axis).toArray()]), AXIS_COLORS[at] ?? ACCENT));
+    for (const [at, axis] of AXES.entries()) {
+      this.line(pairsOf([0, 0, 0, ...inScene(axis).toArray()]), AXIS_COLORS[at] ?? ACCENT);
+    }
     const arms = AXES.map((axis, at) =>
       this.vectorHandle({
         name: `Move ${label} along ${"XYZ"[at]}`,
@@ -160,7 +163,9 @@ export class GizmoView {
       end: (cancelled) => written.end(cancelled),
       nudge: (x, y) => {
         const cell = this.host.cell();
-        written.write(sum(this.vector(), parts.step(x, y), cell / 10).map((part) => rounded(part, cell)) as unknown as Vec);
+        written.write(
+          sum(this.vector(), parts.step(x, y), cell / 10).map((part) => rounded(part, cell)) as unknown as Vec,
+        );
       },
     };
   }

@@ -1,8 +1,8 @@
 // The gizmos of the selected node.
 
 import { Group } from "three";
-import { GizmoView, type GizmoHost } from "./gizmo_view";
 import type { Gizmo } from "./gizmo_values";
+import { type GizmoHost, GizmoView } from "./gizmo_view";
 import type { Handle } from "./handles";
 
 export type { GizmoHost };

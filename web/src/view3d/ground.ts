@@ -1,7 +1,7 @@
 // What the model stands on: the grid and the axes, in the size that suits the model.
 
 import { Group, type LineSegments } from "three";
-import { cellSize, makeAxes, makeGrid, remove, type OverlayColors } from "./overlays";
+import { cellSize, makeAxes, makeGrid, type OverlayColors, remove } from "./overlays";
 
 const COLORS: Record<"dark" | "light", OverlayColors> = {
   dark: { grid: "#5a6374", axes: ["#ff7a6b", "#7ddb8c", "#4fb4ff"] },

@@ -4,19 +4,19 @@ import {
   Color,
   DataTexture,
   DoubleSide,
-  LineBasicMaterial,
   LinearFilter,
+  LineBasicMaterial,
+  type LineBasicMaterialParameters,
+  type Material,
   MeshMatcapMaterial,
   MeshNormalMaterial,
+  type Plane,
   PointsMaterial,
   RGBAFormat,
   SRGBColorSpace,
   UnsignedByteType,
   Vector3,
   Vector4,
-  type LineBasicMaterialParameters,
-  type Material,
-  type Plane,
   type WebGLProgramParametersWithUniforms,
 } from "three";
 
@@ -111,7 +111,11 @@ export class Materials {
 
   constructor() {
     this.normals.clippingPlanes = this.planes;
-    this.painted = this.makeStudio({ color: [1, 1, 1, 1], translucent: false, vertexColors: false }, new Color(1, 1, 1), true);
+    this.painted = this.makeStudio(
+      { color: [1, 1, 1, 1], translucent: false, vertexColors: false },
+      new Color(1, 1, 1),
+      true,
+    );
     this.painted.clippingPlanes = this.planes;
   }
 

@@ -1,7 +1,7 @@
 // How the surfaces of the model are drawn: the chosen mode, with lines and colors made for it.
 
-import { BufferAttribute, LineBasicMaterial, LineSegments, type BufferGeometry, type Material, type Mesh } from "three";
-import { curvatureColors, curvatureRange, estimateCurvature, smoothed, type CurvatureKind } from "./curvature";
+import { BufferAttribute, type BufferGeometry, LineBasicMaterial, LineSegments, type Material, type Mesh } from "three";
+import { type CurvatureKind, curvatureColors, curvatureRange, estimateCurvature, smoothed } from "./curvature";
 import type { DecodedModel } from "./decode";
 import { studioOf } from "./dress";
 import type { Materials } from "./materials";
@@ -91,9 +91,14 @@ export class ModelLook {
 }
 
 function curvatureOf(geometry: BufferGeometry, kind: CurvatureKind): { list: ArrayLike<number>; isEstimate: boolean } {
-  const sent = geometry.getAttribute(kind);
+  // Attributes of our own keep their names in the file, in small letters.
+  const sent = geometry.getAttribute(`_${kind}`);
   if (sent) return { list: sent.array, isEstimate: false };
-  const [position, normal, index] = [geometry.getAttribute("position"), geometry.getAttribute("normal"), geometry.getIndex()];
+  const [position, normal, index] = [
+    geometry.getAttribute("position"),
+    geometry.getAttribute("normal"),
+    geometry.getIndex(),
+  ];
   const indices = index?.array ?? [];
   const list = smoothed(estimateCurvature(kind, position.array, normal.array, indices), indices);
   return { list, isEstimate: true };

@@ -1,7 +1,7 @@
 // Which side of a model's surfaces is the outer one. For an open surface the front is chance; what a section shows of it
 // should not be.
 
-import { Vector3, type BufferGeometry } from "three";
+import { type BufferGeometry, Vector3 } from "three";
 
 const MOST_SAMPLES = 4000;
 

@@ -8,11 +8,11 @@ import {
   Group,
   LineBasicMaterial,
   LineSegments,
-  Sprite,
-  SpriteMaterial,
   type Material,
   type Mesh,
   type Object3D,
+  Sprite,
+  SpriteMaterial,
 } from "three";
 
 export interface OverlayColors {

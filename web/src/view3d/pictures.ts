@@ -1,6 +1,6 @@
 // Pictures to take away: small ones for the gallery, and what is seen as a PNG.
 
-import { PerspectiveCamera, Scene, Vector3, type WebGLRenderer } from "three";
+import { PerspectiveCamera, Scene, type Vector3, type WebGLRenderer } from "three";
 import type { DecodedModel } from "./decode";
 import { frame, placeCamera, samplePositions } from "./framing";
 

@@ -1,9 +1,9 @@
 // The camera and how it is moved. Perspective is what is moved; the orthographic camera follows it, so that turning,
 // moving and zooming are the same in both.
 
-import { OrthographicCamera, PerspectiveCamera, Raycaster, Vector2, Vector3, type Camera, type Ray } from "three";
+import { type Camera, OrthographicCamera, PerspectiveCamera, type Ray, Raycaster, Vector2, Vector3 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { placeCamera, type Framing } from "./framing";
+import { type Framing, placeCamera } from "./framing";
 import { turnByKey } from "./keys";
 
 export type StandardView = "front" | "right" | "top" | "iso";

@@ -1,6 +1,6 @@
 // A plane that cuts the model open, square to an axis of the graph. It is dragged along that axis.
 
-import { Color, Group, Plane, Vector3, type Ray } from "three";
+import { Color, Group, Plane, type Ray, Vector3 } from "three";
 import { alongAxis, inScene, snapped, tidy } from "./drag";
 import type { Handle } from "./handles";
 import type { Materials } from "./materials";
@@ -120,7 +120,10 @@ export class SectionPlane {
       [-1, -1],
       [1, -1],
     ].map(([a = 0, b = 0]) => middle.clone().addScaledVector(u, a).addScaledVector(v, b));
-    const pairs = corners.flatMap((corner, at) => [...corner.toArray(), ...(corners[(at + 1) % 4] ?? corner).toArray()]);
+    const pairs = corners.flatMap((corner, at) => [
+      ...corner.toArray(),
+      ...(corners[(at + 1) % 4] ?? corner).toArray(),
+    ]);
     const material = thickMaterial({ color, width: 1.5, opacity: 0.7 });
     return new Group().add(thickLines(segmentGeometry(pairs), material));
   }

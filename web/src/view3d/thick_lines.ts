@@ -3,12 +3,12 @@
 import {
   BufferAttribute,
   BufferGeometry,
-  Mesh,
-  ShaderMaterial,
-  Vector2,
   type Color,
   type DepthModes,
   type Material,
+  Mesh,
+  ShaderMaterial,
+  Vector2,
 } from "three";
 
 const VERTEX = `

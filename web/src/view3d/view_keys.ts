@@ -1,27 +1,21 @@
 // Keys of the view, for the pane under the pointer or with the focus.
 
-import { useEffect, useRef, type RefObject } from "react";
+import { type RefObject, useEffect, useRef } from "react";
+import { type ModelKey, shortcutOf } from "../session/shortcuts";
 import type { ViewActions } from "./ViewTools";
 
-/** The one table of the view's keys: the shortcut list reads it too. */
-export const VIEW_KEYS = [
-  { key: "f", text: "Fill the view with the selection, or the model" },
-  { key: "Home", text: "Opening view" },
-  { key: "1", text: "From the front" },
-  { key: "3", text: "From the right" },
-  { key: "7", text: "From above" },
-  { key: "5", text: "With or without perspective" },
-] as const;
+/** Turning and zooming are heard by the canvas itself. */
+type ViewKey = Exclude<ModelKey, "model-turn" | "model-zoom">;
 
 /** Runs the actions on their keys, as long as the pointer is over the pane or the focus in it, and no field is edited. */
 export function useViewKeys(pane: RefObject<HTMLElement | null>, actions: ViewActions, onProjection: () => void): void {
-  const runs: Record<(typeof VIEW_KEYS)[number]["key"], () => void> = {
-    f: actions.frame,
-    Home: actions.home,
-    1: () => actions.view("front"),
-    3: () => actions.view("right"),
-    7: () => actions.view("top"),
-    5: onProjection,
+  const runs: Readonly<Record<ViewKey, () => void>> = {
+    "model-fill": actions.frame,
+    "model-home": actions.home,
+    "model-front": () => actions.view("front"),
+    "model-right": () => actions.view("right"),
+    "model-above": () => actions.view("top"),
+    "model-perspective": onProjection,
   };
   const newest = useRef(runs);
   newest.current = runs;
@@ -30,15 +24,16 @@ export function useViewKeys(pane: RefObject<HTMLElement | null>, actions: ViewAc
       const element = pane.current;
       const target = event.target as HTMLElement;
       if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
-      if (target.closest("input, select, textarea, [role=slider], [role=separator], [role=dialog], [role=menu]")) return;
+      if (target.closest("input, select, textarea, [role=slider], [role=separator], [role=dialog], [role=menu]"))
+        return;
       // Someone who works with the keys may have left the pointer anywhere, but the graph has keys of the same names.
-      const hasFocus = element?.contains(target) && (target.role === "img" || !document.querySelector(".graph-pane:hover"));
+      const hasFocus =
+        element?.contains(target) && (target.role === "img" || !document.querySelector(".graph-pane:hover"));
       if (!element?.matches(":hover") && !hasFocus) return;
-      const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-      const run = VIEW_KEYS.find(({ key }) => key === name);
-      if (!run) return;
+      const meant = shortcutOf(event, "model")?.id;
+      if (meant === undefined || meant === "model-turn" || meant === "model-zoom") return;
       event.preventDefault();
-      newest.current[run.key]();
+      newest.current[meant]();
     };
     document.addEventListener("keydown", onKey);
     return () => document.removeEventListener("keydown", onKey);

@@ -1,7 +1,7 @@
 // What a person has chosen for the view. All but the section is remembered.
 
 import { useState } from "react";
-import { useRemembered } from "../app/hooks";
+import { useRemembered } from "../widgets/hooks";
 import type { ShadingMode } from "./model_look";
 import type { Section } from "./section";
 import type { ViewSettings } from "./viewer_settings";

@@ -1,0 +1,73 @@
+// Adding a found node: at a free place, wired to the loose end or into the wire it was looked for.
+
+import type { GraphDocument } from "../model/document";
+import { addNodes, type Edit, freeId, inOrder, setInput } from "../model/edit";
+import { addParameter } from "../model/edit_parameters";
+import { replaceNode } from "../model/edit_replace";
+import { connect, insertOnWire } from "../model/edit_wires";
+import { viewGraph } from "../model/graph";
+import { fullHeight, HEADER_HEIGHT, NODE_WIDTH, roomFor } from "../model/layout";
+import { freePlace } from "../model/place";
+import type { Finding } from "../model/search";
+import type { Position } from "../model/ui";
+import { occupied } from "./actions";
+import type { Editor, Search } from "./editor";
+
+/** Height of a node's first row: a wire that is dropped runs into the socket there. */
+const FIRST_ROW = 46;
+
+/** Puts a found node into the graph as the search says. Answers its name. */
+export function addFinding(editor: Editor, finding: Finding, search: Search): string | undefined {
+  const { document, catalogue } = editor.session.store.get();
+  const { card } = finding;
+  if (!document || !catalogue) return undefined;
+  if (search.replaced !== undefined) {
+    editor.session.edit(`Replace by ${card.title}`, replaceNode(catalogue, search.replaced, card.id));
+    editor.say(`Replaced by ${card.title}`);
+    return search.replaced;
+  }
+  const id = freeId(document, card.id);
+  const position = placeFor(editor, document, { id, type: card.id }, search);
+  const edits: Edit[] = [addNodes([{ id, type: card.id, position, inputs: finding.inputs }])];
+  if (finding.slider) {
+    const name = freeParameterId(document, id);
+    edits.push(addParameter(name, { ...finding.slider.item, label: name }));
+    edits.push(setInput(id, finding.slider.input, { parameter: name }));
+  }
+  const { loose, wire } = search;
+  if (loose && finding.socket !== undefined) {
+    const ends =
+      loose.side === "output"
+        ? { from: loose.node, output: loose.name, to: id, input: finding.socket }
+        : { from: id, output: finding.socket, to: loose.node, input: loose.name };
+    edits.push(connect(catalogue, ends));
+  }
+  if (wire) edits.push(insertOnWire(catalogue, id, wire));
+  editor.unfold([id], true);
+  editor.session.edit(`Add ${card.title}`, inOrder(...edits));
+  editor.session.select([id]);
+  editor.say(loose ? `Added ${card.title}, connected` : `Added ${card.title}`);
+  return id;
+}
+
+/** A place near the wanted one that is free for the node. */
+function placeFor(
+  editor: Editor,
+  document: GraphDocument,
+  { id, type }: { id: string; type: string },
+  search: Search,
+): Position {
+  const { catalogue } = editor.session.store.get();
+  const added = addNodes([{ id, type, position: search.place }])(document);
+  const view = catalogue && viewGraph(added, catalogue).byId.get(id);
+  const size = { width: NODE_WIDTH, height: view ? roomFor(view, fullHeight(view)) : 120 };
+  const { x, y } = search.place;
+  const isFed = search.loose?.side === "output";
+  const left = isFed ? x : search.loose ? x - size.width : x - size.width / 2;
+  const top = y - (search.loose || search.wire ? FIRST_ROW : HEADER_HEIGHT / 2);
+  return freePlace({ x: left, y: top }, size, occupied(editor, document));
+}
+
+function freeParameterId(document: GraphDocument, wanted: string): string {
+  return freeId(document, wanted, new Set(document.parameters.map((parameter) => parameter.name)));
+}

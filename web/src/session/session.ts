@@ -1,0 +1,280 @@
+// The open graph and every way it changes: by editing, by its parameters, by opening another. Plain TypeScript: React
+// reads the store, the viewer is handed in once it has loaded.
+
+import { readCatalogue } from "../model/catalogue";
+import { emptyDocument, type GraphDocument, readDocument } from "../model/document";
+import { type Edit, moveNodes, setInput } from "../model/edit";
+import { fileOutput, viewGraph } from "../model/graph";
+import { History } from "../model/history";
+import { asArray, asObject, type Json } from "../model/json";
+import { layeredLayout } from "../model/layout";
+import {
+  type Parameter,
+  type ParameterValue,
+  type ParameterValues,
+  sameValue,
+  sameValues,
+  withValue,
+} from "../model/parameters";
+import { createStore, type Store } from "../model/store";
+import { getJson } from "../net/api";
+import { localProblem } from "../net/problem";
+import type { EvaluateBody } from "../net/requests";
+import { validate } from "../net/validation";
+import { finest, inOrderOfFigures, readExample } from "./examples";
+import { Renderer } from "./renderer";
+import { EMPTY, type Origin, type PictureViewer, type SessionState } from "./state";
+
+const RETRY_MILLISECONDS = 1500;
+const VALIDATE_MILLISECONDS = 150;
+
+/** What undo brings back. */
+interface Snapshot {
+  document: GraphDocument;
+  values: ParameterValues;
+}
+
+export interface EditOptions {
+  /** Edits with the same key, one after the other, are one step of undo. */
+  gesture?: string;
+  /** More of its kind will follow at once: a draft is enough until then. */
+  moving?: boolean;
+  /** Values of parameters that come with the edit. */
+  values?: ParameterValues;
+}
+
+export class Session {
+  readonly store: Store<SessionState> = createStore(EMPTY);
+  private readonly renderer = new Renderer(this.store);
+  private readonly history = new History<Snapshot>();
+  private saved: Json;
+  private savedValues: ParameterValues = {};
+  private validateTimer = 0;
+  private validation: AbortController | undefined;
+
+  /**
+   * Loads catalogue and examples and opens a document: `first` if there is one, else the wanted example, else the first.
+   * Tries again until the server answers.
+   */
+  async start(wanted: string | null, first?: { json: Json; origin: Origin }): Promise<void> {
+    try {
+      const [nodes, list] = await Promise.all([getJson("v1/nodes"), getJson("v1/examples")]);
+      const examples = inOrderOfFigures(asArray(asObject(list)["examples"]).map(readExample));
+      this.store.set({ catalogue: readCatalogue(nodes), examples, away: false });
+      const isOpen = first && this.openDocument(first.json, first.origin) === undefined;
+      const example = examples.find((item) => item.id === wanted) ?? finest(examples);
+      if (isOpen) return;
+      if (example) this.openExample(example.id);
+      else this.newDocument();
+    } catch {
+      this.store.set({ away: true });
+      window.setTimeout(() => void this.start(wanted, first), RETRY_MILLISECONDS);
+    }
+  }
+
+  openExample(id: string): void {
+    const { examples, exampleId, isChanged } = this.store.get();
+    const example = examples?.find((item) => item.id === id);
+    if (!example || (exampleId === id && !isChanged)) return;
+    const error = this.openDocument(example.graph, { kind: "example", id });
+    if (error !== undefined) this.store.set({ problem: localProblem("This example cannot be opened", error) });
+  }
+
+  /** Opens a document in place of the present one. Answers a sentence for the person if it cannot be read. */
+  openDocument(json: Json, origin: Origin): string | undefined {
+    const result = readDocument(json);
+    if ("error" in result) return result.error;
+    this.open(result.document, origin, result.values);
+    return undefined;
+  }
+
+  newDocument(): void {
+    this.open(emptyDocument(), { kind: "new" });
+  }
+
+  /** The present document is what is kept under `origin`. */
+  markSaved(origin: Origin): void {
+    const { document, values } = this.store.get();
+    this.saved = document?.json;
+    this.savedValues = values;
+    this.store.set({ origin, exampleId: exampleOf(origin), isChanged: false, isAdjusted: false });
+  }
+
+  /** Changes the document. An edit that answers the document it was given changes nothing. */
+  edit(label: string, change: Edit, { gesture, moving = false, values: given }: EditOptions = {}): void {
+    const { document, values } = this.store.get();
+    if (!document) return;
+    const next = change(document);
+    if (next === document) return;
+    this.history.record({ document, values }, label, gesture);
+    this.replace({ document: next, values: knownValues(given ? { ...values, ...given } : values, next) }, moving);
+  }
+
+  /** Writes a literal to a node's input; undefined brings its default back. */
+  setInput(node: string, port: string, value: Json, options: EditOptions = {}): void {
+    this.edit(`Change ${port}`, setInput(node, port, value), { gesture: `input ${node}.${port}`, ...options });
+  }
+
+  setParameter(
+    parameter: Parameter,
+    value: ParameterValue,
+    moving: boolean,
+    gesture = `parameter ${parameter.name}`,
+  ): void {
+    const { document, values } = this.store.get();
+    if (!document) return;
+    this.history.record({ document, values }, `Change ${parameter.label}`, gesture);
+    this.replace({ document, values: withValue(values, parameter, value) }, moving);
+  }
+
+  resetParameters(): void {
+    const { document, values } = this.store.get();
+    if (!document) return;
+    this.history.record({ document, values }, "Reset all parameters");
+    this.replace({ document, values: {} }, true);
+  }
+
+  undo(): void {
+    this.travel((present) => this.history.undo(present));
+  }
+
+  redo(): void {
+    this.travel((present) => this.history.redo(present));
+  }
+
+  /** The hand has let go: the next change is a step of its own. */
+  endGesture(): void {
+    this.history.endGesture();
+  }
+
+  /** The gesture did not happen: everything is as before it, and nothing is left to undo or redo of it. */
+  cancelGesture(gesture: string): void {
+    this.travel(() => this.history.cancel(gesture));
+  }
+
+  /** Gives up waiting for the server; what is shown stays, marked as out of date. */
+  stop(): void {
+    this.renderer.stop();
+  }
+
+  /** Selects nodes by their names, frames and notes by their keys, and nothing else. */
+  select(ids: Iterable<string>): void {
+    const { document, selection, areas, selected } = this.store.get();
+    const wanted = [...ids];
+    const nodes = new Set(wanted.filter((id) => document?.nodes.has(id)));
+    const others = new Set(wanted.filter((id) => id.includes(":")));
+    const last = wanted.filter((id) => nodes.has(id)).at(-1) ?? null;
+    const kept = selected !== null && nodes.has(selected) && nodes.size > 1 ? selected : last;
+    if (isSameSet(nodes, selection) && isSameSet(others, areas)) return;
+    this.store.set({ selection: nodes, areas: others, selected: kept });
+  }
+
+  /** What would be sent for the present state; undefined where there is nothing that leaves the graph. */
+  body(): EvaluateBody | undefined {
+    const { document, catalogue, values } = this.store.get();
+    if (!document || !catalogue) return undefined;
+    const output = fileOutput(document, catalogue);
+    if (output === undefined) return undefined;
+    return { graph: document.json, parameters: values, output };
+  }
+
+  viewerLoaded(viewer: PictureViewer): void {
+    this.renderer.viewerLoaded(viewer);
+  }
+
+  viewerFailed(reason: string): void {
+    this.renderer.viewerFailed(reason);
+  }
+
+  private open(read: GraphDocument, origin: Origin, values: ParameterValues = {}): void {
+    const { catalogue, opened } = this.store.get();
+    if (!catalogue) return;
+    const isPlaced = read.positions.size === read.nodes.size;
+    const document = isPlaced ? read : moveNodes(layeredLayout(viewGraph(read, catalogue)))(read);
+    this.saved = document.json;
+    this.savedValues = values;
+    this.history.clear();
+    this.renderer.reset();
+    this.store.set({
+      ...{ document, origin, opened: opened + 1, exampleId: exampleOf(origin), view: viewGraph(document, catalogue) },
+      ...{ values, isChanged: false, isAdjusted: false, shown: null, problem: null, checked: null },
+      ...{ selection: new Set<string>(), areas: new Set<string>(), selected: null, ...this.steps() },
+    });
+    this.evaluate(false);
+    this.validateSoon();
+  }
+
+  private travel(step: (present: Snapshot) => Snapshot | undefined): void {
+    const { document, values } = this.store.get();
+    const state = document && step({ document, values });
+    if (state) this.replace(state, false);
+  }
+
+  private replace({ document, values }: Snapshot, moving: boolean): void {
+    const before = this.store.get();
+    if (!before.catalogue || !before.document) return;
+    const selection = new Set([...before.selection].filter((id) => document.nodes.has(id)));
+    this.store.set({
+      ...{ document, values, view: viewGraph(document, before.catalogue, before.view ?? undefined) },
+      ...{ isChanged: document.json !== this.saved, isAdjusted: !sameValues(values, this.savedValues) },
+      ...this.steps(),
+      selection: selection.size === before.selection.size ? before.selection : selection,
+      selected: before.selected !== null && document.nodes.has(before.selected) ? before.selected : null,
+    });
+    const isSameGraph = ["nodes", "parameters"].every((name) => document.json[name] === before.document?.json[name]);
+    if (isSameGraph && values === before.values) return;
+    this.evaluate(moving);
+    this.validateSoon();
+  }
+
+  private steps(): Pick<SessionState, "canUndo" | "canRedo" | "undoLabel" | "redoLabel"> {
+    const { undoLabel, redoLabel } = this.history;
+    return { undoLabel, redoLabel, canUndo: undoLabel !== undefined, canRedo: redoLabel !== undefined };
+  }
+
+  private evaluate(moving: boolean): void {
+    const body = this.body();
+    if (body) {
+      this.store.set({ revision: this.renderer.input(body, moving) });
+      return;
+    }
+    this.renderer.rest();
+    const isStale = this.store.get().shown !== null;
+    this.store.set({
+      problem: isStale ? localProblem("Nothing to show", "No node of this graph makes a file.") : null,
+    });
+  }
+
+  /** Asks what the whole graph looks like to the server, once changes have paused for a moment. */
+  private validateSoon(): void {
+    window.clearTimeout(this.validateTimer);
+    this.validateTimer = window.setTimeout(() => void this.validate(), VALIDATE_MILLISECONDS);
+  }
+
+  private async validate(): Promise<void> {
+    const { document, values } = this.store.get();
+    if (!document) return;
+    this.validation?.abort();
+    const request = new AbortController();
+    this.validation = request;
+    const checked = await validate({ graph: document.json, parameters: values }, request.signal);
+    if (checked && this.validation === request && !request.signal.aborted) this.store.set({ checked });
+  }
+}
+
+function exampleOf(origin: Origin): string | null {
+  return origin.kind === "example" ? origin.id : null;
+}
+
+/** The values of parameters that are still there and do not equal their default. */
+function knownValues(values: ParameterValues, { parameters }: GraphDocument): ParameterValues {
+  const known = Object.entries(values).filter(([name, value]) => {
+    const parameter = parameters.find((item) => item.name === name);
+    return parameter && !sameValue(value, parameter.initial);
+  });
+  return known.length === Object.keys(values).length ? values : Object.fromEntries(known);
+}
+
+function isSameSet(a: ReadonlySet<string>, b: ReadonlySet<string>): boolean {
+  return a.size === b.size && [...a].every((item) => b.has(item));
+}
