@@ -61,5 +61,4 @@ std::optional<Generator> motor_logarithm(const Versor& motor);
 /// about the axis perpendicular to both, chosen by a fixed rule. Nothing when an argument is no line.
 std::optional<Versor> motor_between(const Circle& from, const Circle& to);
 
-
 }  // namespace dini

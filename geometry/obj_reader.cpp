@@ -173,7 +173,7 @@ class ObjReader {
   std::vector<Vector> positions_, normals_;
   std::vector<std::array<double, 2>> uvs_;
   std::vector<std::array<float, 4>> colors_;  ///< of the first positions; empty while there are none
-  KeyNumbers<3> known_;                      ///< corners by their vertex
+  KeyNumbers<3> known_;                       ///< corners by their vertex
   RawMesh raw_;
   FaceBuilder faces_;
   ObjLeftOut left_out_;

@@ -32,7 +32,7 @@ class VertexSplitter {
  private:
   std::size_t first_, vertices_;
   std::vector<bool> has_value_;
-  KeyNumbers<5> known_;                ///< pairs of a vertex and a value
+  KeyNumbers<5> known_;                 ///< pairs of a vertex and a value
   std::vector<std::uint32_t> targets_;  ///< the vertex for each of them
   std::vector<std::uint32_t> sources_;  ///< of the copies
 };

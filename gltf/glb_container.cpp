@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 namespace dini {
 namespace {
@@ -76,18 +75,18 @@ std::optional<GlbChunks> split_glb(std::string_view glb) {
   return chunks;
 }
 
-std::string stamp_extras(std::string_view glb, const nlohmann::json& extras) {
+std::string stamp_extras(std::string_view glb, const Json& extras) {
   const auto chunks = split_glb(glb);
   constexpr std::string_view start = "{\"asset\":";
   if (!chunks || !chunks->json.starts_with(start)) return {};
   const std::string_view rest = chunks->json.substr(start.size());
   const std::size_t end = object_end(rest);
-  auto asset = nlohmann::json::parse(rest.substr(0, end), nullptr, false);
+  auto asset = Json::parse(rest.substr(0, end), nullptr, false);
   if (!asset.is_object()) return {};
   asset["extras"] = extras;
   const std::string_view unpadded = rest.substr(0, rest.find_last_not_of(' ') + 1);
   std::string json(start);
-  json += asset.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  json += asset.dump(-1, ' ', false, Json::error_handler_t::replace);
   json += unpadded.substr(std::min(end, unpadded.size()));
   return join_glb(json, chunks->binary);
 }

@@ -2,10 +2,11 @@
 
 // The GLB container: a header, a JSON chunk, and a binary chunk.
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
+
+#include "geometry/json.h"
 
 namespace dini {
 
@@ -25,6 +26,6 @@ std::string join_glb(std::string_view json, std::string_view binary);
 
 /// The same file with `extras` as `asset.extras`. Only the member `asset`, which comes first in this layer's files, is
 /// read and written anew; everything else is copied once. Empty if `glb` is not one of those files.
-std::string stamp_extras(std::string_view glb, const nlohmann::json& extras);
+std::string stamp_extras(std::string_view glb, const Json& extras);
 
 }  // namespace dini

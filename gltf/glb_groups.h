@@ -2,11 +2,11 @@
 
 // Files whose parts stand in named groups: what previews are written as.
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "geometry/cancel.h"
+#include "geometry/json.h"
 #include "geometry/scene.h"
 #include "gltf/encode_error.h"
 #include "gltf/encode_options.h"
@@ -16,14 +16,14 @@ namespace dini {
 /// One thing below a group: its parts become the primitives of one mesh.
 struct GlbChild {
   std::string name;
-  nlohmann::json extras;
+  Json extras;
   std::vector<Part> parts;  ///< their names do not count
 };
 
 /// A node without a mesh of its own.
 struct GlbGroup {
   std::string name;
-  nlohmann::json extras;  ///< an object; a group with nothing to draw gets the member "drawable": false
+  Json extras;  ///< an object; a group with nothing to draw gets the member "drawable": false
   std::vector<GlbChild> children;
 };
 

@@ -9,8 +9,6 @@
 namespace dini {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr const char* draco_extension = "KHR_draco_mesh_compression";
 constexpr std::size_t most_strips = 64;
 constexpr int unsigned_short = 5123, unsigned_int = 5125, real = 5126;

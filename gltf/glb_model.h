@@ -1,13 +1,13 @@
 #pragma once
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "geometry/cancel.h"
+#include "geometry/json.h"
 #include "geometry/mesh.h"
 #include "gltf/lines.h"
 #include "gltf/mesh_encoder.h"
@@ -16,20 +16,20 @@ namespace dini {
 
 /// A glTF file while it grows: nodes with meshes under one root that turns Z up into glTF's Y up, or under groups below
 /// it. Its JSON is kept as the text of the objects that are finished, so a file of many parts takes no more memory than
-/// its own size. Throws what nlohmann::json throws for a name that is no UTF-8.
+/// its own size. Throws what Json throws for a name that is no UTF-8.
 class GlbModel {
  public:
   explicit GlbModel(const std::string& generator);
 
   /// Starts a node without a mesh; parts belong to it until `end_group`. One without parts gets the extra
   /// "drawable": false.
-  void begin_group(const std::string& name, nlohmann::json extras);
+  void begin_group(const std::string& name, Json extras);
   void end_group();
 
   /// The node and mesh that the primitives which follow belong to; without any it is left out.
   struct PartNames {
     std::string node, mesh, material;
-    nlohmann::json extras = nullptr;
+    Json extras = nullptr;
   };
   void begin_part(PartNames names);
 
@@ -59,7 +59,7 @@ class GlbModel {
   };
   struct Group {
     std::size_t node;
-    nlohmann::json object;
+    Json object;
     std::vector<std::size_t> children;
   };
 
@@ -67,7 +67,7 @@ class GlbModel {
   std::size_t add_material(const Color& color, bool translucent);
   std::size_t add_positions(std::size_t view, std::size_t offset, const std::array<float, 3>* points,
                             std::size_t count);
-  void add_primitive(const nlohmann::json& primitive);
+  void add_primitive(const Json& primitive);
   void finish_mesh();
 
   std::string generator_;

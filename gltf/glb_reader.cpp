@@ -5,17 +5,16 @@
 #include <draco/core/decoder_buffer.h>
 #include <draco/mesh/mesh.h>
 #include <exception>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
+#include "geometry/json.h"
 #include "gltf/glb_container.h"
 #include "gltf/lines.h"
 
 namespace dini {
 namespace {
 
-using Json = nlohmann::json;
 constexpr int points_mode = 0;
 constexpr int lines_mode = 1;
 constexpr const char* draco_extension = "KHR_draco_mesh_compression";

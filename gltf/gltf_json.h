@@ -4,17 +4,17 @@
 
 #include <array>
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "geometry/imported_mesh.h"
+#include "geometry/json.h"
 
 namespace dini {
 
-using GltfJson = nlohmann::json;
+using GltfJson = Json;
 
 /// Thrown inside the reader of GLB files only, which turns it into its result: a file is refused from deep inside of
 /// it, and left when the cancel flag is set.

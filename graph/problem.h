@@ -2,16 +2,15 @@
 
 // Problems and results: how every layer above geometry says that something cannot be done.
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-namespace dini {
+#include "geometry/json.h"
 
-using Json = nlohmann::json;
+namespace dini {
 
 /// One thing that is wrong, with its place. `code` is a stable kebab-case word; `detail` is one sentence with the
 /// numbers and what would be accepted; `pointer` (RFC 6901) points into the request document; `fix` is a JSON Patch

@@ -11,9 +11,9 @@
 
 namespace dini::jobs {
 
-/// Computes a few things at once, each on a thread of its own, and lets a bounded number wait: connections are cheap and
-/// computations are not. First come, first served; but nothing starts before there is room for the memory that it says
-/// it will hold.
+/// Computes a few things at once, each on a thread of its own, and lets a bounded number wait: connections are cheap
+/// and computations are not. First come, first served; but nothing starts before there is room for the memory that it
+/// says it will hold.
 class ComputeQueue {
  public:
   struct Size {

@@ -43,10 +43,9 @@ std::shared_ptr<Flights::Interest> Flights::ask_any(const Terms& terms, Work wor
   auto fresh = std::make_shared<Flight>();
   fresh->key = terms.key;
   fresh->work = std::move(work);
-  fresh->task = std::make_shared<ComputeQueue::Task>(
-      terms.bytes, [this, flight = std::weak_ptr<Flight>(fresh)] {
-        if (const auto flying = flight.lock()) fly(*flying);  // else there are no flights any more
-      });
+  fresh->task = std::make_shared<ComputeQueue::Task>(terms.bytes, [this, flight = std::weak_ptr<Flight>(fresh)] {
+    if (const auto flying = flight.lock()) fly(*flying);  // else there are no flights any more
+  });
   if (terms.deadline != Clock::time_point::max()) {
     interest->deadline_ = alarms_.at(terms.deadline, [weak] {
       if (const auto late = weak.lock()) late->stop(StopReason::deadline);
@@ -159,7 +158,8 @@ void Flights::stop_all(StopReason reason) {
   std::list<std::shared_ptr<Interest>> all;
   {
     const std::lock_guard lock(mutex_);
-    for (const auto& [key, flight] : flights_) all.insert(all.end(), flight->interests.begin(), flight->interests.end());
+    for (const auto& [key, flight] : flights_)
+      all.insert(all.end(), flight->interests.begin(), flight->interests.end());
   }
   for (const auto& interest : all) interest->stop(reason);
 }

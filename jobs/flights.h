@@ -19,9 +19,9 @@ namespace dini::jobs {
 
 /// Work that several may be waiting for: whoever asks for what is being computed already joins it and takes no place.
 ///
-/// Everybody who asks has an interest in the outcome, and whatever makes that interest end (a deadline, a newer request,
-/// a client that leaves, a shutdown) ends this one only. The work itself is stopped when nobody is interested in it any
-/// more. So nobody's answer depends on somebody else's patience.
+/// Everybody who asks has an interest in the outcome, and whatever makes that interest end (a deadline, a newer
+/// request, a client that leaves, a shutdown) ends this one only. The work itself is stopped when nobody is interested
+/// in it any more. So nobody's answer depends on somebody else's patience.
 class Flights {
  public:
   using Outcome = Result<std::shared_ptr<const void>>;
@@ -54,8 +54,8 @@ class Flights {
   };
 
   struct Terms {
-    Digest key{};             ///< equal keys mean equal outcomes
-    std::size_t bytes = 0;    ///< memory that the work will hold
+    Digest key{};           ///< equal keys mean equal outcomes
+    std::size_t bytes = 0;  ///< memory that the work will hold
     Clock::time_point deadline = Clock::time_point::max();
   };
 

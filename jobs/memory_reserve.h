@@ -5,8 +5,8 @@
 namespace dini::jobs {
 
 /// Memory that is put aside while there is plenty, and given back when an allocation fails: so that the small things
-/// that are needed to say so, and to go on, are still to be had. A library that cannot even store an exception would end
-/// the program. There is one for the whole process, since there is one handler of failed allocations.
+/// that are needed to say so, and to go on, are still to be had. A library that cannot even store an exception would
+/// end the program. There is one for the whole process, since there is one handler of failed allocations.
 class MemoryReserve {
  public:
   /// Puts it aside for as long as this object lives.

@@ -74,29 +74,29 @@ std::size_t vertices_of(const Literals& literals, const Axes&) {
 }  // namespace
 
 void add_import(Registry& registry) {
-  registry.add(node("import", imported)
-                   .title("Import")
-                   .family("meshes")
-                   .doc("A mesh from an OBJ, PLY or GLB file that was uploaded, or given on the command line.")
-                   .version(2)
-                   .details("Texture coordinates, vertex colors and normals are kept; missing normals are computed. "
-                            "Materials, textures and animations are left out, and skins are taken in the pose of the file. "
-                            "Polygons become triangles. What of the file is left out is a warning. A file that is not "
-                            "known here is an error.")
-                   .input("asset", "The sha256 of an uploaded file, or the name given to a file by --asset.")
-                   .input("up", &ImportInputs::up,
-                          "Which axis of the file is up; by its format: y in GLB, z in OBJ and PLY.",
-                          defaults("format"))
-                   .input("scale", &ImportInputs::scale, "Factor from the file's unit to meters.",
-                          defaults(1).hard(1e-9, 1e9).soft(0.1, 10))
-                   .input("center", &ImportInputs::center, "Whether the middle of the mesh moves to the origin.",
-                          defaults(false))
-                   .vertices(vertices_of)
-                   .thinned_to(12)
-                   .cost([](const RunSize& size) {
-                     return RunCost{100 * size.vertices, 64 * size.vertices};
-                   })
-                   .output("mesh", "The mesh."));
+  registry.add(
+      node("import", imported)
+          .title("Import")
+          .family("meshes")
+          .doc("A mesh from an OBJ, PLY or GLB file that was uploaded, or given on the command line.")
+          .version(2)
+          .details("Texture coordinates, vertex colors and normals are kept; missing normals are computed. "
+                   "Materials, textures and animations are left out, and skins are taken in the pose of the file. "
+                   "Polygons become triangles. What of the file is left out is a warning. A file that is not "
+                   "known here is an error.")
+          .input("asset", "The sha256 of an uploaded file, or the name given to a file by --asset.")
+          .input("up", &ImportInputs::up, "Which axis of the file is up; by its format: y in GLB, z in OBJ and PLY.",
+                 defaults("format"))
+          .input("scale", &ImportInputs::scale, "Factor from the file's unit to meters.",
+                 defaults(1).hard(1e-9, 1e9).soft(0.1, 10))
+          .input("center", &ImportInputs::center, "Whether the middle of the mesh moves to the origin.",
+                 defaults(false))
+          .vertices(vertices_of)
+          .thinned_to(12)
+          .cost([](const RunSize& size) {
+            return RunCost{100 * size.vertices, 64 * size.vertices};
+          })
+          .output("mesh", "The mesh."));
 }
 
 }  // namespace dini

@@ -92,7 +92,7 @@ class Connections final : private Home {
   int poller_ = -1;
   int bell_ = -1;  ///< wakes the loop
   bool accepting_ = false;
-  bool drained_ = false;  ///< nothing is accepted any more
+  bool drained_ = false;                                       ///< nothing is accepted any more
   Clock::time_point accept_again_ = Clock::time_point::min();  ///< while not accepting
   Clock::time_point next_sweep_ = Clock::time_point::max();
   std::vector<char> buffer_;

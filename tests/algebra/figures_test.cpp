@@ -3,19 +3,18 @@
 
 #include <catch2/catch.hpp>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "algebra/construct.h"
 #include "algebra/elementary.h"
 #include "algebra/extract.h"
 #include "algebra/kernels.h"
 #include "algebra/versor.h"
+#include "geometry/json.h"
 #include "tests/support/close.h"
 
 namespace dini {
 namespace {
 
-using Json = nlohmann::json;
 constexpr double pi = 3.14159265358979311600;
 
 const Json& reference() {

@@ -4,18 +4,16 @@
 
 #include <catch2/catch.hpp>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "algebra/construct.h"
 #include "algebra/extract.h"
 #include "algebra/generator_kind.h"
 #include "algebra/versor.h"
+#include "geometry/json.h"
 #include "tests/support/close.h"
 
 namespace dini {
 namespace {
-
-using Json = nlohmann::json;
 
 const Json& reference() {
   static const Json data = Json::parse(std::ifstream(DINI_TEST_DATA "/boosted_surfaces.json"));

@@ -3,19 +3,19 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "cli/exit_codes.h"
 #include "cli/terminal.h"
+#include "geometry/json.h"
 #include "tests/cli/program.h"
 
 namespace {
 
-using dini::testing::run_dini;
-using Json = nlohmann::json;
+using dini::Json;
 
+using dini::testing::run_dini;
 /// A toy graph with one parameter.
 std::string graph(const Json& inputs) {
   return Json{{"format", 1},

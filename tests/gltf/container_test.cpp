@@ -1,6 +1,6 @@
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
+#include "geometry/json.h"
 #include "gltf/glb_container.h"
 #include "gltf/glb_reader.h"
 #include "tests/gltf/compare.h"
@@ -8,8 +8,6 @@
 
 namespace dini {
 namespace {
-
-using Json = nlohmann::json;
 
 TEST_CASE("stamping extras keeps the binary chunk and everything else") {
   const std::string glb = compare::encode(shapes::scene_of(shapes::torus(20, 10))).glb;

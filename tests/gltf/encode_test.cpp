@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "geometry/json.h"
 #include "tests/gltf/compare.h"
 #include "tests/gltf/shapes.h"
 #include "tests/support/picture_value.h"
@@ -86,7 +86,7 @@ TEST_CASE("accessor bounds are those of the decoded positions, bit for bit") {
   options.position_bits = bits;
   const EncodedScene encoded = encode(scene, options);
   const Scene decoded = decode(encoded.glb);
-  const auto document = nlohmann::json::parse(split_glb(encoded.glb)->json);
+  const auto document = dini::Json::parse(split_glb(encoded.glb)->json);
   for (std::size_t part = 0; part < scene.parts.size(); ++part) {
     const auto& primitive = document["meshes"][part]["primitives"][0];
     const auto& accessor = document["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
@@ -194,12 +194,12 @@ TEST_CASE("parts keep their names, colors and order") {
 }
 
 TEST_CASE("one root node turns Z up into Y up") {
-  const auto document = nlohmann::json::parse(split_glb(encode(shapes::scene_of(shapes::torus(8, 6))).glb)->json);
-  CHECK(document["scenes"][0]["nodes"] == nlohmann::json::array({0}));
+  const auto document = dini::Json::parse(split_glb(encode(shapes::scene_of(shapes::torus(8, 6))).glb)->json);
+  CHECK(document["scenes"][0]["nodes"] == dini::Json::array({0}));
   const auto rotation = document["nodes"][0]["rotation"].get<std::array<double, 4>>();
   CHECK(rotation[0] == Approx(-std::sqrt(0.5)));
   CHECK(rotation[3] == Approx(std::sqrt(0.5)));
-  CHECK(document["extensionsRequired"] == nlohmann::json::array({"KHR_draco_mesh_compression"}));
+  CHECK(document["extensionsRequired"] == dini::Json::array({"KHR_draco_mesh_compression"}));
 }
 
 }  // namespace

@@ -1,12 +1,13 @@
 // Accessors of GLB files: without data, sparse, of whole numbers, and asking for too much.
 
+#include "geometry/json.h"
 #include "tests/support/glb_parts.h"
 
 namespace dini {
 namespace {
 
 using namespace support;
-using nlohmann::json;
+using json = dini::Json;
 using Places = std::vector<std::array<double, 3>>;
 using Colors = std::vector<std::array<float, 4>>;
 

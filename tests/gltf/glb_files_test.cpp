@@ -2,13 +2,14 @@
 
 #include <limits>
 
+#include "geometry/json.h"
 #include "tests/support/glb_parts.h"
 
 namespace dini {
 namespace {
 
 using namespace support;
-using nlohmann::json;
+using json = dini::Json;
 using Places = std::vector<std::array<double, 3>>;
 using Sentences = std::vector<std::string>;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/json.h"
 #include "geometry/validate.h"
 #include "tests/support/damage.h"
 #include "tests/support/import_bytes.h"
@@ -12,7 +13,7 @@ namespace dini {
 namespace {
 
 using namespace support;
-using nlohmann::json;
+using json = dini::Json;
 
 Mesh mesh_of(const json& document, const std::string& binary = quad_binary()) {
   const ImportResult result = read_glb_mesh(glb_of(document.dump(), binary), {});

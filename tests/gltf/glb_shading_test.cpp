@@ -1,12 +1,13 @@
 // Colors and normals of GLB files by the glTF 2.0 specification.
 
+#include "geometry/json.h"
 #include "tests/support/glb_parts.h"
 
 namespace dini {
 namespace {
 
 using namespace support;
-using nlohmann::json;
+using json = dini::Json;
 using Colors = std::vector<std::array<float, 4>>;
 using Sentences = std::vector<std::string>;
 

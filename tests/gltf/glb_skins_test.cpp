@@ -2,13 +2,14 @@
 
 #include <cmath>
 
+#include "geometry/json.h"
 #include "tests/support/glb_parts.h"
 
 namespace dini {
 namespace {
 
 using namespace support;
-using nlohmann::json;
+using json = dini::Json;
 using Places = std::vector<std::array<double, 3>>;
 
 constexpr std::array<float, 16> identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};

@@ -1,13 +1,12 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "geometry/json.h"
 #include "geometry/primitives.h"
 #include "gltf/glb_container.h"
 #include "gltf/glb_groups.h"
 
 using namespace dini;
-using Json = nlohmann::json;
-
 namespace {
 
 Json json_of(const EncodeResult<std::string>& encoded) {

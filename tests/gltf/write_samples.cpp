@@ -5,16 +5,14 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
+#include "geometry/json.h"
 #include "gltf/glb_reader.h"
 #include "gltf/glb_writer.h"
 #include "tests/gltf/shapes.h"
 
 namespace dini {
 namespace {
-
-using Json = nlohmann::json;
 
 Json to_json(const Part& part) {
   Json result = {{"name", part.name}};

@@ -63,11 +63,10 @@ TEST_CASE("an export tells when texture coordinates lose much by rounding") {
   REQUIRE(graph.warnings().size() == 1);
   CHECK(
       graph.warnings()[0] ==
-      Warning{
-          "imprecise",
-          "the texture coordinates of model 2 reach from 0 to 100001 and are rounded by up to 12, where 1 is the size "
-          "of the picture",
-          "model"});
+      Warning{"imprecise",
+              "the texture coordinates of file reach from 0 to 100001 and are rounded by up to 12, where 1 is the size "
+              "of the picture",
+              "model"});
   graph.value("quiet");
   CHECK(graph.warnings().empty());
 }

@@ -145,7 +145,9 @@ TEST_CASE("A newer request that is turned away leaves the older one alone, a wro
   Client running(server.port()), older(server.port()), newer(server.port());
   running.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 60'000}, {"bytes", 1}})));
   REQUIRE(eventually([&] { return counters().started > before; }));
+  const std::size_t prepared = counters().prepared;
   older.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 1}, {"bytes", 2}}), key));
+  REQUIRE(eventually([&] { return counters().prepared > prepared; }));
   // The one place in the queue is taken once others are refused.
   REQUIRE(eventually([&] {
     return post(server.port(), "/v1/evaluate", toy_body({{"milliseconds", 60'000}, {"bytes", 3}}))->status == 503;

@@ -54,7 +54,7 @@ TEST_CASE("A file of every format is uploaded, named by its hash, and evaluated"
 }
 
 TEST_CASE("What of a file is left out is told by the upload and by the report of a graph that uses it") {
-  const Running server;
+  const RunningReal server;
   const auto plain = upload(server.port(), quad_obj);
   REQUIRE(plain);
   CHECK(plain->json()["warnings"] == Json::array());
@@ -71,7 +71,7 @@ TEST_CASE("What of a file is left out is told by the upload and by the report of
 }
 
 TEST_CASE("A format is told by its content, behind a byte order mark or not") {
-  const Running server;
+  const RunningReal server;
   const std::string mark = "\xEF\xBB\xBF";
   CHECK(upload(server.port(), mark + std::string(quad_ply))->json()["format"] == "ply");
   CHECK(upload(server.port(), mark + std::string(quad_obj))->json()["format"] == "obj");

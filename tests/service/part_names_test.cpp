@@ -34,9 +34,9 @@ Json out_of(Json models) { return make("export", {{"model", std::move(models)}})
 TEST_CASE("parts, their meshes and their materials have the id of the node that made them") {
   const std::unique_ptr<Engine> engine = make_engine();
   const Json gltf = gltf_of(*engine, document({{"globe", ball()},
-                                              {"hoop", make("circle")},
-                                              {"spot", make("point")},
-                                              {"out", out_of({from("globe"), from("hoop"), from("spot")})}}));
+                                               {"hoop", make("circle")},
+                                               {"spot", make("point")},
+                                               {"out", out_of({from("globe"), from("hoop"), from("spot")})}}));
   CHECK(names_of(gltf["meshes"]) == Names{"globe", "hoop", "spot"});
   CHECK(names_of(gltf["nodes"]) == Names{"Z up to Y up", "globe", "hoop", "spot"});
   CHECK(names_of(gltf["materials"]) == Names{"globe", "hoop", "spot"});
@@ -46,11 +46,11 @@ TEST_CASE("a mesh of a family has its place on each axis beside the id, and shar
   const std::unique_ptr<Engine> engine = make_engine();
   const Json gltf =
       gltf_of(*engine, document({{"i", make("range", {{"count", 2}, {"to", 3}})},
-                                {"j", make("range", {{"count", 3}, {"to", 9}})},
-                                {"at", make("vector", {{"x", from("i")}, {"y", from("j")}})},
-                                {"globe", ball()},
-                                {"globes", make("translate", {{"shape", from("globe")}, {"vector", from("at")}})},
-                                {"out", out_of(from("globes"))}}));
+                                 {"j", make("range", {{"count", 3}, {"to", 9}})},
+                                 {"at", make("vector", {{"x", from("i")}, {"y", from("j")}})},
+                                 {"globe", ball()},
+                                 {"globes", make("translate", {{"shape", from("globe")}, {"vector", from("at")}})},
+                                 {"out", out_of(from("globes"))}}));
   CHECK(names_of(gltf["meshes"]) ==
         Names{"globes[0,0]", "globes[0,1]", "globes[0,2]", "globes[1,0]", "globes[1,1]", "globes[1,2]"});
   CHECK(names_of(gltf["materials"]) == Names{"globes"});
@@ -59,8 +59,8 @@ TEST_CASE("a mesh of a family has its place on each axis beside the id, and shar
 TEST_CASE("an output that is not a node's first is named too") {
   const std::unique_ptr<Engine> engine = make_engine();
   const Json gltf = gltf_of(*engine, document({{"hoop", make("circle")},
-                                              {"ends", make("poles_of", {{"shape", from("hoop")}})},
-                                              {"out", out_of({from("ends.a"), from("ends.b")})}}));
+                                               {"ends", make("poles_of", {{"shape", from("hoop")}})},
+                                               {"out", out_of({from("ends.a"), from("ends.b")})}}));
   CHECK(names_of(gltf["meshes"]) == Names{"ends", "ends.b"});
 }
 
@@ -71,12 +71,12 @@ TEST_CASE("names come from before bypassed nodes and nodes that only pass on") {
   Json colored = make("color", {{"shape", from("scaled")}});
   colored["bypass"] = true;
   const Json gltf = gltf_of(*engine, document({{"globe", ball()},
-                                              {"scaled", scaled},
-                                              {"colored", colored},
-                                              {"hoop", make("circle")},
-                                              {"one", make("list", {{"items", {from("hoop")}}})},
-                                              {"two", make("list", {{"items", {from("hoop"), from("hoop")}}})},
-                                              {"out", out_of({from("colored"), from("one"), from("two")})}}));
+                                               {"scaled", scaled},
+                                               {"colored", colored},
+                                               {"hoop", make("circle")},
+                                               {"one", make("list", {{"items", {from("hoop")}}})},
+                                               {"two", make("list", {{"items", {from("hoop"), from("hoop")}}})},
+                                               {"out", out_of({from("colored"), from("one"), from("two")})}}));
   CHECK(names_of(gltf["meshes"]) == Names{"globe", "hoop", "two"});
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/json.h"
 #include "gltf/glb_import.h"
 #include "tests/support/import_bytes.h"
 #include "tests/support/read_file.h"
@@ -18,7 +19,7 @@ enum GltfComponent {
 
 /// A GLB that grows: one mesh with no primitives yet, shown by one node.
 struct GlbParts {
-  nlohmann::json document = nlohmann::json::parse(R"({
+  dini::Json document = dini::Json::parse(R"({
     "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
     "meshes": [{"primitives": []}], "buffers": [{}], "bufferViews": [], "accessors": []})");
   std::string binary;
@@ -34,7 +35,7 @@ struct GlbParts {
   /// Without a view when there are no bytes.
   std::size_t accessor(const std::string& type, GltfComponent component, std::size_t count, const Bytes& bytes = {},
                        bool normalized = false) {
-    nlohmann::json entry = {{"type", type}, {"componentType", component}, {"count", count}};
+    dini::Json entry = {{"type", type}, {"componentType", component}, {"count", count}};
     if (!bytes.text.empty()) entry["bufferView"] = view(bytes);
     if (normalized) entry["normalized"] = true;
     document["accessors"].push_back(entry);
@@ -45,13 +46,13 @@ struct GlbParts {
     return accessor("VEC3", gltf_f32, numbers.size() / 3, Bytes().f32s(numbers));
   }
 
-  nlohmann::json& primitive(const nlohmann::json& attributes) {
+  dini::Json& primitive(const dini::Json& attributes) {
     document["meshes"][0]["primitives"].push_back({{"attributes", attributes}});
     return document["meshes"][0]["primitives"].back();
   }
 
   std::string glb() const {
-    nlohmann::json finished = document;
+    dini::Json finished = document;
     finished["buffers"][0]["byteLength"] = binary.size();
     return glb_of(finished.dump(), binary);
   }

@@ -4,12 +4,12 @@
 
 #include <bit>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "geometry/imported_mesh.h"
+#include "geometry/json.h"
 
 namespace dini::support {
 
@@ -58,8 +58,8 @@ inline std::string quad_binary() {
   return bytes.text;
 }
 
-inline nlohmann::json quad_document() {
-  return nlohmann::json::parse(R"({
+inline dini::Json quad_document() {
+  return dini::Json::parse(R"({
     "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
     "nodes": [{"mesh": 0}],
     "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1, "COLOR_0": 2}, "indices": 3}]}],

@@ -22,6 +22,7 @@
 namespace dini::toy {
 
 struct Counters {
+  std::atomic<std::size_t> prepared = 0;  ///< requests checked
   std::atomic<std::size_t> started = 0;   ///< evaluations begun
   std::atomic<std::size_t> finished = 0;  ///< and ended, one way or another
   std::atomic<std::size_t> canceled = 0;  ///< of these, stopped by their Cancel
