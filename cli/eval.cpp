@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -20,6 +21,8 @@ struct Options {
   std::optional<std::string> model;
   std::optional<std::string> report;
   std::string output;
+  std::string format;
+  bool embed_graph = false;
   std::string quality = "final";
   std::optional<std::int64_t> triangle_budget;
   std::vector<std::string> preview;
@@ -40,7 +43,7 @@ Outcome failed(const Problems& problems, Stage stage) {
   return {.code = exit_code_for(problems, stage), .problems = problems};
 }
 
-Outcome evaluate(const Options& options, const Engine& engine, const Json& parameters) {
+Outcome evaluate(const Options& options, const Engine& engine, const FileFormat& format, const Json& parameters) {
   // Nobody waits at the other end of a script, so a deadline is kept only when one is asked for.
   const Cancel cancel(options.deadline_ms == 0 ? Cancel::Clock::time_point::max()
                                                : Cancel::Clock::now() + std::chrono::milliseconds(options.deadline_ms));
@@ -54,7 +57,9 @@ Outcome evaluate(const Options& options, const Engine& engine, const Json& param
                                         .output = options.output,
                                         .quality = options.quality == "draft" ? Quality::draft : Quality::final,
                                         .triangle_budget = options.triangle_budget,
-                                        .preview = options.preview},
+                                        .preview = options.preview,
+                                        .format = format.name,
+                                        .embed_graph = options.embed_graph},
                                        cancel);
   if (!prepared) return failed(prepared.problems(), Stage::checking);
   const auto computed = engine.compute(**prepared, cancel);
@@ -64,9 +69,9 @@ Outcome evaluate(const Options& options, const Engine& engine, const Json& param
 }
 
 /// The same when something goes wrong that should not: that too is an outcome to report.
-Outcome evaluated(const Options& options, const Engine& engine, const Json& parameters) {
+Outcome evaluated(const Options& options, const Engine& engine, const FileFormat& format, const Json& parameters) {
   try {
-    return evaluate(options, engine, parameters);
+    return evaluate(options, engine, format, parameters);
   } catch (const std::bad_alloc&) {
     return failed({out_of_memory()}, Stage::evaluating);
   } catch (const std::exception& error) {
@@ -93,6 +98,34 @@ void print_warnings(const Json& report) {
   }
 }
 
+/// ".glb (glb), .gltf (gltf)"
+std::string list_of(std::span<const FileFormat> formats) {
+  std::string text;
+  for (const FileFormat& format : formats) text += (text.empty() ? "" : ", ") + format.extension + " (" + format.name + ")";
+  return text;
+}
+
+/// The format that is asked for, else the one that the name of the file ends with; the usual one for a device or pipe.
+Result<const FileFormat*> format_of(const Options& options, std::span<const FileFormat> formats) {
+  const auto refused = [&](const std::string& said) {
+    return Problem{.code = "usage", .detail = said + "; there is " + list_of(formats)};
+  };
+  const std::string ending =
+      options.model && *options.model != "-" ? std::filesystem::path(*options.model).extension().string() : "";
+  const FileFormat* format = &formats.front();
+  if (!options.format.empty()) {
+    format = format_named(formats, options.format);
+    if (format == nullptr) return refused("--format " + options.format + " is none that can be written");
+  } else if (!ending.empty()) {
+    format = format_of_extension(formats, ending);
+    if (format == nullptr) {
+      return refused("-o " + *options.model + ": " + ending + " is no format that can be written (--format says another)");
+    }
+  }
+  if (format != &formats.front() && !options.preview.empty()) return refused("--preview is written as GLB only");
+  return format;
+}
+
 /// The report of every outcome says whether it is one of success, so a failed run never leaves one behind that says so.
 std::string report_text(const Outcome& outcome) {
   Json report = outcome.report;
@@ -111,10 +144,13 @@ int run(Options& options, const EngineMaker& make_engine) {
   const auto parameters = read_settings(options.settings, limits);
   if (!parameters) return fail(parameters.problems(), exit_usage);
 
+  const std::unique_ptr<Engine> engine = make_engine(limits);
+  const auto format = format_of(options, engine->formats());
+  if (!format) return fail(format.problems(), exit_usage);
+
   // A report of an earlier run must not be taken for one of this, however this one ends.
   if (options.report) remove_file(*options.report);
-  const std::unique_ptr<Engine> engine = make_engine(limits);
-  Outcome outcome = evaluated(options, *engine, *parameters);
+  Outcome outcome = evaluated(options, *engine, **format, *parameters);
   print_problems(outcome.problems);
   print_warnings(outcome.report);
   if (outcome.code == exit_ok && !options.model && options.report != "-") std::cout << summary(outcome.report) << "\n";
@@ -134,13 +170,16 @@ int run(Options& options, const EngineMaker& make_engine) {
 }  // namespace
 
 void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine) {
-  auto* command = program.add_subcommand("eval", "Evaluate a graph into a GLB file");
+  auto* command = program.add_subcommand("eval", "Evaluate a graph into a file");
   const auto options = std::make_shared<Options>();
   command->add_option("graph", options->graph, "The graph document, or - for standard input")->required();
   command->add_option("--set", options->settings, "A parameter as name=value; may be repeated")
       ->allow_extra_args(false);
   command->add_option("-o,--out", options->model,
-                      "Where the model goes, or - for standard output; without it the model is only described");
+                      "Where the model goes, in the format that its name ends with, or - for standard output; without it the "
+                      "model is only described");
+  command->add_option("--format", options->format, "The format of the model, whatever its name ends with");
+  command->add_flag("--embed-graph", options->embed_graph, "Put the graph document into the file (asset.extras)");
   command->add_option("--report", options->report, "Where the JSON report goes, or - for standard output");
   auto* output = command->add_option("--output", options->output, "The export node (default: the only one)");
   command

@@ -13,6 +13,7 @@
 #include "cli/log_sink.h"
 #include "cli/terminal.h"
 #include "jobs/memory_reserve.h"
+#include "jobs/process_memory.h"
 #include "server/addresses.h"
 #include "server/server.h"
 
@@ -70,6 +71,7 @@ int run(Options& options, const EngineMaker& make_engine) {
   options.settings.web = find_folder(options.web, "../../web/dist", "../share/dini/web");
   options.settings.examples = find_examples(options.examples);
 
+  jobs::use_few_memory_pools();
   const jobs::MemoryReserve reserve(memory_reserve);
   const std::unique_ptr<Engine> engine = make_engine({});
   const auto server = server::Server::start(*engine, options.settings);

@@ -3,9 +3,13 @@
 #include <optional>
 #include <string>
 
+#include "geometry/json.h"
 #include "gltf/encode_error.h"
 
 namespace dini {
+
+/// Where the binary data of a glTF file is: behind the JSON of a GLB, or inside the JSON as a data URI.
+enum class GltfContainer { binary, embedded };
 
 /// How a scene is written. The bytes depend on the scene and on these options only.
 struct EncodeOptions {
@@ -16,6 +20,8 @@ struct EncodeOptions {
   bool uvs = true;
   bool colors = true;
   std::string generator = "Dini";  ///< `asset.generator`, with the engine's version if the caller wants it
+  Json extras = nullptr;           ///< `asset.extras`; null for none
+  GltfContainer container = GltfContainer::binary;
 };
 
 /// The first option out of its range, if any.

@@ -1,6 +1,5 @@
 #include "gltf/glb_container.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -38,25 +37,6 @@ std::optional<Chunk> take_chunk(std::string_view& rest) {
   return chunk;
 }
 
-// Where the object that `json` starts with ends; brackets within texts do not count.
-std::size_t object_end(std::string_view json) {
-  std::size_t depth = 0;
-  bool in_text = false;
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const char c = json[i];
-    if (in_text && c == '\\') {
-      ++i;
-    } else if (c == '"') {
-      in_text = !in_text;
-    } else if (!in_text && c == '{') {
-      ++depth;
-    } else if (!in_text && c == '}' && --depth == 0) {
-      return i + 1;
-    }
-  }
-  return json.size();
-}
-
 }  // namespace
 
 std::optional<GlbChunks> split_glb(std::string_view glb) {
@@ -73,22 +53,6 @@ std::optional<GlbChunks> split_glb(std::string_view glb) {
   if (!second) return std::nullopt;
   if (second->type == binary_chunk) chunks.binary = second->bytes;
   return chunks;
-}
-
-std::string stamp_extras(std::string_view glb, const Json& extras) {
-  const auto chunks = split_glb(glb);
-  constexpr std::string_view start = "{\"asset\":";
-  if (!chunks || !chunks->json.starts_with(start)) return {};
-  const std::string_view rest = chunks->json.substr(start.size());
-  const std::size_t end = object_end(rest);
-  auto asset = Json::parse(rest.substr(0, end), nullptr, false);
-  if (!asset.is_object()) return {};
-  asset["extras"] = extras;
-  const std::string_view unpadded = rest.substr(0, rest.find_last_not_of(' ') + 1);
-  std::string json(start);
-  json += asset.dump(-1, ' ', false, Json::error_handler_t::replace);
-  json += unpadded.substr(std::min(end, unpadded.size()));
-  return join_glb(json, chunks->binary);
 }
 
 std::string join_glb(std::string_view json, std::string_view binary) {

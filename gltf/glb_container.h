@@ -6,8 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/json.h"
-
 namespace dini {
 
 /// The two chunks of a GLB, viewing into it. `binary` is empty when there is no binary chunk.
@@ -23,9 +21,5 @@ std::optional<GlbChunks> split_glb(std::string_view glb);
 /// A GLB of a JSON chunk and a binary chunk, which is left out when it is empty. Empty when it would be larger than GLB
 /// can address.
 std::string join_glb(std::string_view json, std::string_view binary);
-
-/// The same file with `extras` as `asset.extras`. Only the member `asset`, which comes first in this layer's files, is
-/// read and written anew; everything else is copied once. Empty if `glb` is not one of those files.
-std::string stamp_extras(std::string_view glb, const Json& extras);
 
 }  // namespace dini

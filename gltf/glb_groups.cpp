@@ -29,7 +29,7 @@ EncodeResult<std::string> encode_unguarded(const std::vector<GlbGroup>& groups, 
   const DracoEncoder encoder;
   SceneEncoding encoding(scene, options, cancel, encoder);
   if (auto error = encoding.prepare()) return std::move(*error);
-  GlbModel model(options.generator);
+  GlbModel model(options.generator, options.extras);
   for (const GlbGroup& group : groups) {
     model.begin_group(group.name, group.extras);
     for (const GlbChild& child : group.children) {
@@ -40,7 +40,7 @@ EncodeResult<std::string> encode_unguarded(const std::vector<GlbGroup>& groups, 
     }
     model.end_group();
   }
-  std::string glb = model.write();
+  std::string glb = model.write(GltfContainer::binary);
   if (glb.empty()) return EncodeError{EncodeError::Code::too_large, "The file is larger than 4 GB.", ""};
   return glb;
 }

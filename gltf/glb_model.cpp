@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "gltf/base64.h"
 #include "gltf/glb_container.h"
 
 namespace dini {
@@ -39,7 +40,10 @@ std::size_t GlbModel::ObjectList::add(const std::string& object) {
   return count++;
 }
 
-GlbModel::GlbModel(const std::string& generator) : generator_(generator) {}
+GlbModel::GlbModel(const std::string& generator, const Json& extras)
+    : asset_({{"generator", generator}, {"version", "2.0"}}) {
+  if (!extras.is_null()) asset_["extras"] = extras;
+}
 
 void GlbModel::begin_group(const std::string& name, Json extras) {
   finish_mesh();
@@ -141,15 +145,15 @@ void GlbModel::add_points(const FloatPoints& points, const Color& color) {
       {{"mode", points_mode}, {"attributes", {{"POSITION", positions}}}, {"material", add_material(color, false)}});
 }
 
-std::string GlbModel::write() {
+std::string GlbModel::write(GltfContainer container) {
   finish_mesh();
   const double half_turn = std::sqrt(0.5);
   Json root = {{"name", "Z up to Y up"}, {"rotation", {-half_turn, 0, 0, half_turn}}};
   if (!below_root_.empty()) root["children"] = below_root_;
-  // What a file says about itself comes first, so that more can be said there without reading the rest.
-  std::string json = "{\"asset\":" + Json({{"generator", generator_}, {"version", "2.0"}}).dump() +
+  // What a file says about itself comes first, where people look.
+  std::string json = "{\"asset\":" + asset_.dump(-1, ' ', false, Json::error_handler_t::replace) +
                      list_of("accessors", accessors_.text) + list_of("bufferViews", views_.text);
-  if (!binary_.empty()) json += list_of("buffers", Json({{"byteLength", binary_.size()}}).dump());
+  if (!binary_.empty()) json += list_of("buffers", buffer_object(container));
   if (compressed_) {
     const std::string extension = Json(draco_extension).dump();
     json += list_of("extensionsRequired", extension) + list_of("extensionsUsed", extension);
@@ -157,7 +161,13 @@ std::string GlbModel::write() {
   json += list_of("materials", materials_.text) + list_of("meshes", meshes_.text) + ",\"nodes\":[" + root.dump();
   for (const std::string& node : nodes_) json += "," + node;
   json += R"(],"scene":0,"scenes":[{"nodes":[0]}]})";
-  return join_glb(json, binary_);
+  return container == GltfContainer::binary ? join_glb(json, binary_) : json;
+}
+
+std::string GlbModel::buffer_object(GltfContainer container) const {
+  const std::string size = std::to_string(binary_.size());
+  if (container == GltfContainer::binary) return "{\"byteLength\":" + size + "}";
+  return "{\"byteLength\":" + size + R"(,"uri":"data:application/octet-stream;base64,)" + to_base64(binary_) + "\"}";
 }
 
 std::size_t GlbModel::add_bytes(const void* data, std::size_t size, int target, std::size_t stride) {

@@ -9,6 +9,7 @@
 #include "geometry/cancel.h"
 #include "geometry/json.h"
 #include "geometry/mesh.h"
+#include "gltf/encode_options.h"
 #include "gltf/lines.h"
 #include "gltf/mesh_encoder.h"
 
@@ -19,7 +20,8 @@ namespace dini {
 /// its own size. Throws what Json throws for a name that is no UTF-8.
 class GlbModel {
  public:
-  explicit GlbModel(const std::string& generator);
+  /// `extras` is what the file says about itself, or null.
+  GlbModel(const std::string& generator, const Json& extras);
 
   /// Starts a node without a mesh; parts belong to it until `end_group`. One without parts gets the extra
   /// "drawable": false.
@@ -47,7 +49,7 @@ class GlbModel {
   std::size_t binary_size() const { return binary_.size(); }
 
   /// The finished file; empty when it would be larger than GLB can address.
-  std::string write();
+  std::string write(GltfContainer container);
 
  private:
   /// Objects of one kind as JSON text.
@@ -69,8 +71,9 @@ class GlbModel {
                             std::size_t count);
   void add_primitive(const Json& primitive);
   void finish_mesh();
+  std::string buffer_object(GltfContainer container) const;
 
-  std::string generator_;
+  Json asset_;
   std::string binary_;
   ObjectList accessors_, views_, materials_, meshes_;
   std::vector<std::string> nodes_;  ///< the root last of all, but first in the file

@@ -12,7 +12,7 @@ EncodeResult<EncodedScene> encode_unguarded(const Scene& scene, const EncodeOpti
                                             const MeshEncoder& encoder) {
   SceneEncoding encoding(scene, options, cancel, encoder);
   if (auto error = encoding.prepare()) return std::move(*error);
-  GlbModel model(options.generator);
+  GlbModel model(options.generator, options.extras);
   for (const Part& part : scene.parts) {
     model.begin_part({part.name, part.name, part.material});
     if (auto error = encoding.write_next(model)) return std::move(*error);
@@ -21,9 +21,9 @@ EncodeResult<EncodedScene> encode_unguarded(const Scene& scene, const EncodeOpti
   if (result.empty_parts.size() == scene.parts.size()) {
     return EncodeError{EncodeError::Code::empty, "The scene has nothing to draw.", ""};
   }
-  result.glb = model.write();
-  result.bytes = result.glb.size();
-  if (result.glb.empty()) return EncodeError{EncodeError::Code::too_large, "The file is larger than 4 GB.", ""};
+  result.file = model.write(options.container);
+  result.bytes = result.file.size();
+  if (result.file.empty()) return EncodeError{EncodeError::Code::too_large, "The file is larger than 4 GB.", ""};
   return result;
 }
 

@@ -22,17 +22,17 @@ struct RoughUvs {
 
 /// A scene as a file, and what was written.
 struct EncodedScene {
-  std::string glb;
+  std::string file;
   std::size_t vertices = 0;   ///< of all primitives as decoded; tiles repeat the vertices of their borders
   std::size_t triangles = 0;  ///< as decoded: triangles with a repeated index are not written
-  std::size_t bytes = 0;      ///< size of `glb`
+  std::size_t bytes = 0;      ///< size of `file`
   double position_error = 0;  ///< meters per axis: no decoded coordinate is farther from its original
   double normal_error = 0;    ///< radians: no decoded normal is farther from its original; 0 without normals
   std::vector<std::string> empty_parts{};  ///< parts that had nothing to draw and were left out
   std::vector<RoughUvs> rough_uvs{};       ///< of parts whose error is above a thousandth
 };
 
-/// Writes `scene` as a GLB: meshes with KHR_draco_mesh_compression in tiles on one common quantization grid, polylines
+/// Writes `scene` as glTF: meshes with KHR_draco_mesh_compression in tiles on one common quantization grid, polylines
 /// and points as plain floats, one node per part, one root node that turns Z up into Y up. The bytes depend on the
 /// scene, the options and the encoder, not on the number of threads. Looks at `cancel` before every tile. A scene with
 /// nothing to draw is the error `empty`.

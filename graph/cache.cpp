@@ -30,6 +30,14 @@ void Cache::insert_any(const Digest& digest, std::shared_ptr<const void> thing, 
   }
 }
 
+void Cache::clear() {
+  std::list<Entry> gone;  // freed when others may come in again
+  const std::lock_guard lock(mutex_);
+  index_.clear();
+  gone.swap(entries_);
+  bytes_ = 0;
+}
+
 std::size_t Cache::bytes() const {
   const std::lock_guard lock(mutex_);
   return bytes_;

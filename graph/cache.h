@@ -31,6 +31,9 @@ class Cache {
     insert_any(digest, std::move(thing), bytes);
   }
 
+  /// Lets everything go.
+  void clear();
+
   std::size_t bytes() const;
   std::size_t size() const;
   /// How many things had to make room so far.

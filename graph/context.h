@@ -9,6 +9,7 @@
 
 #include "geometry/axis.h"
 #include "geometry/cancel.h"
+#include "graph/file.h"
 
 namespace dini {
 
@@ -63,14 +64,17 @@ struct Failure {
 /// What a node function may ask about the evaluation it runs in. Shared by all threads that run the node.
 class Context {
  public:
-  Context(const Cancel& cancel, Quality quality, std::size_t triangle_budget = 0)
-      : cancel_(cancel), quality_(quality), triangle_budget_(triangle_budget) {}
+  Context(const Cancel& cancel, Quality quality, std::size_t triangle_budget = 0, const WantedFile* file = nullptr)
+      : cancel_(cancel), quality_(quality), triangle_budget_(triangle_budget), file_(file) {}
 
   const Cancel& cancel() const { return cancel_; }
   Quality quality() const { return quality_; }
 
   /// How many triangles each mesh that this node makes should have at most; 0 is no limit.
   std::size_t triangle_budget() const { return triangle_budget_; }
+
+  /// How the file is wanted that this node writes; null where nobody said.
+  const WantedFile* file() const { return file_; }
 
   /// Adds a warning, once.
   void warn(Warning warning) const {
@@ -90,6 +94,7 @@ class Context {
   const Cancel& cancel_;
   Quality quality_;
   std::size_t triangle_budget_;
+  const WantedFile* file_;
   mutable std::mutex mutex_;
   mutable std::vector<Warning> warnings_;
 };

@@ -154,7 +154,7 @@ class Evaluator {
   void run_node_of(Job& job) {
     const auto begin = std::chrono::steady_clock::now();
     const PlannedNode& node = *job.node;
-    const Context context(cancel_, plan_.detail.quality, node.triangle_budget);
+    const Context context(cancel_, plan_.detail.quality, node.triangle_budget, node.file.get());
     const auto column = [this](const Source& source) -> const AnyColumn& {
       return job_at(source.node).run.result->columns[source.output];
     };

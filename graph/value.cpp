@@ -15,8 +15,8 @@ std::size_t held_by(const Column<T>& column) {
   if constexpr (std::is_same_v<T, SharedMesh>) {
     for (std::size_t i = 0; i < column.size(); ++i) total += column[i]->bytes();
   }
-  if constexpr (std::is_same_v<T, SharedAsset>) {
-    for (std::size_t i = 0; i < column.size(); ++i) total += column[i]->bytes.size();
+  if constexpr (std::is_same_v<T, SharedFile>) {
+    for (std::size_t i = 0; i < column.size(); ++i) total += column[i]->bytes->size();
   }
   return total;
 }

@@ -35,8 +35,8 @@ Json one(const Sphere& sphere) {
   return {{"center", triple(found->center)}, {"radius", found->radius}};
 }
 
-Json one(const SharedAsset& asset) {
-  return {{"media_type", asset->media_type}, {"bytes", asset->bytes.size()}, {"sha256", to_hex(sha256(asset->bytes))}};
+Json one(const SharedFile& file) {
+  return {{"media_type", file->media_type}, {"bytes", file->bytes->size()}, {"sha256", to_hex(file->sha256)}};
 }
 
 Json bounds_of(const Column<Point>& points, CancelEvery& steps) {

@@ -11,6 +11,7 @@
 
 #include "algebra/elements.h"
 #include "geometry/mesh.h"
+#include "graph/file.h"
 
 namespace dini {
 
@@ -29,17 +30,6 @@ enum class WireType : std::uint8_t {
   boolean,
   color,
 };
-
-/// Bytes with a media type: what `export` makes.
-struct Asset {
-  std::string media_type;
-  std::string bytes;
-  std::size_t vertices = 0;
-  std::size_t triangles = 0;
-  double position_error = 0;  ///< Bound of the distance by which the encoding moved any point, in meters.
-};
-
-using SharedAsset = std::shared_ptr<const Asset>;
 
 /// What a reader of the catalogue needs to know about a wire type.
 struct WireInfo {
@@ -91,7 +81,7 @@ struct Wire<SharedMesh> {
   static constexpr WireType type = WireType::mesh;
 };
 template <>
-struct Wire<SharedAsset> {
+struct Wire<SharedFile> {
   static constexpr WireType type = WireType::asset;
 };
 
@@ -103,7 +93,7 @@ struct WireList {
     return ((static_cast<std::size_t>(Wire<T>::type) == place++) && ...);
   }();
 };
-using WireTypes = WireList<double, Vector, Point, Generator, Circle, Sphere, SharedMesh, SharedAsset>;
+using WireTypes = WireList<double, Vector, Point, Generator, Circle, Sphere, SharedMesh, SharedFile>;
 static_assert(WireTypes::in_order, "the list of wires is not in the order of WireType");
 
 template <class T>

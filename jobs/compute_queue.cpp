@@ -4,7 +4,8 @@
 
 namespace dini::jobs {
 
-ComputeQueue::ComputeQueue(const Size& size) : size_(size) {
+ComputeQueue::ComputeQueue(const Size& size, std::function<void()> when_idle)
+    : size_(size), when_idle_(std::move(when_idle)) {
   threads_.reserve(size_.places);
   for (std::size_t i = 0; i < size_.places; ++i) threads_.emplace_back([this] { work(); });
 }
@@ -48,16 +49,29 @@ bool ComputeQueue::may_start() const {
   return !waiting_.empty() && (running_ == 0 || bytes_ + waiting_.front()->bytes_ <= size_.bytes);
 }
 
+void ComputeQueue::wait_for_work(std::unique_lock<std::mutex>& lock) {
+  while (used_ && when_idle_ != nullptr) {
+    if (changed_.wait_for(lock, idle_pause, [this] { return has_work(); })) return;
+    if (!used_ || running_ > 0) continue;
+    used_ = false;
+    lock.unlock();
+    when_idle_();
+    lock.lock();
+  }
+  changed_.wait(lock, [this] { return has_work(); });
+}
+
 void ComputeQueue::work() {
   std::unique_lock lock(mutex_);
   while (true) {
-    changed_.wait(lock, [this] { return may_start() || (finished_ && waiting_.empty()); });
+    wait_for_work(lock);
     if (waiting_.empty()) return;
     std::list<std::shared_ptr<Task>> taken;
     taken.splice(taken.begin(), waiting_, waiting_.begin());
     const std::size_t bytes = taken.front()->bytes_;
     taken.front()->waits_ = false;
     ++running_;
+    used_ = true;
     bytes_ += bytes;
     lock.unlock();
     MemoryReserve::refill();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <functional>
@@ -21,8 +22,10 @@ class ComputeQueue {
     std::size_t waiting = 0;  ///< further ones that may wait
     std::size_t bytes = 0;    ///< memory of all that run, together
   };
+  static constexpr std::chrono::milliseconds idle_pause{1000};
 
-  explicit ComputeQueue(const Size& size);
+  /// `when_idle` is called, by one of its threads, when nothing has run for a while after something did.
+  explicit ComputeQueue(const Size& size, std::function<void()> when_idle = nullptr);
   /// Runs what waits, then ends.
   ~ComputeQueue();
   ComputeQueue(const ComputeQueue&) = delete;
@@ -60,14 +63,18 @@ class ComputeQueue {
  private:
   void work();
   bool may_start() const;
+  bool has_work() const { return may_start() || (finished_ && waiting_.empty()); }
+  void wait_for_work(std::unique_lock<std::mutex>& lock);
 
   const Size size_;
+  const std::function<void()> when_idle_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::list<std::shared_ptr<Task>> waiting_;
   std::size_t running_ = 0;
   std::size_t bytes_ = 0;
   bool finished_ = false;
+  bool used_ = false;  ///< since it was idle last
   std::vector<std::thread> threads_;
 };
 

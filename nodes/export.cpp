@@ -1,20 +1,16 @@
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 #include "gltf/encode_cost.h"
-#include "gltf/glb_writer.h"
-#include "graph/literal.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 #include "nodes/drawn_scene.h"
+#include "nodes/formats.h"
 
 namespace dini {
 
 namespace {
 
-constexpr int draft_speed = 7;                        ///< At least: faster levels gain little time and double the size.
-constexpr double root_of_three = 1.7320508075688772;  ///< From an error per axis to a distance.
+constexpr int draft_speed = 7;  ///< At least: faster levels gain little time and double the size.
 
 void warn_of_what_is_left_out(const Context& context, const Items& models) {
   for (std::size_t k = 0; k < models.values.size(); ++k) {
@@ -39,24 +35,6 @@ void warn_of_coarse_circles(const Context& context, const Items& models) {
                 "model"});
 }
 
-std::string two_digits(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof(text), value, std::chars_format::general, 2).ptr};
-}
-
-/// Tells the part whose texture coordinates lose the most to rounding, and how many lose much.
-void warn_of_rough_uvs(const Context& context, const std::vector<RoughUvs>& rough) {
-  if (rough.empty()) return;
-  const RoughUvs& worst = *std::max_element(rough.begin(), rough.end(),
-                                            [](const RoughUvs& a, const RoughUvs& b) { return a.error < b.error; });
-  context.warn({"imprecise",
-                "the texture coordinates of " + worst.part + " reach from " + to_text(worst.minimum) + " to " +
-                    to_text(worst.maximum) + " and are rounded by up to " + two_digits(worst.error) +
-                    ", where 1 is the size of the picture" +
-                    (rough.size() == 1 ? "" : "; so are those of " + std::to_string(rough.size() - 1) + " more"),
-                "model"});
-}
-
 /// Why there is nothing to write, model by model, and what could be changed.
 Failure nothing_to_export(const Items& models) {
   constexpr std::size_t most_named = 3;
@@ -70,22 +48,6 @@ Failure nothing_to_export(const Items& models) {
   if (models.values.size() > most_named) reasons += "; and so on";
   return {"nothing-to-export", "there is nothing to draw: " + reasons + "; change what they depend on, or their inputs",
           "model"};
-}
-
-Failure failure_of(const EncodeError& error) {
-  const std::string part = error.part.empty() ? "" : error.part + ": ";
-  switch (error.code) {
-    case EncodeError::Code::non_finite:
-      return {"non-finite", part + error.detail, "model"};
-    case EncodeError::Code::too_large:
-      return {"limit-exceeded", part + error.detail, "model"};
-    case EncodeError::Code::empty:
-    case EncodeError::Code::invalid_input:
-    case EncodeError::Code::encoder_failed:
-    case EncodeError::Code::cancelled:
-      break;
-  }
-  return {"encode-failed", part + error.detail, "model"};
 }
 
 RunCost cost_of_export(const RunSize& size) {
@@ -102,33 +64,37 @@ struct ExportInputs {
   bool normals;
 };
 
-Attempt<SharedAsset> export_glb(const Context& context,
+Attempt<SharedFile> export_file(const Context& context,
                                 const Several<WireType::mesh, WireType::point, WireType::circle>& model,
                                 const ExportInputs& in) {
-  EncodeOptions options;
+  FileOptions options;
   options.position_bits = static_cast<int>(in.position_bits);
   options.normal_bits = static_cast<int>(in.normal_bits);
   options.speed = static_cast<int>(in.speed);
   if (context.quality() == Quality::draft) options.speed = std::max(options.speed, draft_speed);
   options.normals = in.normals;
-  EncodeResult<EncodedScene> encoded = encode_scene(scene_of(model, context.cancel()), options, context.cancel());
-  if (const auto* error = std::get_if<EncodeError>(&encoded)) {
-    return error->code == EncodeError::Code::empty ? nothing_to_export(model) : failure_of(*error);
+  const WantedFile wanted = context.file() != nullptr ? *context.file() : WantedFile{all_formats().front(), nullptr};
+  options.about = wanted.about;
+  auto outcome = wanted.format.write(scene_of(model, context.cancel()), options, context.cancel());
+  if (auto* error = std::get_if<FileError>(&outcome)) {
+    if (error->code == "nothing-to-export") return nothing_to_export(model);
+    return Failure{std::move(error->code), std::move(error->detail), "model"};
   }
-  EncodedScene& scene = std::get<EncodedScene>(encoded);
+  WrittenFile& written = std::get<WrittenFile>(outcome);
   warn_of_what_is_left_out(context, model);
   warn_of_coarse_circles(context, model);
-  warn_of_rough_uvs(context, scene.rough_uvs);
-  for (const std::string& part : scene.empty_parts) context.warn({"empty", part + " has nothing to draw", "model"});
-  return std::make_shared<const Asset>(Asset{"model/gltf-binary", std::move(scene.glb), scene.vertices, scene.triangles,
-                                             root_of_three * scene.position_error});
+  for (FileNote& note : written.notes) context.warn({std::move(note.code), std::move(note.detail), "model"});
+  const Digest digest = sha256(written.bytes);
+  return std::make_shared<const File>(File{wanted.format.media_types.front(), wanted.format.extension,
+                                           share(std::move(written.bytes)), digest, written.vertices,
+                                           written.triangles, written.position_error});
 }
 
 }  // namespace
 
 void add_export(Registry& registry) {
   registry.add(
-      node("export", export_glb)
+      node("export", export_file)
           .title("Export")
           .family("answers")
           .doc("Writes meshes, circles and points as one Draco-compressed glTF file.")

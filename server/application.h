@@ -28,6 +28,9 @@ struct Application {
   Cache known;  ///< requests that were read and checked, by their exact bytes
   StaticAnswer catalogue;
   StaticAnswer example_list;
+
+  /// Lets go of everything that could be made again: memory has run out, and the next request shall find some.
+  void release_memory();
 };
 
 /// One request at its handler.

@@ -35,6 +35,7 @@ Problem late_problem(const Context& context, Clock::time_point deadline, jobs::F
 }
 
 Reply problems_reply(const Context& context, const Problems& problems) {
+  if (!problems.empty() && problems.front().code == "out-of-memory") context.application.release_memory();
   return problem_reply(problems, context.exchange());
 }
 

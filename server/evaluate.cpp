@@ -158,7 +158,7 @@ void evaluate(const Context& context) {
          .headers = {{"ETag", tag_for(*type, *prepared)}, {"Cache-Control", "no-cache"}, {"Vary", "Accept"}}});
   }
   // What is known waits for nobody.
-  if (const SharedComputed known = context.engine().find(*prepared, *type != model_type)) {
+  if (const SharedComputed known = context.engine().find(*prepared)) {
     take_over(context);
     return context.call->reply(evaluated_reply(context, *type, *request, *known));
   }

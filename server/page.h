@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "graph/problem.h"
-#include "service/file.h"
+#include "graph/file.h"
 
 namespace dini::server {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "service/file.h"
+#include "graph/file.h"
 
 namespace dini::server {
 

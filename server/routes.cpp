@@ -105,6 +105,7 @@ void answer_with(const Context& context, const std::function<Reply()>& step) {
   try {
     return context.call->reply(step());
   } catch (const std::bad_alloc&) {
+    context.application.release_memory();
     return reply({.code = "out-of-memory", .detail = "There is not enough memory for this now."});
   } catch (const std::exception& error) {
     spdlog::error("{} {}", context.exchange().id, escape_controls(error.what()));

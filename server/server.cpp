@@ -6,6 +6,7 @@
 #include <thread>
 #include <unistd.h>
 
+#include "jobs/process_memory.h"
 #include "server/connections.h"
 #include "server/routes.h"
 #include "server/text.h"
@@ -57,7 +58,7 @@ struct Server::State {
                     .known = Cache(settings.known_bytes),
                     .catalogue = static_answer(dump(engine.catalogue())),
                     .example_list = {}},
-        queue({settings.compute_slots, settings.compute_queue, settings.compute_bytes}) {
+        queue({settings.compute_slots, settings.compute_queue, settings.compute_bytes}, jobs::give_back_free_memory) {
     application.example_list = static_answer(application.examples.list().dump());
   }
 

@@ -2,7 +2,6 @@
 
 #include <chrono>
 
-#include "gltf/glb_container.h"
 #include "graph/card.h"
 #include "graph/check.h"
 #include "graph/evaluate.h"
@@ -10,6 +9,7 @@
 #include "graph/stopped.h"
 #include "graph/value_json.h"
 #include "nodes/all.h"
+#include "nodes/formats.h"
 #include "service/asset_reader.h"
 #include "service/places.h"
 #include "service/preview.h"
@@ -21,21 +21,31 @@ namespace {
 
 constexpr std::size_t inspected_values = 2'000'000;
 
-Json catalogue_of(const Registry& registry) {
-  Json nodes = Json::array();
+Json card(const FileFormat& format) {
+  return {{"name", format.name}, {"media_types", format.media_types}, {"extension", format.extension}, {"doc", format.doc}};
+}
+
+Json catalogue_of(const Registry& registry, std::span<const FileFormat> formats) {
+  Json nodes = Json::array(), written = Json::array();
+  for (const FileFormat& format : formats) written.push_back(card(format));
   for (const auto& [id, type] : registry.types()) nodes.push_back(card(type));
   return {{"engine", engine_version},
           {"types", wire_type_cards()},
           {"families", family_titles()},
+          {"formats", std::move(written)},
           {"nodes", std::move(nodes)}};
 }
 
 /// Each engine is given its own kind of requests only.
 const PreparedGraph& own(const Prepared& prepared) { return static_cast<const PreparedGraph&>(prepared); }
 
-SharedFile glb_file(std::string glb) {
-  const Digest digest = sha256(glb);
-  return std::make_shared<const File>(File{"model/gltf-binary", ".glb", share(std::move(glb)), digest});
+/// The one file of an export that has run.
+Result<SharedFile> exported_file(const PreparedGraph& prepared, const Evaluation& evaluation) {
+  const Value value = evaluation.value(prepared.plan, *prepared.export_node, 0);
+  if (value.column.index() != static_cast<std::size_t>(WireType::asset) || sample_count(value.axes) != 1) {
+    return Problem{"axis-mismatch", "the output must be one file, it has axes", prepared.output};
+  }
+  return column_of<SharedFile>(value)[0];
 }
 
 /// The nodes of the previews that have something to draw.
@@ -49,10 +59,10 @@ std::vector<std::size_t> drawn_nodes(const PreparedGraph& prepared) {
 
 }  // namespace
 
-CatalogueEngine::CatalogueEngine(const Limits& limits)
-    : limits_(limits), cache_(limits.cache_bytes), assets_(limits.asset_store_bytes) {
+CatalogueEngine::CatalogueEngine(const Limits& limits, std::vector<FileFormat> formats)
+    : limits_(limits), formats_(std::move(formats)), cache_(limits.cache_bytes), assets_(limits.asset_store_bytes) {
   add_all_nodes(registry_);
-  catalogue_ = catalogue_of(registry_);
+  catalogue_ = catalogue_of(registry_, formats_);
 }
 
 Result<AssetSummary> CatalogueEngine::add_asset(std::string_view bytes, const std::string& name,
@@ -102,51 +112,36 @@ std::vector<std::string> CatalogueEngine::blocked(const EvaluateRequest& request
   return blocked_nodes(environment(), request, cancel);
 }
 
-SharedComputed CatalogueEngine::find(const Prepared& asked, bool for_report) const {
+SharedComputed CatalogueEngine::find(const Prepared& asked) const {
   const PreparedGraph& prepared = own(asked);
   auto found = std::make_shared<ComputedGraph>();
   found->milliseconds["evaluate"] = 0;
-  if (prepared.export_node) {
-    found->milliseconds["encode"] = 0;
-    found->model_file = cache_.find<ModelFile>(prepared.file_digest);
-    if (found->model_file == nullptr) return nullptr;
-    found->model = found->model_file->file;
-  }
   if (!prepared.previews.empty()) {
     found->milliseconds["preview"] = 0;
     found->preview = cache_.find<File>(prepared.preview_digest);
     if (found->preview == nullptr) return nullptr;
   }
-  // The checks beside the output must have held too, and a report tells their values.
-  std::vector<std::size_t> targets = prepared.targets;
-  if (!for_report && !targets.empty()) targets.erase(targets.begin());
-  std::optional<Evaluation> evaluation = find_evaluation(prepared.plan, targets, cache_);
+  // The checks beside the output must have held too.
+  std::optional<Evaluation> evaluation = find_evaluation(prepared.plan, prepared.targets, cache_);
   if (!evaluation) return nullptr;
   found->evaluation = *std::move(evaluation);
-  return found;
-}
-
-Result<std::shared_ptr<const ModelFile>> CatalogueEngine::model_file(const PreparedGraph& prepared,
-                                                                     const Evaluation& evaluation) const {
-  if (auto known = cache_.find<ModelFile>(prepared.file_digest)) return known;
-  const Value value = evaluation.value(prepared.plan, *prepared.export_node, 0);
-  if (value.column.index() != static_cast<std::size_t>(WireType::asset) || sample_count(value.axes) != 1) {
-    return Problem{"axis-mismatch", "the output must be one file, it has axes", prepared.output};
+  if (prepared.export_node) {
+    found->milliseconds["encode"] = 0;
+    Result<SharedFile> model = exported_file(prepared, found->evaluation);
+    if (!model) return nullptr;
+    found->model = *std::move(model);
   }
-  const SharedAsset asset = column_of<SharedAsset>(value)[0];
-  const auto made = std::make_shared<const ModelFile>(ModelFile{
-      glb_file(stamp_extras(asset->bytes, prepared.extras)), asset->vertices, asset->triangles, asset->position_error});
-  cache_.insert<ModelFile>(prepared.file_digest, made, sizeof(ModelFile) + sizeof(File) + made->file->bytes->size());
-  return made;
+  return found;
 }
 
 Result<SharedFile> CatalogueEngine::preview_file(const PreparedGraph& prepared, const Evaluation& evaluation,
                                                  const Cancel& cancel) const {
   if (SharedFile known = cache_.find<File>(prepared.preview_digest)) return known;
-  Result<std::string> drawn = draw_previews(prepared.plan, evaluation, prepared.previews, limits_, cancel);
+  const Json about = {{"engine", engine_version}, {"preview", to_hex(prepared.preview_digest)}};
+  Result<std::string> drawn = draw_previews(prepared.plan, evaluation, prepared.previews, about, limits_, cancel);
   if (!drawn) return drawn.problems();
-  const std::string digest = to_hex(prepared.preview_digest);
-  SharedFile made = glb_file(stamp_extras(*drawn, {{"engine", engine_version}, {"preview", digest}}));
+  const Digest digest = sha256(*drawn);
+  const auto made = std::make_shared<const File>(File{"model/gltf-binary", ".glb", share(*std::move(drawn)), digest});
   cache_.insert<File>(prepared.preview_digest, made, sizeof(File) + made->bytes->size());
   return made;
 }
@@ -165,10 +160,9 @@ Result<SharedComputed> CatalogueEngine::compute(const Prepared& asked, const Can
   auto computed = std::make_shared<ComputedGraph>();
   computed->milliseconds["evaluate"] = milliseconds_since(begin);
   if (prepared.export_node) {
-    Result<std::shared_ptr<const ModelFile>> made = model_file(prepared, *evaluation);
-    if (!made) return made.problems();
-    computed->model_file = *std::move(made);
-    computed->model = computed->model_file->file;
+    Result<SharedFile> model = exported_file(prepared, *evaluation);
+    if (!model) return model.problems();
+    computed->model = *std::move(model);
     const NodeRun* run = evaluation->run(prepared.plan.nodes[*prepared.export_node]);
     computed->milliseconds["encode"] = run != nullptr ? run->milliseconds : 0;
   }
@@ -211,7 +205,11 @@ Result<SharedBytes> CatalogueEngine::inspect(const InspectRequest& request, cons
   return share(dump(to_json(evaluation->value(*plan, index, output), request.full)));
 }
 
-std::unique_ptr<Engine> make_engine(const Limits& limits) { return std::make_unique<CatalogueEngine>(limits); }
+std::unique_ptr<Engine> make_engine(const Limits& limits) { return make_engine(limits, all_formats()); }
+
+std::unique_ptr<Engine> make_engine(const Limits& limits, std::vector<FileFormat> formats) {
+  return std::make_unique<CatalogueEngine>(limits, std::move(formats));
+}
 
 Json to_json(const Problems& problems) {
   Json list = Json::array();

@@ -11,30 +11,30 @@ namespace dini {
 /// The engine over the whole catalogue of nodes. What it computes it keeps under `cache_bytes`.
 class CatalogueEngine final : public Engine {
  public:
-  explicit CatalogueEngine(const Limits& limits);
+  CatalogueEngine(const Limits& limits, std::vector<FileFormat> formats);
 
   const Limits& limits() const override { return limits_; }
+  std::span<const FileFormat> formats() const override { return formats_; }
   const Json& catalogue() const override { return catalogue_; }
   Result<AssetSummary> add_asset(std::string_view bytes, const std::string& name, const Cancel& cancel) const override;
   Result<Json> validate(const Json& graph, const Json& parameters, const Cancel& cancel) const override;
   Result<SharedPrepared> prepare(const EvaluateRequest& request, const Cancel& cancel) const override;
   std::vector<std::string> blocked(const EvaluateRequest& request, const Cancel& cancel) const override;
-  SharedComputed find(const Prepared& prepared, bool for_report) const override;
+  SharedComputed find(const Prepared& prepared) const override;
   Result<SharedComputed> compute(const Prepared& prepared, const Cancel& cancel) const override;
   Json report(const Prepared& prepared, const Computed& computed) const override;
+  void forget() const override { cache_.clear(); }
   Result<SharedBytes> inspect(const InspectRequest& request, const Cancel& cancel) const override;
 
  private:
-  Environment environment() const { return {registry_, limits_, assets_.finder()}; }
+  Environment environment() const { return {registry_, limits_, formats_, assets_.finder()}; }
 
-  /// The file of a finished export, from the cache or into it.
-  Result<std::shared_ptr<const ModelFile>> model_file(const PreparedGraph& prepared,
-                                                      const Evaluation& evaluation) const;
   /// The drawn previews, from the cache or into it.
   Result<SharedFile> preview_file(const PreparedGraph& prepared, const Evaluation& evaluation,
                                   const Cancel& cancel) const;
 
   const Limits limits_;
+  const std::vector<FileFormat> formats_;
   Registry registry_;
   Json catalogue_;
   mutable Cache cache_;

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,7 +17,7 @@
 #include "graph/json_reader.h"
 #include "graph/limits.h"
 #include "graph/problem.h"
-#include "service/file.h"
+#include "graph/file.h"
 
 namespace dini {
 
@@ -32,6 +33,10 @@ struct EvaluateRequest {
   std::optional<std::int64_t> triangle_budget = {};
   /// Nodes ("node") and single outputs ("node.output") to draw into a file of their own; their order does not count.
   std::vector<std::string> preview = {};
+  /// The name of the format that the output is written in; empty is the first. Previews are GLB always.
+  std::string format = {};
+  /// Whether the file carries the document, in `document` of what it says about itself.
+  bool embed_graph = false;
 };
 
 /// What to look at: one output of one node. An empty `output` means the node's only or first output.
@@ -87,7 +92,10 @@ class Engine {
 
   virtual const Limits& limits() const = 0;
 
-  /// The cards of every node type and wire type: the body of `GET /v1/nodes`.
+  /// The formats that outputs are written in, the usual one first.
+  virtual std::span<const FileFormat> formats() const = 0;
+
+  /// The cards of every node type, wire type and format: the body of `GET /v1/nodes`.
   virtual const Json& catalogue() const = 0;
 
   /// Reads a mesh file (OBJ, PLY or GLB, told by its content) and keeps the mesh for graphs that name it by its hash.
@@ -108,8 +116,8 @@ class Engine {
   /// Of a request that cannot be prepared: the nodes that are well in themselves but stand behind the ones to blame.
   virtual std::vector<std::string> blocked(const EvaluateRequest& request, const Cancel& cancel) const = 0;
 
-  /// The files, if nothing has to be computed for them; else null. With `for_report`, also what a report needs.
-  virtual SharedComputed find(const Prepared& prepared, bool for_report) const = 0;
+  /// The answer, if nothing has to be computed for it; else null.
+  virtual SharedComputed find(const Prepared& prepared) const = 0;
 
   /// Evaluates and encodes. Problems with the codes of `stopped_problem` mean that `cancel` stopped the work.
   virtual Result<SharedComputed> compute(const Prepared& prepared, const Cancel& cancel) const = 0;
@@ -118,12 +126,18 @@ class Engine {
   /// found without what a report needs.
   virtual Json report(const Prepared& prepared, const Computed& computed) const = 0;
 
+  /// Lets go of everything that could be computed again, for when memory has run out.
+  virtual void forget() const = 0;
+
   /// The value on any wire, in full double precision, as JSON text.
   virtual Result<SharedBytes> inspect(const InspectRequest& request, const Cancel& cancel) const = 0;
 };
 
-/// The engine over the whole catalogue of nodes.
+/// The engine over the whole catalogue of nodes, writing all formats.
 std::unique_ptr<Engine> make_engine(const Limits& limits = {});
+
+/// The same, writing these formats.
+std::unique_ptr<Engine> make_engine(const Limits& limits, std::vector<FileFormat> formats);
 
 /// A problem list as JSON: [{"code", "detail", "node", "port", "pointer", "fix"}], absent members left out.
 Json to_json(const Problems& problems);

@@ -109,17 +109,50 @@ Problems broken_checks(const Registry& registry, const Document& document, const
   return std::move(broken).take();
 }
 
-/// What the bytes of the file depend on: the output's content and what is written into the file about it.
-Digest file_digest(const PreparedGraph& prepared) {
-  DigestBuilder digest;
-  digest.text("file").text(engine_version).digest(prepared.plan.nodes[*prepared.export_node].fingerprint);
-  return digest.text(prepared.extras.dump()).finish();
+/// The format asked for; files of previews have one only.
+Result<const FileFormat*> format_of(const Environment& environment, const EvaluateRequest& request) {
+  const FileFormat* format =
+      request.format.empty() ? &environment.formats.front() : format_named(environment.formats, request.format);
+  std::vector<std::string> names;
+  for (const FileFormat& known : environment.formats) names.push_back(known.name);
+  if (format == nullptr) {
+    return Problem{"not-in-choices", "there is no format \"" + request.format + "\"" + did_you_mean(request.format, names),
+                   "", "", "/format"};
+  }
+  if (format != &environment.formats.front() && !request.preview.empty() && request.output.empty()) {
+    return Problem{"not-in-choices", "previews are written as " + names.front() + " only", "", "", "/format"};
+  }
+  return format;
+}
+
+/// What a file says about itself: the engine, the hash of what the model depends on, the parameters that shape it, and
+/// the document where that is asked for.
+Json about_file(const PreparedGraph& prepared, bool embed_graph) {
+  Json parameters = Json::object();
+  for (const std::string& parameter : parameters_behind(prepared.plan, *prepared.export_node)) {
+    parameters[parameter] = prepared.plan.parameters.at(parameter);
+  }
+  Json about = {{"engine", engine_version},
+                {"fingerprint", to_hex(prepared.fingerprint)},
+                {"parameters", std::move(parameters)}};
+  if (embed_graph) about["document"] = write_document(prepared.document);
+  return about;
+}
+
+/// Tells the node that exports what file is wanted, which its result depends on from then on.
+void want_file(PreparedGraph& prepared, const FileFormat& format, bool embed_graph) {
+  PlannedNode& node = prepared.plan.nodes[*prepared.export_node];
+  prepared.fingerprint = node.fingerprint;
+  const auto wanted = std::make_shared<const WantedFile>(WantedFile{format, about_file(prepared, embed_graph)});
+  node.fingerprint =
+      DigestBuilder().text("file").digest(node.fingerprint).text(format.name).text(wanted->about.dump()).finish();
+  node.file = wanted;
 }
 
 /// What the files of an answer depend on, and whether there are any: the checks that must hold count too.
 Digest content_digest(const PreparedGraph& prepared) {
   DigestBuilder digest;
-  digest.text("content").text(engine_version).digest(prepared.file_digest).digest(prepared.preview_digest);
+  digest.text("content").text(engine_version).digest(prepared.preview_digest);
   for (const std::size_t target : prepared.targets) digest.digest(prepared.plan.nodes[target].fingerprint);
   return digest.finish();
 }
@@ -198,6 +231,8 @@ std::vector<std::string> blocked_nodes(const Environment& environment, const Eva
 Result<std::shared_ptr<const PreparedGraph>> prepare_evaluation(const Environment& environment,
                                                                 const EvaluateRequest& request, const Cancel& cancel) {
   const auto begin = std::chrono::steady_clock::now();
+  const Result<const FileFormat*> format = format_of(environment, request);
+  if (!format) return format.problems();
   Result<CheckedRequest> checked = check_request(environment, request, cancel);
   if (!checked) return checked.problems();
   CheckReport& report = checked->report;
@@ -217,10 +252,7 @@ Result<std::shared_ptr<const PreparedGraph>> prepare_evaluation(const Environmen
   Result<std::vector<Preview>> previews = plan_previews(prepared->plan, checked->previews, environment.limits);
   if (!previews) return previews.problems();
   prepared->previews = *std::move(previews);
-  if (prepared->export_node) {
-    prepared->extras = file_extras(prepared->plan, *prepared->export_node);
-    prepared->file_digest = file_digest(*prepared);
-  }
+  if (prepared->export_node) want_file(*prepared, **format, request.embed_graph);
   if (!prepared->previews.empty()) {
     prepared->preview_digest = preview_digest(prepared->plan, prepared->previews, environment.limits);
   }

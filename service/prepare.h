@@ -13,6 +13,7 @@ namespace dini {
 struct Environment {
   const Registry& registry;
   const Limits& limits;
+  std::span<const FileFormat> formats;
   AssetFinder find_asset;
 };
 

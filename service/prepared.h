@@ -25,10 +25,9 @@ class PreparedGraph final : public Prepared {
   std::optional<std::size_t> export_node;  ///< by index into the plan
   std::vector<std::size_t> targets;        ///< the export node and everything that always runs with it
   std::vector<Preview> previews;           ///< by the ids of their nodes
-  Digest file_digest{};                    ///< of everything that the finished file depends on
+  Digest fingerprint{};                    ///< of what the model depends on, whatever file it is written into
   Digest preview_digest{};                 ///< of everything that the drawn previews depend on
   Problems elsewhere;                      ///< of nodes that are not needed
-  Json extras;                             ///< what is written into the file's asset.extras
   double milliseconds = 0;                 ///< that preparing took
 };
 

@@ -178,7 +178,7 @@ Digest preview_digest(const Plan& plan, const std::vector<Preview>& previews, co
 }
 
 Result<std::string> draw_previews(const Plan& plan, const Evaluation& evaluation, const std::vector<Preview>& previews,
-                                  const Limits& limits, const Cancel& cancel) {
+                                  const Json& about, const Limits& limits, const Cancel& cancel) {
   std::vector<std::vector<PreviewedOutput>> outputs;
   std::vector<Value> values;
   for (const Preview& preview : previews) {
@@ -200,7 +200,7 @@ Result<std::string> draw_previews(const Plan& plan, const Evaluation& evaluation
         group.children.push_back(std::move(child));
     }
   }
-  EncodeResult<std::string> encoded = encode_groups(groups, {}, cancel);
+  EncodeResult<std::string> encoded = encode_groups(groups, {.extras = about}, cancel);
   if (auto* error = std::get_if<EncodeError>(&encoded)) {
     if (error->code == EncodeError::Code::cancelled) return stopped_problem(cancel.reason());
     return problem_of(*error);

@@ -23,7 +23,7 @@ constexpr double sizes_seen = 4;
 std::optional<Ball> ball_of(const Point& point) { return Ball{to_vector(point), 0}; }
 std::optional<Ball> ball_of(const Vector& vector) { return Ball{{}, length(vector)}; }
 std::optional<Ball> ball_of(double) { return std::nullopt; }
-std::optional<Ball> ball_of(const SharedAsset&) { return std::nullopt; }
+std::optional<Ball> ball_of(const SharedFile&) { return std::nullopt; }
 
 std::optional<Ball> ball_of(const Circle& circle) {
   const auto found = coordinates(circle);

@@ -31,7 +31,7 @@ class Drawing {
 
  private:
   void draw(const Column<double>&) {}
-  void draw(const Column<SharedAsset>&) {}
+  void draw(const Column<SharedFile>&) {}
 
   void draw(const Column<SharedMesh>& meshes) {
     const std::vector<std::size_t> shown = spread_indices(meshes.size(), limits_.preview_elements);

@@ -63,16 +63,6 @@ void add_warnings(Json& list, const PlannedNode& node, const NodeWarnings& said)
 
 }  // namespace
 
-Json file_extras(const Plan& plan, std::size_t output) {
-  Json parameters = Json::object();
-  for (const std::string& parameter : parameters_behind(plan, output)) {
-    parameters[parameter] = plan.parameters.at(parameter);
-  }
-  return {{"engine", engine_version},
-          {"graph", to_hex(plan.nodes[output].fingerprint)},
-          {"parameters", std::move(parameters)}};
-}
-
 Json evaluation_report(const PreparedGraph& prepared, const ComputedGraph& computed) {
   const Plan& plan = prepared.plan;
   const std::set<std::string> needed = needed_nodes(prepared);
@@ -97,8 +87,8 @@ Json evaluation_report(const PreparedGraph& prepared, const ComputedGraph& compu
   for (Json& problem : to_json(prepared.elsewhere)) warnings.push_back(std::move(problem));
   std::map<std::string, double> milliseconds = computed.milliseconds;
   milliseconds.emplace("prepare", prepared.milliseconds);
-  if (computed.model_file != nullptr) {
-    if (const auto warning = unkept_budget(plan, computed.model_file->triangles)) {
+  if (computed.model != nullptr) {
+    if (const auto warning = unkept_budget(plan, computed.model->triangles)) {
       warnings.push_back({{"code", warning->code}, {"node", prepared.output}, {"detail", warning->detail}});
     }
   }
@@ -110,15 +100,15 @@ Json evaluation_report(const PreparedGraph& prepared, const ComputedGraph& compu
                  {"nodes", std::move(nodes)},
                  {"checks", std::move(checks)},
                  {"warnings", std::move(warnings)}};
-  if (computed.model_file != nullptr) {
-    const ModelFile& model = *computed.model_file;
-    report["fingerprint"] = to_hex(plan.nodes[*prepared.export_node].fingerprint);
+  if (computed.model != nullptr) {
+    const File& model = *computed.model;
+    report["fingerprint"] = to_hex(prepared.fingerprint);
     report["output"] = prepared.output;
-    report["model"] = {{"bytes", model.file->bytes->size()},
+    report["model"] = {{"bytes", model.bytes->size()},
                        {"vertices", model.vertices},
                        {"triangles", model.triangles},
                        {"position_error", model.position_error},
-                       {"sha256", to_hex(model.file->sha256)}};
+                       {"sha256", to_hex(model.sha256)}};
   }
   if (computed.preview != nullptr) {
     Json shown = Json::array();

@@ -50,7 +50,7 @@ TEST_CASE("extreme but allowed extents are written") {
   const Scene scene = shapes::scene_of(std::move(mesh));
   EncodeOptions options;
   options.speed = speed;
-  const Scene decoded = decode(encode(scene, options).glb);
+  const Scene decoded = decode(encode(scene, options).file);
   CHECK(same_positions(rounded_triangles(mesh_of(scene), grid_of(scene, 14)), stored_triangles(mesh_of(decoded))));
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("an empty part is left out and named") {
   scene.parts.push_back({"gone", std::make_shared<const Mesh>(), {}});
   const EncodedScene encoded = encode(scene);
   CHECK(encoded.empty_parts == std::vector<std::string>{"gone"});
-  CHECK(decode(encoded.glb).parts.size() == 1);
+  CHECK(decode(encoded.file).parts.size() == 1);
 }
 
 TEST_CASE("normals without a direction become a unit vector") {
@@ -121,7 +121,7 @@ TEST_CASE("normals without a direction become a unit vector") {
   const Vector bad = GENERATE(Vector{0, 0, 0}, Vector{not_a_number, 0, 1}, Vector{infinity, 0, 0}, Vector{1e-300, 0, 0},
                               Vector{1e300, 1e300, -1e300});
   for (std::size_t i = 0; i < mesh.normals.size(); i += 3) mesh.normals.set(i, bad);
-  const Scene decoded = decode(encode(shapes::scene_of(std::move(mesh))).glb);
+  const Scene decoded = decode(encode(shapes::scene_of(std::move(mesh))).file);
   for (std::size_t i = 0; i < mesh_of(decoded).normals.size(); ++i) {
     CHECK(length(mesh_of(decoded).normals[i]) == Approx(1).margin(1e-6));
   }
@@ -130,7 +130,7 @@ TEST_CASE("normals without a direction become a unit vector") {
 TEST_CASE("texture coordinates that are not finite are refused, colors are clamped") {
   Mesh mesh = shapes::random_soup(5, 30, 60, 1, 0);
   for (auto& color : mesh.colors) color = {-5, std::numeric_limits<float>::quiet_NaN(), 1e30f, 1};
-  const Scene decoded = decode(encode(shapes::scene_of(mesh)).glb);
+  const Scene decoded = decode(encode(shapes::scene_of(mesh)).file);
   CHECK(mesh_of(decoded).colors[0] == std::array<float, 4>{0, 0, 1, 1});
   mesh.uvs[mesh.triangles[0][0]] = {not_a_number, 0};
   CHECK(failure(shapes::scene_of(mesh)).code == Code::non_finite);
@@ -155,7 +155,7 @@ TEST_CASE("the smallest and the strangest meshes are written") {
   }
   const Scene scene = shapes::scene_of(mesh);
   const EncodedScene encoded = encode(scene, options);
-  const Scene decoded = decode(encoded.glb);
+  const Scene decoded = decode(encoded.file);
   CHECK(encoded.vertices == mesh_of(decoded).positions.size());
   CHECK(same_positions(rounded_triangles(mesh, grid_of(scene, 14)), stored_triangles(mesh_of(decoded))));
 }
@@ -175,7 +175,7 @@ TEST_CASE("thousands of small random meshes come back at every speed") {
     const auto expected = rounded_triangles(mesh_of(scene), grid_of(scene, 14));
     if (expected.empty()) continue;
     const EncodedScene encoded = encode(scene, options);
-    const Scene decoded = decode(encoded.glb);
+    const Scene decoded = decode(encoded.file);
     REQUIRE(encoded.vertices == mesh_of(decoded).positions.size());
     REQUIRE(encoded.triangles == expected.size());
     REQUIRE(same_positions(expected, stored_triangles(mesh_of(decoded))));

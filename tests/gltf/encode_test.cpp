@@ -38,7 +38,7 @@ TEST_CASE("random meshes come back on the grid and within the announced bound") 
   const QuantizationGrid grid = grid_of(scene, bits);
   CHECK(encoded.position_error == grid.position_error());
   CHECK(largest_error(mesh_of(scene), grid) <= encoded.position_error);
-  const Scene decoded = decode(encoded.glb);
+  const Scene decoded = decode(encoded.file);
   CHECK(same_positions(rounded_triangles(mesh_of(scene), grid), stored_triangles(mesh_of(decoded))));
 }
 
@@ -50,7 +50,7 @@ TEST_CASE("every speed keeps triangles, winding, normals and counts") {
   EncodeOptions options;
   options.speed = speed;
   const EncodedScene encoded = encode(scene, options);
-  const Scene decoded = decode(encoded.glb);
+  const Scene decoded = decode(encoded.file);
   const auto expected = rounded_triangles(mesh_of(scene), grid_of(scene, options.position_bits));
   const auto actual = stored_triangles(mesh_of(decoded));
   CHECK(same_positions(expected, actual));
@@ -68,7 +68,7 @@ TEST_CASE("normals stay within the announced angle") {
   options.position_bits = 20;
   const EncodedScene encoded = encode(scene, options);
   const auto expected = rounded_triangles(mesh_of(scene), grid_of(scene, 20));
-  const double angle = largest_normal_angle(expected, stored_triangles(mesh_of(decode(encoded.glb))));
+  const double angle = largest_normal_angle(expected, stored_triangles(mesh_of(decode(encoded.file))));
   CHECK(angle <= encoded.normal_error);
   CHECK(angle > encoded.normal_error / 2);
 }
@@ -85,8 +85,8 @@ TEST_CASE("accessor bounds are those of the decoded positions, bit for bit") {
   EncodeOptions options;
   options.position_bits = bits;
   const EncodedScene encoded = encode(scene, options);
-  const Scene decoded = decode(encoded.glb);
-  const auto document = dini::Json::parse(split_glb(encoded.glb)->json);
+  const Scene decoded = decode(encoded.file);
+  const auto document = dini::Json::parse(split_glb(encoded.file)->json);
   for (std::size_t part = 0; part < scene.parts.size(); ++part) {
     const auto& primitive = document["meshes"][part]["primitives"][0];
     const auto& accessor = document["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
@@ -108,7 +108,7 @@ TEST_CASE("texture coordinates and colors come back") {
   CAPTURE(speed);
   EncodeOptions options;
   options.speed = speed;
-  const Scene decoded = decode(encode(shapes::scene_of(mesh), options).glb);
+  const Scene decoded = decode(encode(shapes::scene_of(mesh), options).file);
   const Mesh& back = mesh_of(decoded);
   REQUIRE(back.uvs.size() == back.positions.size());
   REQUIRE(back.colors.size() == back.positions.size());
@@ -132,7 +132,7 @@ TEST_CASE("every color of a picture comes back, the darkest ones too") {
   const int speed = GENERATE(1, 7, 10);
   EncodeOptions options;
   options.speed = speed;
-  const Scene decoded = decode(encode(shapes::scene_of(mesh), options).glb);
+  const Scene decoded = decode(encode(shapes::scene_of(mesh), options).file);
   std::set<int> found;
   for (const auto& color : mesh_of(decoded).colors) {
     found.insert(support::picture_value(static_cast<double>(color[0])));
@@ -154,7 +154,7 @@ TEST_CASE("texture coordinates that reach far are reported with what rounding co
   CHECK(rough.minimum == -1000);
   CHECK(rough.maximum == 2);
   CHECK(rough.error == Approx(1001.0 / 4095 / 2).epsilon(0.01));
-  const Scene decoded = decode(encoded.glb);
+  const Scene decoded = decode(encoded.file);
   const Mesh& back = mesh_of(decoded);
   double worst = 0;
   for (std::size_t i = 0; i < back.uvs.size(); ++i) {
@@ -168,7 +168,7 @@ TEST_CASE("attributes that were not asked for are not written") {
   EncodeOptions options;
   options.normals = options.uvs = options.colors = false;
   const EncodedScene encoded = encode(shapes::scene_of(shapes::random_soup(1, 30, 60, 1, 0)), options);
-  const Scene decoded = decode(encoded.glb);
+  const Scene decoded = decode(encoded.file);
   CHECK(mesh_of(decoded).normals.empty());
   CHECK(mesh_of(decoded).uvs.empty());
   CHECK(mesh_of(decoded).colors.empty());
@@ -183,7 +183,7 @@ TEST_CASE("parts keep their names, colors and order") {
     scene.parts.push_back({name, std::make_shared<const Mesh>(std::move(mesh)), {}});
   }
   scene.parts.push_back({"rings", std::vector<Polyline>{shapes::circle(8, 1, 0)}, {1, 0, 0, 1}});
-  const Scene decoded = decode(encode(scene).glb);
+  const Scene decoded = decode(encode(scene).file);
   REQUIRE(decoded.parts.size() == 3);
   CHECK(decoded.parts[0].name == "hull");
   CHECK(mesh_of(decoded, 0).color == Color{0.25, 0.5, 1, 1});
@@ -194,7 +194,7 @@ TEST_CASE("parts keep their names, colors and order") {
 }
 
 TEST_CASE("one root node turns Z up into Y up") {
-  const auto document = dini::Json::parse(split_glb(encode(shapes::scene_of(shapes::torus(8, 6))).glb)->json);
+  const auto document = dini::Json::parse(split_glb(encode(shapes::scene_of(shapes::torus(8, 6))).file)->json);
   CHECK(document["scenes"][0]["nodes"] == dini::Json::array({0}));
   const auto rotation = document["nodes"][0]["rotation"].get<std::array<double, 4>>();
   CHECK(rotation[0] == Approx(-std::sqrt(0.5)));

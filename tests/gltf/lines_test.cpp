@@ -58,8 +58,8 @@ TEST_CASE("polylines come back, few as strips and many as segments") {
   scene.parts.push_back({"rings", polylines, {0, 1, 0, 1}});
   const EncodedScene encoded = encode(scene);
   CHECK(encoded.triangles == 0);
-  CHECK(encoded.glb.find("KHR_draco_mesh_compression") == std::string::npos);
-  const Scene decoded = decode(encoded.glb);
+  CHECK(encoded.file.find("KHR_draco_mesh_compression") == std::string::npos);
+  const Scene decoded = decode(encoded.file);
   const auto& back = std::get<std::vector<Polyline>>(decoded.parts[0].shape);
   REQUIRE(back.size() == count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -84,7 +84,7 @@ TEST_CASE("points come back without those that cannot be drawn") {
   scene.parts.push_back({"dots", std::make_shared<const Column<Point>>(points), {}});
   const EncodedScene encoded = encode(scene);
   CHECK(encoded.vertices == 2);
-  const Scene decoded = decode(encoded.glb);
+  const Scene decoded = decode(encoded.file);
   const Column<Point>& back = *std::get<SharedColumn<Point>>(decoded.parts[0].shape);
   REQUIRE(back.size() == 2);
   CHECK(back[0] == Point{1, 2, 3});

@@ -72,7 +72,7 @@ TEST_CASE("tiles together hold every triangle, and no crack opens between them")
   if (squares) shapes::cut_into_square_tiles(mesh, 320, 300, 64);
   const Scene scene = shapes::scene_of(std::move(mesh));
   const EncodedScene encoded = encode(scene);
-  const Scene decoded = decode(encoded.glb);
+  const Scene decoded = decode(encoded.file);
   REQUIRE(mesh_of(decoded).tile_ends.size() > 3);
   const auto expected = rounded_triangles(mesh_of(scene), grid_of(scene, 14));
   const auto actual = stored_triangles(mesh_of(decoded));
@@ -98,7 +98,7 @@ TEST_CASE("parts share one grid, so equal vertices of two parts stay equal") {
   Scene scene = shapes::scene_of(std::move(small));
   scene.parts.push_back({"large", std::make_shared<const Mesh>(std::move(large)), {}});
   const QuantizationGrid grid = grid_of(scene, 14);
-  const Scene decoded = decode(encode(scene).glb);
+  const Scene decoded = decode(encode(scene).file);
   for (std::size_t part = 0; part < 2; ++part) {
     CHECK(same_positions(rounded_triangles(mesh_of(scene, part), grid), stored_triangles(mesh_of(decoded, part))));
   }
@@ -111,7 +111,7 @@ TEST_CASE("the bytes do not depend on the number of threads") {
   for (const int threads : {1, 2, 2, 4}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 4);
     tbb::task_arena arena(threads);
-    arena.execute([&] { files.push_back(encode(scene).glb); });
+    arena.execute([&] { files.push_back(encode(scene).file); });
   }
   for (const std::string& file : files) CHECK(file == files[0]);
 }

@@ -72,10 +72,12 @@ class SampleWriter {
   }
 
   void write(const std::string& name, const Scene& scene, const EncodeOptions& options = {}) {
-    const auto result = encode_scene(scene, options, Cancel());
+    EncodeOptions stamped = options;
+    stamped.extras = {{"sample", name}, {"parameters", {{"width", 0.1}}}};
+    const auto result = encode_scene(scene, stamped, Cancel());
     if (const auto* error = std::get_if<EncodeError>(&result)) return fail(name + ": " + error->detail);
     const auto& encoded = std::get<EncodedScene>(result);
-    const std::string glb = stamp_extras(encoded.glb, {{"sample", name}, {"parameters", {{"width", 0.1}}}});
+    const std::string& glb = encoded.file;
     const auto decoded = read_glb(glb);
     if (!decoded) return fail(name + ": cannot be read back");
     Json expected = {{"vertices", encoded.vertices}, {"triangles", encoded.triangles}, {"parts", Json::array()}};

@@ -66,7 +66,7 @@ std::span<const LayerRule> layer_rules() {
       {"jobs", {"service/", "graph/problem.h", "graph/digest.h", "graph/stopped.h", "geometry/cancel.h"}},
       {"server",
        {"jobs/", "service/", "graph/problem.h", "graph/limits.h", "graph/nearest.h", "graph/cache.h", "graph/digest.h",
-        "geometry/cancel.h"}},
+        "graph/file.h", "geometry/cancel.h"}},
       {"cli", {"server/", "jobs/", "service/", "graph/", "geometry/cancel.h", "algebra/kernels.h"}},
   };
   return rules;

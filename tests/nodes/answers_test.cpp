@@ -86,9 +86,9 @@ TEST_CASE("an exported file holds what was exported, within the announced bound"
                                    {"circle", make("circle", {{"radius", 2}})},
                                    {"dots", make("sample", {{"shape", from("circle")}, {"count", 5}})},
                                    {"out", make("export", {{"model", {from("red"), from("circle"), from("dots")}}})}});
-  const auto asset = graph.one<SharedAsset>("out");
+  const auto asset = graph.one<SharedFile>("out");
   CHECK(asset->media_type == "model/gltf-binary");
-  const std::optional<Scene> scene = read_glb(asset->bytes);
+  const std::optional<Scene> scene = read_glb(*asset->bytes);
   REQUIRE(scene);
   REQUIRE(scene->parts.size() == 3);
   const auto before = graph.one<SharedMesh>("ball");
@@ -114,7 +114,7 @@ TEST_CASE("what an export leaves out is a warning, and nothing at all is an erro
                       {"out", make("export", {{"model", from("spots")}})},
                       {"none", make("export", {{"model", {from("lost"), from("ball")}}})}};
   CatalogueGraph graph = graph_of(nodes);
-  graph.one<SharedAsset>("out");
+  graph.one<SharedFile>("out");
   REQUIRE(graph.warnings().size() == 1);
   CHECK(graph.warnings()[0].code == "at-infinity");
   CHECK(graph.warnings()[0].detail.starts_with("2 of 3 points of spots "));
@@ -132,8 +132,8 @@ TEST_CASE("a draft is coarser and a final answer is not bounded") {
                       {"skin", make("surface", {{"shape", from("rings")}, {"segments", 200}})},
                       {"out", make("export", {{"model", from("skin")}})}};
   CatalogueGraph usual = graph_of(nodes), draft = graph_of(nodes, Quality::draft);
-  const auto final_scene = read_glb(usual.one<SharedAsset>("out")->bytes),
-             draft_scene = read_glb(draft.one<SharedAsset>("out")->bytes);
+  const auto final_scene = read_glb(*usual.one<SharedFile>("out")->bytes),
+             draft_scene = read_glb(*draft.one<SharedFile>("out")->bytes);
   REQUIRE((final_scene && draft_scene));
   CHECK(triangles_of(*final_scene) == 2 * 299 * 200);
   CHECK(triangles_of(*draft_scene) <= 20'000);

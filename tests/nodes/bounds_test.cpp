@@ -69,8 +69,8 @@ bool is_whole(const T& value) {
   if constexpr (std::is_same_v<T, SharedMesh>) {
     const auto shade = [](double c) { return c >= 0 && c <= 1; };
     return value != nullptr && !mesh_defect(*value) && std::all_of(value->color.begin(), value->color.end(), shade);
-  } else if constexpr (std::is_same_v<T, SharedAsset>) {
-    return value != nullptr && value->bytes.starts_with("glTF");
+  } else if constexpr (std::is_same_v<T, SharedFile>) {
+    return value != nullptr && value->bytes->starts_with("glTF");
   } else if constexpr (std::is_same_v<T, Point>) {
     return is_finite(value) || value == Point::at_infinity();
   } else if constexpr (std::is_same_v<T, Circle> || std::is_same_v<T, Sphere>) {

@@ -44,7 +44,7 @@ TEST_CASE("what of a file is not in its mesh is a warning of the node") {
 TEST_CASE("the colors of a file come out of an export as they were") {
   CatalogueGraph graph =
       graph_of({{"file", make("import", {{"asset", "gray"}})}, {"out", make("export", {{"model", from("file")}})}});
-  const auto scene = read_glb(graph.one<SharedAsset>("out")->bytes);
+  const auto scene = read_glb(*graph.one<SharedFile>("out")->bytes);
   REQUIRE(scene);
   const Mesh& mesh = *std::get<SharedMesh>(scene->parts.at(0).shape);
   REQUIRE(mesh.colors.size() == 256);

@@ -102,5 +102,5 @@ TEST_CASE("a point at infinity survives being measured for a surface and never r
                                    {"skin", make("surface", {{"shape", from("moved")}, {"clip_radius", 20}})},
                                    {"out", make("export", {{"model", {from("skin"), from("moved")}}})}});
   CHECK(graph.one<SharedMesh>("skin")->positions.size() > 20);
-  CHECK(graph.one<SharedAsset>("out")->bytes.size() > 1000);
+  CHECK(graph.one<SharedFile>("out")->bytes->size() > 1000);
 }

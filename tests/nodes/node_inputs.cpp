@@ -141,8 +141,8 @@ template <class T>
 bool same_value(const T& a, const T& b) {
   if constexpr (std::is_same_v<T, SharedMesh>) {
     return same_mesh(*a, *b);
-  } else if constexpr (std::is_same_v<T, SharedAsset>) {
-    return a->bytes == b->bytes && a->media_type == b->media_type;
+  } else if constexpr (std::is_same_v<T, SharedFile>) {
+    return *a->bytes == *b->bytes && a->media_type == b->media_type;
   } else {
     std::array<double, Components<T>::width> left, right;
     Components<T>::set(left.data(), 1, a);

@@ -414,3 +414,17 @@ TEST_CASE("A preview and a budget of the wrong type are refused") {
     CHECK(answer->json()["errors"][0]["pointer"] == "/" + name);
   }
 }
+
+TEST_CASE("Where memory runs out, what could be made again is let go of, and the next request is answered") {
+  const Running server;
+  const std::string known = toy_body({{"bytes", 7}});
+  REQUIRE(post(server.port(), "/v1/evaluate", known)->status == 200);
+  const std::size_t before = counters().started;
+  REQUIRE(post(server.port(), "/v1/evaluate", known)->status == 200);
+  CHECK(counters().started == before);
+  const auto refused = post(server.port(), "/v1/evaluate", toy_body({{"memory", true}}));
+  CHECK(refused->status == 503);
+  CHECK(refused->code() == "out-of-memory");
+  CHECK(post(server.port(), "/v1/evaluate", known)->status == 200);
+  CHECK(counters().started == before + 2);
+}

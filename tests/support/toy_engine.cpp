@@ -18,6 +18,7 @@ class ToyPrepared final : public Prepared {
   Json inputs;
   Json nodes;
   std::vector<std::string> preview;
+  const FileFormat* format = nullptr;
 };
 
 Json inputs_of(const Json& graph) {
@@ -74,11 +75,17 @@ Json toy_catalogue() {
                          {"outputs", Json::array({{{"name", "asset"}, {"types", {"asset"}}, {"doc", "Bytes."}}})}}})}};
 }
 
-SharedFile file_of(bool asked, std::size_t size, char letter) {
+std::vector<FileFormat> toy_formats() {
+  return {{"glb", {"model/gltf-binary"}, ".glb", "Many letters.", nullptr},
+          {"toy", {"model/x-toy"}, ".toy", "A word and many letters.", nullptr}};
+}
+
+SharedFile file_of(bool asked, const FileFormat& format, std::size_t size, char letter) {
   if (!asked) return nullptr;
-  std::string bytes(size, letter);
+  std::string bytes = (format.name == "toy" ? "toy" : "") + std::string(size, letter);
   const Digest digest = sha256(bytes);
-  return std::make_shared<const File>(File{"model/gltf-binary", ".glb", share(std::move(bytes)), digest});
+  return std::make_shared<const File>(
+      File{format.media_types.front(), format.extension, share(std::move(bytes)), digest});
 }
 
 }  // namespace
@@ -88,7 +95,7 @@ Counters& counters() {
   return counters;
 }
 
-ToyEngine::ToyEngine(const Limits& limits) : limits_(limits), catalogue_(toy_catalogue()) {}
+ToyEngine::ToyEngine(const Limits& limits) : limits_(limits), formats_(toy_formats()), catalogue_(toy_catalogue()) {}
 
 Result<AssetSummary> ToyEngine::add_asset(std::string_view bytes, const std::string& name, const Cancel&) const {
   if (name == "wrong name") return Problem{.code = "usage", .detail = "The toy does not like this name."};
@@ -112,10 +119,13 @@ Result<SharedPrepared> ToyEngine::prepare(const EvaluateRequest& request, const 
   prepared->nodes = request.graph["nodes"];
   prepared->preview = request.preview;
   prepared->output = request.output.empty() && request.preview.empty() ? "out" : request.output;
+  prepared->format = request.format.empty() ? &formats_.front() : format_named(formats_, request.format);
+  if (prepared->format == nullptr) return Problem{.code = "not-in-choices", .pointer = "/format"};
   Json content = prepared->inputs;
   content.erase("milliseconds");
   DigestBuilder digest;
   digest.text(content.dump()).text(request.parameters.dump()).text(prepared->output).text(Json(request.preview).dump());
+  digest.text(prepared->format->name);
   prepared->content = digest.integer(static_cast<std::uint64_t>(request.triangle_budget.value_or(0))).finish();
   const Digest report = digest.text(prepared->nodes.dump()).finish();
   prepared->model_tag = "\"toy-" + to_hex(prepared->content) + "\"";
@@ -126,7 +136,7 @@ Result<SharedPrepared> ToyEngine::prepare(const EvaluateRequest& request, const 
 
 std::vector<std::string> ToyEngine::blocked(const EvaluateRequest&, const Cancel&) const { return {"skin"}; }
 
-SharedComputed ToyEngine::find(const Prepared& prepared, bool) const {
+SharedComputed ToyEngine::find(const Prepared& prepared) const {
   const std::lock_guard lock(mutex_);
   const auto found = known_.find(prepared.content);
   return found == known_.end() ? nullptr : found->second;
@@ -144,8 +154,8 @@ Result<SharedComputed> ToyEngine::compute(const Prepared& asked, const Cancel& c
   if (prepared.inputs.contains("problem")) return problem_of(prepared.inputs.at("problem").get<std::string>());
   const std::size_t size = prepared.inputs.value("bytes", std::size_t{8});
   auto computed = std::make_shared<Computed>();
-  computed->model = file_of(!prepared.output.empty(), size, 'g');
-  computed->preview = file_of(!prepared.preview.empty(), size, 'p');
+  computed->model = file_of(!prepared.output.empty(), *prepared.format, size, 'g');
+  computed->preview = file_of(!prepared.preview.empty(), formats_.front(), size, 'p');
   computed->milliseconds = {{"evaluate", 1.5}, {"encode", 0.5}};
   const std::lock_guard lock(mutex_);
   known_[prepared.content] = computed;
@@ -163,6 +173,11 @@ Json ToyEngine::report(const Prepared& asked, const Computed& computed) const {
           {"model", {{"bytes", prepared.inputs.value("bytes", std::size_t{8})}}},
           {"checks", Json::array()},
           {"warnings", Json::array()}};
+}
+
+void ToyEngine::forget() const {
+  const std::lock_guard lock(mutex_);
+  known_.clear();
 }
 
 Result<SharedBytes> ToyEngine::inspect(const InspectRequest& request, const Cancel& cancel) const {

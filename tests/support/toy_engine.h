@@ -9,7 +9,7 @@
 //   invalid       the code of the problem that checking finds
 //   throws        true: an exception escapes, as if by a bug of ours
 //   memory        true: memory runs out
-// Everything but `milliseconds` is its content; what was computed once is known from then on, but for `throws`.
+// Its formats are "glb" and "toy", whose files begin with that word. Everything but `milliseconds` is its content; what was computed once is known from then on, but for `throws`.
 // Its files are refused when they begin with "broken" (invalid-asset) or "large" (limit-exceeded).
 
 #include <atomic>
@@ -36,18 +36,21 @@ class ToyEngine final : public Engine {
   explicit ToyEngine(const Limits& limits = {});
 
   const Limits& limits() const override { return limits_; }
+  std::span<const FileFormat> formats() const override { return formats_; }
   const Json& catalogue() const override { return catalogue_; }
   Result<AssetSummary> add_asset(std::string_view bytes, const std::string& name, const Cancel& cancel) const override;
   Result<Json> validate(const Json& graph, const Json& parameters, const Cancel& cancel) const override;
   Result<SharedPrepared> prepare(const EvaluateRequest& request, const Cancel& cancel) const override;
   std::vector<std::string> blocked(const EvaluateRequest& request, const Cancel& cancel) const override;
-  SharedComputed find(const Prepared& prepared, bool for_report) const override;
+  SharedComputed find(const Prepared& prepared) const override;
   Result<SharedComputed> compute(const Prepared& prepared, const Cancel& cancel) const override;
   Json report(const Prepared& prepared, const Computed& computed) const override;
+  void forget() const override;
   Result<SharedBytes> inspect(const InspectRequest& request, const Cancel& cancel) const override;
 
  private:
   const Limits limits_;
+  const std::vector<FileFormat> formats_;
   const Json catalogue_;
   mutable std::mutex mutex_;
   mutable std::map<Digest, SharedComputed> known_;

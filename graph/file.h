@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 
+#include "geometry/file_format.h"
 #include "graph/digest.h"
 
 namespace dini {
@@ -18,8 +20,17 @@ struct File {
   std::string extension;  ///< with its period
   SharedBytes bytes;
   Digest sha256{};
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  double position_error = 0;  ///< meters: no point in the file is farther from its original
 };
 
 using SharedFile = std::shared_ptr<const File>;
+
+/// How the file of an export is wanted: known when a graph is evaluated for an answer, not when it is written.
+struct WantedFile {
+  FileFormat format;
+  Json about;  ///< what the file says about itself
+};
 
 }  // namespace dini

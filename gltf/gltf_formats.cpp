@@ -1,0 +1,87 @@
+#include "gltf/gltf_formats.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "gltf/glb_writer.h"
+
+namespace dini {
+
+namespace {
+
+constexpr double root_of_three = 1.7320508075688772;  ///< From an error per axis to a distance.
+
+std::string digits(double value, int count) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof(text), value, std::chars_format::general, count).ptr};
+}
+
+/// Tells the part whose texture coordinates lose the most to rounding, and how many lose much.
+FileNote note_of(const std::vector<RoughUvs>& rough) {
+  const RoughUvs& worst = *std::max_element(rough.begin(), rough.end(),
+                                            [](const RoughUvs& a, const RoughUvs& b) { return a.error < b.error; });
+  return {"imprecise", "the texture coordinates of " + worst.part + " reach from " + digits(worst.minimum, 6) + " to " +
+                           digits(worst.maximum, 6) + " and are rounded by up to " + digits(worst.error, 2) +
+                           ", where 1 is the size of the picture" +
+                           (rough.size() == 1 ? "" : "; so are those of " + std::to_string(rough.size() - 1) + " more")};
+}
+
+FileError error_of(const EncodeError& error) {
+  const std::string detail = (error.part.empty() ? "" : error.part + ": ") + error.detail;
+  switch (error.code) {
+    case EncodeError::Code::non_finite:
+      return {"non-finite", detail};
+    case EncodeError::Code::too_large:
+      return {"limit-exceeded", detail};
+    case EncodeError::Code::empty:
+      return {"nothing-to-export", detail};
+    case EncodeError::Code::invalid_input:
+    case EncodeError::Code::encoder_failed:
+    case EncodeError::Code::cancelled:
+      break;
+  }
+  return {"encode-failed", detail};
+}
+
+std::variant<WrittenFile, FileError> write(const Scene& scene, const FileOptions& options, const Cancel& cancel,
+                                           GltfContainer container) {
+  EncodeOptions encode;
+  encode.position_bits = options.position_bits;
+  encode.normal_bits = options.normal_bits;
+  encode.speed = options.speed;
+  encode.normals = options.normals;
+  encode.extras = options.about;
+  encode.container = container;
+  EncodeResult<EncodedScene> encoded = encode_scene(scene, encode, cancel);
+  if (const auto* error = std::get_if<EncodeError>(&encoded)) return error_of(*error);
+  EncodedScene& written = std::get<EncodedScene>(encoded);
+  WrittenFile file{std::move(written.file), written.vertices, written.triangles,
+                   root_of_three * written.position_error};
+  if (!written.rough_uvs.empty()) file.notes.push_back(note_of(written.rough_uvs));
+  for (const std::string& part : written.empty_parts) file.notes.push_back({"empty", part + " has nothing to draw"});
+  return file;
+}
+
+}  // namespace
+
+FileFormat glb_format() {
+  return {.name = "glb",
+          .media_types = {"model/gltf-binary"},
+          .extension = ".glb",
+          .doc = "glTF 2.0 in one binary file, meshes compressed with Draco.",
+          .write = [](const Scene& scene, const FileOptions& options, const Cancel& cancel) {
+            return write(scene, options, cancel, GltfContainer::binary);
+          }};
+}
+
+FileFormat gltf_format() {
+  return {.name = "gltf",
+          .media_types = {"model/gltf+json"},
+          .extension = ".gltf",
+          .doc = "glTF 2.0 as JSON with its data inside, meshes compressed with Draco.",
+          .write = [](const Scene& scene, const FileOptions& options, const Cancel& cancel) {
+            return write(scene, options, cancel, GltfContainer::embedded);
+          }};
+}
+
+}  // namespace dini
