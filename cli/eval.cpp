@@ -59,7 +59,7 @@ Outcome evaluate(const Options& options, const Engine& engine, const Json& param
   if (!prepared) return failed(prepared.problems(), Stage::checking);
   const auto computed = engine.compute(**prepared, cancel);
   if (!computed) return failed(computed.problems(), Stage::evaluating);
-  return {.report = engine.report(**prepared, **computed),
+  return {.report = engine.report(**prepared, **computed, Sent::document),
           .file = (*computed)->model != nullptr ? (*computed)->model : (*computed)->preview};
 }
 
@@ -97,7 +97,7 @@ void print_warnings(const Json& report) {
 std::string report_text(const Outcome& outcome) {
   Json report = outcome.report;
   report["succeeded"] = outcome.code == exit_ok;
-  report["errors"] = to_json(outcome.problems);
+  report["errors"] = to_json(outcome.problems, Sent::document);
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -82,7 +82,7 @@ Failure failure_of(const EncodeError& error) {
     case EncodeError::Code::empty:
     case EncodeError::Code::invalid_input:
     case EncodeError::Code::encoder_failed:
-    case EncodeError::Code::cancelled:
+    case EncodeError::Code::canceled:
       break;
   }
   return {"encode-failed", part + error.detail, "model"};
@@ -112,10 +112,11 @@ Attempt<SharedAsset> export_glb(const Context& context,
   if (context.quality() == Quality::draft) options.speed = std::max(options.speed, draft_speed);
   options.normals = in.normals;
   EncodeResult<EncodedScene> encoded = encode_scene(scene_of(model, context.cancel()), options, context.cancel());
-  if (const auto* error = std::get_if<EncodeError>(&encoded)) {
-    return error->code == EncodeError::Code::empty ? nothing_to_export(model) : failure_of(*error);
+  if (!encoded) {
+    const EncodeError& error = encoded.error();
+    return error.code == EncodeError::Code::empty ? nothing_to_export(model) : failure_of(error);
   }
-  EncodedScene& scene = std::get<EncodedScene>(encoded);
+  EncodedScene& scene = *encoded;
   warn_of_what_is_left_out(context, model);
   warn_of_coarse_circles(context, model);
   warn_of_rough_uvs(context, scene.rough_uvs);

@@ -73,8 +73,8 @@ class SampleWriter {
 
   void write(const std::string& name, const Scene& scene, const EncodeOptions& options = {}) {
     const auto result = encode_scene(scene, options, Cancel());
-    if (const auto* error = std::get_if<EncodeError>(&result)) return fail(name + ": " + error->detail);
-    const auto& encoded = std::get<EncodedScene>(result);
+    if (!result) return fail(name + ": " + result.error().detail);
+    const EncodedScene& encoded = *result;
     const std::string glb = stamp_extras(encoded.glb, {{"sample", name}, {"parameters", {{"width", 0.1}}}});
     const auto decoded = read_glb(glb);
     if (!decoded) return fail(name + ": cannot be read back");
