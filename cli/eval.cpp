@@ -64,7 +64,7 @@ Outcome evaluate(const Options& options, const Engine& engine, const FileFormat&
   if (!prepared) return failed(prepared.problems(), Stage::checking);
   const auto computed = engine.compute(**prepared, cancel);
   if (!computed) return failed(computed.problems(), Stage::evaluating);
-  return {.report = engine.report(**prepared, **computed),
+  return {.report = engine.report(**prepared, **computed, Sent::document),
           .file = (*computed)->model != nullptr ? (*computed)->model : (*computed)->preview};
 }
 
@@ -130,7 +130,7 @@ Result<const FileFormat*> format_of(const Options& options, std::span<const File
 std::string report_text(const Outcome& outcome) {
   Json report = outcome.report;
   report["succeeded"] = outcome.code == exit_ok;
-  report["errors"] = to_json(outcome.problems);
+  report["errors"] = to_json(outcome.problems, Sent::document);
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

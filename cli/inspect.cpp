@@ -46,7 +46,7 @@ int run(Options& options, const EngineMaker& make_engine) {
   // `inspect` checks and evaluates in one call; a graph that checks out can only have failed while being evaluated.
   const auto value = engine->inspect(request, Cancel());
   if (!value) {
-    const auto verdict = engine->validate(*graph, *parameters, Cancel());
+    const auto verdict = engine->validate(*graph, *parameters, Cancel(), Sent::document);
     const bool valid = verdict && verdict->value("valid", false);
     return fail(value.problems(), exit_code_for(value.problems(), valid ? Stage::evaluating : Stage::checking));
   }

@@ -5,6 +5,7 @@
 #include "cli/exit_codes.h"
 #include "cli/folders.h"
 #include "server/files.h"
+#include "service/document_schema.h"
 #include "service/engine.h"
 #include "service/markdown.h"
 
@@ -14,13 +15,14 @@ namespace {
 struct Options {
   bool json = false;
   bool markdown = false;
+  bool schema = false;
 };
 
 void print_list(const Json& catalogue) {
   for (const Json& node : catalogue.value("nodes", Json::array())) {
     std::string id = node.value("id", "");
     id.resize(std::max<std::size_t>(id.size(), 20), ' ');
-    std::cout << id << " " << node.value("doc", "") << "\n";
+    std::cout << id << " " << node.value("description", "") << "\n";
   }
 }
 
@@ -43,6 +45,8 @@ int run(const Options& options, const EngineMaker& make_engine) {
   const std::unique_ptr<Engine> engine = make_engine({});
   if (options.json) {
     std::cout << engine->catalogue().dump(2) << "\n";
+  } else if (options.schema) {
+    std::cout << document_schema(engine->catalogue()).dump(2) << "\n";
   } else if (options.markdown) {
     std::cout << nodes_markdown(engine->catalogue(), read_node_examples());
   } else {
@@ -57,7 +61,10 @@ void add_nodes(CLI::App& program, Command& chosen, const EngineMaker& make_engin
   auto* command = program.add_subcommand("nodes", "List the node types");
   const auto options = std::make_shared<Options>();
   auto* json = command->add_flag("--json", options->json, "The whole catalogue as JSON");
-  command->add_flag("--markdown", options->markdown, "The catalogue as a page to read")->excludes(json);
+  auto* markdown = command->add_flag("--markdown", options->markdown, "The catalogue as a page to read");
+  auto* schema = command->add_flag("--schema", options->schema, "The JSON Schema of graph documents");
+  json->excludes(markdown)->excludes(schema);
+  markdown->excludes(schema);
   command->callback(
       [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });
 }

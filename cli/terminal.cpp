@@ -34,7 +34,7 @@ std::string problem_line(const Json& problem) {
 }
 
 void print_problems(const Problems& problems) {
-  for (const Json& problem : to_json(problems)) std::cerr << problem_line(problem) << "\n";
+  for (const Json& problem : to_json(problems, Sent::document)) std::cerr << problem_line(problem) << "\n";
 }
 
 int fail(const Problems& problems, int code) {

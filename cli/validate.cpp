@@ -38,7 +38,7 @@ int run(const Options& options, const EngineMaker& make_engine) {
   if (const Problems wrong = options.assets.give_to(*engine, Cancel()); !wrong.empty()) {
     return fail(wrong, exit_code_for(wrong, Stage::checking));
   }
-  const auto checked = engine->validate(*graph, *parameters, Cancel());
+  const auto checked = engine->validate(*graph, *parameters, Cancel(), Sent::document);
   if (!checked) return fail(checked.problems(), exit_limit);
   const Json& verdict = *checked;
   if (options.json) {

@@ -4,10 +4,10 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "geometry/cancel.h"
+#include "geometry/expected.h"
 #include "geometry/json.h"
 #include "geometry/scene.h"
 
@@ -49,7 +49,7 @@ struct FileFormat {
   std::vector<std::string> media_types;  ///< the first is what answers say
   std::string extension;                 ///< with its period: ".glb"
   std::string doc;                       ///< one sentence
-  std::variant<WrittenFile, FileError> (*write)(const Scene& scene, const FileOptions& options, const Cancel& cancel);
+  Expected<WrittenFile, FileError> (*write)(const Scene& scene, const FileOptions& options, const Cancel& cancel);
 };
 
 /// A format by what it is called, by a media type, or by the end of a file's name (case does not count); null for none.

@@ -9,10 +9,10 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "geometry/cancel.h"
+#include "geometry/expected.h"
 #include "geometry/mesh.h"
 
 namespace dini {
@@ -50,7 +50,7 @@ struct ImportError {
   std::string detail;
 };
 
-using ImportResult = std::variant<ImportedMesh, ImportError>;
+using ImportResult = Expected<ImportedMesh, ImportError>;
 
 inline ImportError invalid_file(std::string detail) { return {ImportError::Code::invalid, std::move(detail)}; }
 

@@ -56,7 +56,7 @@ class HeaderReader {
   explicit HeaderReader(std::string_view bytes)
       : bytes_(bytes), lines_(without_byte_order_mark(bytes.substr(0, most_header_bytes))) {}
 
-  std::variant<PlyHeader, ImportError> read() {
+  Expected<PlyHeader, ImportError> read() {
     if (!begins_like_ply(bytes_)) return invalid_file("the first line must be \"ply\"");
     bool has_format = false;
     while (const auto next = lines_.next()) {
@@ -129,7 +129,7 @@ class HeaderReader {
     return true;
   }
 
-  std::variant<PlyHeader, ImportError> check_counts() {
+  Expected<PlyHeader, ImportError> check_counts() {
     const std::size_t rest = bytes_.size() - header_.size;
     for (const PlyElement& element : header_.elements) {
       const std::size_t least = least_size(element, header_.encoding);
@@ -153,6 +153,6 @@ bool begins_like_ply(std::string_view bytes) {
   return in_small_letters(take_word(line).substr(0, 4)) == "ply" && take_word(line).empty();
 }
 
-std::variant<PlyHeader, ImportError> read_ply_header(std::string_view bytes) { return HeaderReader(bytes).read(); }
+Expected<PlyHeader, ImportError> read_ply_header(std::string_view bytes) { return HeaderReader(bytes).read(); }
 
 }  // namespace dini

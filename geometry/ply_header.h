@@ -3,7 +3,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "geometry/imported_mesh.h"
@@ -47,6 +46,6 @@ bool begins_like_ply(std::string_view bytes);
 /// Reads the header of a PLY 1.0. At most 16 elements with 64 properties each, 64 KiB in all; every element has
 /// properties, and its count is not more than the bytes after the header could hold. Words count the same in capital
 /// letters, and come out in small ones.
-std::variant<PlyHeader, ImportError> read_ply_header(std::string_view bytes);
+Expected<PlyHeader, ImportError> read_ply_header(std::string_view bytes);
 
 }  // namespace dini

@@ -226,8 +226,8 @@ class PlyReader {
 
 ImportResult read_ply(std::string_view bytes, const ImportLimits& limits, const Cancel& cancel) {
   const auto header = read_ply_header(bytes);
-  if (const auto* error = std::get_if<ImportError>(&header)) return *error;
-  return PlyReader(std::get<PlyHeader>(header), bytes, limits, cancel).read();
+  if (!header) return header.error();
+  return PlyReader(*header, bytes, limits, cancel).read();
 }
 
 }  // namespace dini

@@ -2,7 +2,8 @@
 
 #include <string>
 #include <utility>
-#include <variant>
+
+#include "geometry/expected.h"
 
 namespace dini {
 
@@ -14,7 +15,7 @@ struct EncodeError {
     empty,           ///< nothing in the scene can be drawn
     invalid_input,   ///< a mesh or an option breaks its own contract
     encoder_failed,  ///< the compressor refused
-    cancelled,       ///< the caller's cancel flag was raised
+    canceled,        ///< the caller's cancel flag was raised
   };
 
   Code code = Code::encoder_failed;
@@ -24,6 +25,6 @@ struct EncodeError {
 
 /// A value or the reason why there is none. Nothing in this layer throws but std::bad_alloc.
 template <class T>
-using EncodeResult = std::variant<T, EncodeError>;
+using EncodeResult = Expected<T, EncodeError>;
 
 }  // namespace dini

@@ -37,13 +37,13 @@ FileError error_of(const EncodeError& error) {
       return {"nothing-to-export", detail};
     case EncodeError::Code::invalid_input:
     case EncodeError::Code::encoder_failed:
-    case EncodeError::Code::cancelled:
+    case EncodeError::Code::canceled:
       break;
   }
   return {"encode-failed", detail};
 }
 
-std::variant<WrittenFile, FileError> write(const Scene& scene, const FileOptions& options, const Cancel& cancel,
+Expected<WrittenFile, FileError> write(const Scene& scene, const FileOptions& options, const Cancel& cancel,
                                            GltfContainer container) {
   EncodeOptions encode;
   encode.position_bits = options.position_bits;
@@ -53,8 +53,8 @@ std::variant<WrittenFile, FileError> write(const Scene& scene, const FileOptions
   encode.extras = options.about;
   encode.container = container;
   EncodeResult<EncodedScene> encoded = encode_scene(scene, encode, cancel);
-  if (const auto* error = std::get_if<EncodeError>(&encoded)) return error_of(*error);
-  EncodedScene& written = std::get<EncodedScene>(encoded);
+  if (!encoded) return error_of(encoded.error());
+  EncodedScene& written = *encoded;
   WrittenFile file{std::move(written.file), written.vertices, written.triangles,
                    root_of_three * written.position_error};
   if (!written.rough_uvs.empty()) file.notes.push_back(note_of(written.rough_uvs));

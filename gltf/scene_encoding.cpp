@@ -18,7 +18,7 @@ constexpr double rough_uv_error = 1e-3;
 // GLB counts bytes in 32 bits, the JSON included, and many readers in an int.
 constexpr std::size_t largest_binary = std::numeric_limits<std::int32_t>::max();
 
-EncodeError cancelled() { return {EncodeError::Code::cancelled, "Encoding was stopped.", ""}; }
+EncodeError canceled() { return {EncodeError::Code::canceled, "Encoding was stopped.", ""}; }
 
 }  // namespace
 
@@ -30,10 +30,10 @@ std::optional<EncodeError> SceneEncoding::prepare() {
 }
 
 std::optional<EncodeError> SceneEncoding::write_next(GlbModel& model) {
-  if (cancel_.stopped()) return cancelled();
+  if (cancel_.stopped()) return canceled();
   const Part& part = scene_.parts[next_part_];
   const bool drawn = std::visit([&](const auto& shape) { return write(part, shape, model); }, part.shape);
-  if (cancel_.stopped()) return cancelled();
+  if (cancel_.stopped()) return canceled();
   if (!drawn) result_.empty_parts.push_back(part.name);
   if (model.binary_size() > largest_binary) {
     return EncodeError{EncodeError::Code::too_large, "The model is larger than 2 GB.", part.name};
@@ -44,7 +44,7 @@ std::optional<EncodeError> SceneEncoding::write_next(GlbModel& model) {
 
 std::optional<EncodeError> SceneEncoding::plan() {
   for (std::size_t part = 0; part < scene_.parts.size(); ++part) {
-    if (cancel_.stopped()) return cancelled();
+    if (cancel_.stopped()) return canceled();
     const auto* mesh = std::get_if<SharedMesh>(&scene_.parts[part].shape);
     if (mesh == nullptr || *mesh == nullptr) continue;
     if (auto error = check_mesh(**mesh)) {
@@ -71,7 +71,7 @@ std::optional<EncodeError> SceneEncoding::for_each_job(const Work& work) {
       if (!cancel_.stopped()) work(jobs_[i]);
     });
   });
-  if (cancel_.stopped()) return cancelled();
+  if (cancel_.stopped()) return canceled();
   for (TileJob& job : jobs_) {
     if (!job.error) continue;
     job.error->part = scene_.parts[job.part].name;
@@ -82,10 +82,10 @@ std::optional<EncodeError> SceneEncoding::for_each_job(const Work& work) {
 
 void SceneEncoding::build(TileJob& job) const {
   auto built = build_tile(mesh_of(job), job.begin, job.end, options_);
-  if (auto* error = std::get_if<EncodeError>(&built)) {
-    job.error = std::move(*error);
+  if (built) {
+    job.tile = *std::move(built);
   } else {
-    job.tile = std::move(std::get<Tile>(built));
+    job.error = std::move(built).error();
   }
 }
 
@@ -111,11 +111,11 @@ void SceneEncoding::make_grids() {
 void SceneEncoding::encode(TileJob& job) const {
   if (job.tile.triangles.empty()) return;
   auto encoded = encoder_.encode(job.tile, {position_grid_, uv_grids_[job.part]}, options_);
-  if (auto* error = std::get_if<EncodeError>(&encoded)) {
-    job.error = std::move(*error);
+  if (!encoded) {
+    job.error = std::move(encoded).error();
     return;
   }
-  job.encoded = std::move(std::get<EncodedTile>(encoded));
+  job.encoded = *std::move(encoded);
   Tile boxes;
   boxes.position_box = job.tile.position_box;
   job.tile = std::move(boxes);  // frees the vertices

@@ -23,7 +23,7 @@ class SceneEncoding {
   /// Cuts meshes into tiles, lays the one grid over all of them, and compresses them.
   std::optional<EncodeError> prepare();
 
-  /// Adds the primitives of the next part to what the model is at. Errors: `cancelled`, `too_large`.
+  /// Adds the primitives of the next part to what the model is at. Errors: `canceled`, `too_large`.
   std::optional<EncodeError> write_next(GlbModel& model);
 
   /// What was written so far; without the bytes of the file.

@@ -149,8 +149,8 @@ std::optional<EncodeError> check_mesh(const Mesh& mesh) {
 EncodeResult<Tile> build_tile(const Mesh& mesh, std::size_t begin, std::size_t end, const EncodeOptions& options) {
   Tile tile;
   auto renumbered = renumber(mesh, begin, end, tile);
-  if (auto* error = std::get_if<EncodeError>(&renumbered)) return std::move(*error);
-  const auto& vertices = std::get<std::vector<std::uint32_t>>(renumbered);
+  if (!renumbered) return std::move(renumbered).error();
+  const std::vector<std::uint32_t>& vertices = *renumbered;
   if (auto error = gather_positions(mesh, vertices, tile)) return std::move(*error);
   if (options.uvs && !mesh.uvs.empty()) {
     if (auto error = gather_uvs(mesh, vertices, tile)) return std::move(*error);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "graph/literal.h"
+
 namespace dini {
 
 namespace {
@@ -26,6 +28,11 @@ Json degenerate_card(const std::vector<Degenerate>& cases) {
   return list;
 }
 
+/// Nothing can be written at the input, whatever its types are.
+bool links_only(const InputPort& port) {
+  return port.keeps_apart || std::none_of(port.types.begin(), port.types.end(), has_literals);
+}
+
 /// The input names an axis that the node makes, and not one of its inputs that it uses up.
 bool makes_axis(const NodeType& type, const InputPort& port) {
   return port.spec.is_axis_name && std::find(type.over.begin(), type.over.end(), port.name) == type.over.end();
@@ -34,16 +41,17 @@ bool makes_axis(const NodeType& type, const InputPort& port) {
 Json input_card(const NodeType& type, const InputPort& port) {
   Json json = {{"name", port.name},
                {"types", names_of(port.types)},
-               {"doc", port.doc},
+               {"description", port.doc},
                {"required", port.required()},
                {"several", port.spec.takes_several}};
   if (!port.spec.default_value.is_null()) json["default"] = port.spec.default_value;
   if (!port.spec.unit_text.empty()) json["unit"] = port.spec.unit_text;
-  if (port.spec.minimum) json["minimum"] = *port.spec.minimum;
-  if (port.spec.maximum) json["maximum"] = *port.spec.maximum;
-  if (port.spec.soft_minimum) json["soft_minimum"] = *port.spec.soft_minimum;
-  if (port.spec.soft_maximum) json["soft_maximum"] = *port.spec.soft_maximum;
+  if (port.spec.minimum) json["min"] = *port.spec.minimum;
+  if (port.spec.maximum) json["max"] = *port.spec.maximum;
+  if (port.spec.soft_minimum) json["soft_min"] = *port.spec.soft_minimum;
+  if (port.spec.soft_maximum) json["soft_max"] = *port.spec.soft_maximum;
   if (!port.choices.empty()) json["choices"] = port.choices;
+  if (links_only(port)) json["links_only"] = true;
   if (port.names_file) json["names_file"] = true;
   if (makes_axis(type, port)) json["makes_axis"] = true;
   if (port.spec.is_axis_name && port.spec.default_value == Json("")) {
@@ -69,15 +77,16 @@ Json card(const NodeType& type) {
   for (const InputPort& port : type.inputs) inputs.push_back(input_card(type, port));
   Json outputs = Json::array();
   for (std::size_t k = 0; k < type.outputs.size(); ++k) {
-    Json output = {
-        {"name", type.outputs[k].name}, {"types", names_of(type.outputs[k].types)}, {"doc", type.outputs[k].doc}};
+    Json output = {{"name", type.outputs[k].name},
+                   {"types", names_of(type.outputs[k].types)},
+                   {"description", type.outputs[k].doc}};
     if (follows_first_input(type, k)) output["same_as"] = type.inputs.front().name;
     outputs.push_back(std::move(output));
   }
   return {{"id", type.id},
           {"title", type.title},
           {"family", type.family},
-          {"doc", type.doc},
+          {"description", type.doc},
           {"source", type.source},
           {"details", type.details},
           {"version", type.version},
@@ -93,7 +102,7 @@ Json wire_type_cards() {
                      {"family", wire.family},
                      {"color", wire.color},
                      {"shape", wire.shape},
-                     {"doc", wire.doc},
+                     {"description", wire.doc},
                      {"literal_only", wire.literal_only}});
   }
   return types;

@@ -99,7 +99,7 @@ class Checker {
     Problem problem{"unknown-node-type",
                     "there is no node type " + excerpt(entry.type) + did_you_mean(entry.type, known), id, "",
                     input_pointer(id, "") + "/type"};
-    if (!near.empty()) problem.fix = replacement(problem.pointer, near);
+    if (!near.empty()) problem.fix = replacement(*problem.pointer, near);
     return problem;
   }
 
@@ -110,9 +110,9 @@ class Checker {
                     input_pointer(id, port)};
     const std::string near = nearest(port, known);
     if (!near.empty() && !document_.nodes.at(id).inputs.contains(near)) {
-      problem.fix = {{{"op", "move"}, {"from", problem.pointer}, {"path", input_pointer(id, near)}}};
+      problem.fix = {{{"op", "move"}, {"from", *problem.pointer}, {"path", input_pointer(id, near)}}};
     } else {
-      problem.fix = {{{"op", "remove"}, {"path", problem.pointer}}};
+      problem.fix = {{{"op", "remove"}, {"path", *problem.pointer}}};
     }
     return problem;
   }

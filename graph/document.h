@@ -61,15 +61,16 @@ struct Parameter {
 };
 
 struct Document {
-  Json meta = nullptr;  ///< free; never influences evaluation
-  Json ui = nullptr;    ///< free; never influences evaluation
+  std::optional<std::string> schema;  ///< "$schema": where its schema is, for editors; never influences evaluation
+  Json meta = nullptr;                ///< free; never influences evaluation
+  Json ui = nullptr;                  ///< free; never influences evaluation
   std::map<std::string, Parameter> parameters;
   std::map<std::string, NodeEntry> nodes;
 
   friend bool operator==(const Document&, const Document&) = default;
 };
 
-/// Reads a document; every structural problem at once. Pointers start with `/graph`.
+/// Reads a document; every structural problem at once.
 Result<Document> read_document(const Json& json, const Limits& limits);
 
 Json write_document(const Document& document);

@@ -17,13 +17,15 @@ class DocumentReader {
 
   Result<Document> read(const Json& json) {
     Document document;
-    if (!object(json, "/graph", {"format", "meta", "parameters", "nodes", "ui"})) return std::move(problems_).take();
+    if (!object(json, "", {"$schema", "format", "meta", "parameters", "nodes", "ui"}))
+      return std::move(problems_).take();
     read_format(json);
+    read_schema(json, document);
     if (json.contains("meta")) document.meta = json["meta"];
     if (json.contains("ui")) document.ui = json["ui"];
     if (json.contains("parameters")) read_parameters(json["parameters"], document);
     if (!json.contains("nodes")) {
-      add("required-member-missing", "/graph", "the document has no \"nodes\"");
+      add("required-member-missing", "", "the document has no \"nodes\"");
     } else {
       read_nodes(json["nodes"], document);
     }
@@ -64,19 +66,29 @@ class DocumentReader {
 
   void read_format(const Json& json) {
     if (!json.contains("format")) {
-      add("required-member-missing", "/graph", "the document has no \"format\"; this version reads format 1");
+      add("required-member-missing", "", "the document has no \"format\"; this version reads format 1");
     } else if (json["format"] != 1) {
-      add("unsupported-format", "/graph/format", "got " + excerpt(json["format"]) + ", this version reads format 1");
+      add("unsupported-format", "/format", "got " + excerpt(json["format"]) + ", this version reads format 1");
+    }
+  }
+
+  void read_schema(const Json& json, Document& document) {
+    if (!json.contains("$schema")) return;
+    const Json& schema = json["$schema"];
+    if (schema.is_string()) {
+      document.schema = schema.get<std::string>();
+    } else {
+      add("type-mismatch", "/$schema", "got " + excerpt(schema) + ", expected the address of a schema");
     }
   }
 
   void read_parameters(const Json& json, Document& document) {
     if (!json.is_object()) {
-      add("type-mismatch", "/graph/parameters", "parameters must be an object keyed by name");
+      add("type-mismatch", "/parameters", "parameters must be an object keyed by name");
       return;
     }
     for (const auto& [name, value] : json.items()) {
-      const std::string pointer = "/graph/parameters/" + pointer_token(name);
+      const std::string pointer = "/parameters/" + pointer_token(name);
       if (!identifier(name, pointer)) continue;
       Result<Parameter> parameter = read_parameter(value, pointer);
       if (parameter) {
@@ -89,21 +101,21 @@ class DocumentReader {
 
   void read_nodes(const Json& json, Document& document) {
     if (!json.is_object()) {
-      add("type-mismatch", "/graph/nodes", "nodes must be an object keyed by id");
+      add("type-mismatch", "/nodes", "nodes must be an object keyed by id");
       return;
     }
     if (json.size() > limits_.nodes) {
-      add("limit-exceeded", "/graph/nodes",
+      add("limit-exceeded", "/nodes",
           "the graph has " + std::to_string(json.size()) + " nodes, at most " + std::to_string(limits_.nodes) +
               " are accepted");
       return;
     }
     for (const auto& [id, value] : json.items()) {
-      const std::string pointer = "/graph/nodes/" + pointer_token(id);
+      const std::string pointer = "/nodes/" + pointer_token(id);
       if (identifier(id, pointer)) document.nodes.emplace(id, read_node(id, value, pointer));
     }
     if (links_ > limits_.links) {
-      add("limit-exceeded", "/graph/nodes",
+      add("limit-exceeded", "/nodes",
           "the graph has " + std::to_string(links_) + " links, at most " + std::to_string(limits_.links) +
               " are accepted");
     }

@@ -50,6 +50,7 @@ Json write_node(const NodeEntry& node) {
 
 Json write_document(const Document& document) {
   Json json = {{"format", 1}, {"nodes", Json::object()}};
+  write_optional(json, "$schema", document.schema);
   if (!document.meta.is_null()) json["meta"] = document.meta;
   if (!document.ui.is_null()) json["ui"] = document.ui;
   for (const auto& [id, node] : document.nodes) json["nodes"][id] = write_node(node);

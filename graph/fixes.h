@@ -1,6 +1,6 @@
 #pragma once
 
-// What would mend a problem, as JSON Patches (RFC 6902) of the request document. Null where nothing is known.
+// What would mend a problem, as JSON Patches (RFC 6902) of the graph document. Null where nothing is known.
 
 #include <string>
 #include <vector>

@@ -16,7 +16,6 @@
 #include <limits>
 #include <mutex>
 #include <tuple>
-#include <variant>
 
 #include "graph/port_reader.h"
 
@@ -29,7 +28,7 @@ struct Made {
 };
 
 template <class T>
-using Attempt = std::variant<T, Failure>;
+using Attempt = Expected<T, Failure>;
 
 /// The failure of a run and the loop index at which it happened.
 struct FailedRun {
@@ -37,7 +36,7 @@ struct FailedRun {
   std::size_t index = 0;
 };
 
-using LiftedResult = std::variant<std::vector<AnyColumn>, FailedRun>;
+using LiftedResult = Expected<std::vector<AnyColumn>, FailedRun>;
 
 /// One output of a function.
 struct OutputSlot {
@@ -69,7 +68,7 @@ class FirstFailure {
   std::mutex mutex_;
 };
 
-/// Runs `work(begin, end)` over all lifted indices in chunks of `grain`, and stops when the call is cancelled or an
+/// Runs `work(begin, end)` over all lifted indices in chunks of `grain`, and stops when the call is canceled or an
 /// earlier index has failed.
 void run_chunks(const Call& call, std::size_t grain, const FirstFailure& first,
                 const std::function<void(std::size_t begin, std::size_t end)>& work);

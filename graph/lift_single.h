@@ -89,10 +89,10 @@ class SingleFunction {
   static void store(V&& result, std::size_t index, Columns& columns, FirstFailure& first) {
     using Plain = std::remove_cvref_t<V>;
     if constexpr (Returned<Plain>::is_attempt) {
-      if (auto* failure = std::get_if<Failure>(&result)) {
-        first.report(index, std::move(*failure));
+      if (result) {
+        store(*std::forward<V>(result), index, columns, first);
       } else {
-        store(std::get<0>(std::forward<V>(result)), index, columns, first);
+        first.report(index, std::forward<V>(result).error());
       }
     } else if constexpr (requires { std::tuple_size<Plain>::value; }) {
       store_all(std::forward<V>(result), index, columns, std::make_index_sequence<std::tuple_size_v<Outputs>>{});

@@ -22,7 +22,7 @@ LiteralProblem out_of_range(const Json& json, const InputSpec& spec) {
   return {"out-of-range", "got " + excerpt(json) + ", accepted is " + range_text(spec.minimum, spec.maximum)};
 }
 
-LiteralOutcome read_number(const Json& json, const InputPort& port) {
+LiteralResult read_number(const Json& json, const InputPort& port) {
   if (!json.is_number()) return mismatch(json, "a number");
   const double value = json.get<double>();
   if (!std::isfinite(value)) return LiteralProblem{"non-finite", "the number is not finite"};
@@ -30,7 +30,7 @@ LiteralOutcome read_number(const Json& json, const InputPort& port) {
   return Argument(Value{{}, single_column(value)});
 }
 
-LiteralOutcome read_integer(const Json& json, const InputPort& port) {
+LiteralResult read_integer(const Json& json, const InputPort& port) {
   if (!json.is_number()) return mismatch(json, "a whole number");
   const double value = json.get<double>();
   if (value != std::floor(value)) return mismatch(json, "a whole number");
@@ -50,13 +50,13 @@ std::vector<double> numbers_of(const Json& json, std::size_t least, std::size_t 
 }
 
 template <class T>
-LiteralOutcome read_triple(const Json& json) {
+LiteralResult read_triple(const Json& json) {
   const std::vector<double> numbers = numbers_of(json, 3, 3);
   if (numbers.empty()) return mismatch(json, "three finite numbers [x, y, z]");
   return Argument(Value{{}, single_column(T{numbers[0], numbers[1], numbers[2]})});
 }
 
-LiteralOutcome read_color(const Json& json) {
+LiteralResult read_color(const Json& json) {
   std::vector<double> numbers = numbers_of(json, 3, 4);
   if (numbers.empty()) return mismatch(json, "a color [red, green, blue] or [red, green, blue, alpha]");
   if (std::any_of(numbers.begin(), numbers.end(), [](double n) { return n < 0 || n > 1; })) {
@@ -66,7 +66,7 @@ LiteralOutcome read_color(const Json& json) {
   return Argument(Literal(Color{numbers[0], numbers[1], numbers[2], numbers[3]}));
 }
 
-LiteralOutcome read_choice(const Json& json, const InputPort& port) {
+LiteralResult read_choice(const Json& json, const InputPort& port) {
   std::string accepted;
   for (const std::string& word : port.choices) accepted += (accepted.empty() ? "" : ", ") + word;
   if (!json.is_string()) return mismatch(json, "one of " + accepted);
@@ -77,7 +77,7 @@ LiteralOutcome read_choice(const Json& json, const InputPort& port) {
   return Argument(Literal(word));
 }
 
-LiteralOutcome read_text(const Json& json, const InputPort& port) {
+LiteralResult read_text(const Json& json, const InputPort& port) {
   constexpr std::size_t longest_axis_name = 64;
   if (!json.is_string()) return mismatch(json, "a text");
   const auto& text = json.get_ref<const std::string&>();
@@ -100,7 +100,7 @@ LiteralOutcome read_text(const Json& json, const InputPort& port) {
 
 }  // namespace
 
-LiteralOutcome read_literal(const Json& json, WireType type, const InputPort& port) {
+LiteralResult read_literal(const Json& json, WireType type, const InputPort& port) {
   switch (type) {
     case WireType::number:
       return read_number(json, port);
@@ -127,6 +127,19 @@ LiteralOutcome read_literal(const Json& json, WireType type, const InputPort& po
       break;
   }
   return mismatch(json, "a link to a " + std::string(name(type)));
+}
+
+bool has_literals(WireType type) {
+  switch (type) {
+    case WireType::generator:
+    case WireType::circle:
+    case WireType::sphere:
+    case WireType::mesh:
+    case WireType::asset:
+      return false;
+    default:
+      return true;
+  }
 }
 
 std::string to_text(double value) {

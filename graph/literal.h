@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <variant>
 
 #include "graph/port.h"
 #include "graph/value.h"
@@ -15,11 +14,14 @@ struct LiteralProblem {
   std::string detail;
 };
 
-using LiteralOutcome = std::variant<Argument, LiteralProblem>;
+using LiteralResult = Expected<Argument, LiteralProblem>;
 
 /// Reads a literal for a port as one wire type: numbers and integers within the hard range, finite triples for vectors
 /// and points, a choice among the port's words. Generators, circles, spheres and meshes have no literals.
-LiteralOutcome read_literal(const Json& json, WireType type, const InputPort& port);
+LiteralResult read_literal(const Json& json, WireType type, const InputPort& port);
+
+/// Whether values of the type can be written in a document.
+bool has_literals(WireType type);
 
 /// A number as text for people: the shortest that reads back, without an exponent where possible.
 std::string to_text(double value);

@@ -13,7 +13,7 @@ namespace {
 }  // namespace
 
 void Declaration::add_port(std::string name, std::string doc, InputSpec spec) {
-  type.inputs.push_back({std::move(name), std::move(doc), std::move(spec), {}, {}, false, false});
+  type.inputs.push_back({std::move(name), std::move(doc), std::move(spec)});
 }
 
 void Declaration::add_first(std::string name, std::string doc, InputSpec spec) {

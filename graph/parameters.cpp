@@ -45,7 +45,8 @@ Problem unknown_parameter(const Document& document, const Json& given, const std
           pointer,
           near.empty() || given.contains(near)
               ? Json{{{"op", "remove"}, {"path", pointer}}}
-              : Json{{{"op", "move"}, {"from", pointer}, {"path", "/parameters/" + near}}}};
+              : Json{{{"op", "move"}, {"from", pointer}, {"path", "/parameters/" + near}}},
+          true};
 }
 
 /// Collects the problems of one parameter.
@@ -141,11 +142,10 @@ class ParameterReader {
     parameter_.default_value = json_["default"];
     if (no_value_fits()) return;  // what is said of the limits is enough
     const InputPort port = parameter_port(parameter_);
-    const LiteralOutcome outcome = read_literal(parameter_.default_value, parameter_.type, port);
-    if (const auto* problem = std::get_if<LiteralProblem>(&outcome)) {
-      add("default", problem->detail, problem->code,
-          acceptable_literal(pointer_ + "/default", problem->code, parameter_.default_value, port));
-    }
+    const LiteralResult read = read_literal(parameter_.default_value, parameter_.type, port);
+    if (read) return;
+    const auto& [code, detail] = read.error();
+    add("default", detail, code, acceptable_literal(pointer_ + "/default", code, parameter_.default_value, port));
   }
 
   const Json& json_;
@@ -174,7 +174,8 @@ Result<std::map<std::string, Json>> resolve_parameters(const Document& document,
   std::map<std::string, Json> values;
   for (const auto& [name, parameter] : document.parameters) values[name] = parameter.default_value;
   if (!given.is_object())
-    return Problem{"type-mismatch", "parameters must be an object of values by name", "", "", "/parameters"};
+    return Problem{
+        "type-mismatch", "parameters must be an object of values by name", "", "", "/parameters", nullptr, true};
   for (const auto& [name, value] : given.items()) {
     const auto parameter = document.parameters.find(name);
     if (parameter == document.parameters.end()) {
@@ -182,12 +183,16 @@ Result<std::map<std::string, Json>> resolve_parameters(const Document& document,
       continue;
     }
     const InputPort port = parameter_port(parameter->second);
-    const LiteralOutcome outcome = read_literal(value, parameter->second.type, port);
-    if (const auto* problem = std::get_if<LiteralProblem>(&outcome)) {
+    const LiteralResult read = read_literal(value, parameter->second.type, port);
+    if (!read) {
+      const LiteralProblem& problem = read.error();
       problems.add([&, &wrong = name, &refused = value] {
         const std::string pointer = "/parameters/" + wrong;
-        return Problem{problem->code, named(wrong, parameter->second) + ": " + problem->detail, "", "",
-                       pointer,       acceptable_literal(pointer, problem->code, refused, port)};
+        return Problem{.code = problem.code,
+                       .detail = named(wrong, parameter->second) + ": " + problem.detail,
+                       .pointer = pointer,
+                       .fix = acceptable_literal(pointer, problem.code, refused, port),
+                       .in_request = true};
       });
       continue;
     }

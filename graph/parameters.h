@@ -12,7 +12,7 @@ namespace dini {
 Result<Parameter> read_parameter(const Json& json, const std::string& pointer);
 
 /// The value of every parameter: the given one where there is one, else the default. Unknown names, wrong types and
-/// values out of bounds are problems that point to /parameters/<name>.
+/// values out of bounds are problems in the request, at /parameters/<name>.
 Result<std::map<std::string, Json>> resolve_parameters(const Document& document, const Json& given);
 
 /// The port that a parameter would be if it were an input: types, range and choices, for reading its values.

@@ -95,10 +95,11 @@ struct InputPort {
   std::string name;
   std::string doc;
   InputSpec spec;
-  std::vector<WireType> types;  ///< One per overload, repeats left out.
-  std::vector<std::string> choices;
-  bool optional = false;    ///< May be absent and has no default.
-  bool names_file = false;  ///< A text that stands for a mesh file.
+  std::vector<WireType> types = {};  ///< One per overload, repeats left out.
+  std::vector<std::string> choices = {};
+  bool optional = false;     ///< May be absent and has no default.
+  bool names_file = false;   ///< A text that stands for a mesh file.
+  bool keeps_apart = false;  ///< Takes values of several types at once, from links.
 
   bool required() const { return !optional && spec.default_value.is_null(); }
 };

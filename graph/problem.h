@@ -5,23 +5,25 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
+#include "geometry/expected.h"
 #include "geometry/json.h"
 
 namespace dini {
 
 /// One thing that is wrong, with its place. `code` is a stable kebab-case word; `detail` is one sentence with the
-/// numbers and what would be accepted; `pointer` (RFC 6901) points into the request document; `fix` is a JSON Patch
-/// where one is known.
+/// numbers and what would be accepted; `pointer` (RFC 6901) leads into the graph document, empty for all of it and
+/// absent where there is no place; `fix` is a JSON Patch (RFC 6902) of the document where one is known. With
+/// `in_request` both are of the request around the document instead: its parameters, output, previews.
 struct Problem {
   std::string code = {};
   std::string detail = {};
   std::string node = {};
   std::string port = {};
-  std::string pointer = {};
+  std::optional<std::string> pointer = {};
   Json fix = nullptr;
+  bool in_request = false;
 };
 
 using Problems = std::vector<Problem>;
@@ -67,29 +69,14 @@ class ProblemCollector {
 
 /// Either a value or the problems that prevented it (at least one).
 template <class T>
-class Result {
+class Result : public Expected<T, Problems> {
  public:
-  Result(T value) : state_(std::in_place_index<0>, std::move(value)) {}
-  Result(Problem problem) : state_(std::in_place_index<1>, Problems{std::move(problem)}) {}
-  Result(Problems problems) : state_(std::in_place_index<1>, std::move(problems)) {}
+  Result(T value) : Expected<T, Problems>(std::move(value)) {}
+  Result(Problem problem) : Expected<T, Problems>(Problems{std::move(problem)}) {}
+  Result(Problems problems) : Expected<T, Problems>(std::move(problems)) {}
 
-  bool has_value() const { return state_.index() == 0; }
-  explicit operator bool() const { return has_value(); }
-
-  const T& value() const& { return std::get<0>(state_); }
-  T& value() & { return std::get<0>(state_); }
-  T&& value() && { return std::get<0>(std::move(state_)); }
-  const T& operator*() const& { return value(); }
-  T& operator*() & { return value(); }
-  T&& operator*() && { return std::get<0>(std::move(state_)); }
-  const T* operator->() const { return &value(); }
-  T* operator->() { return &value(); }
-
-  const Problems& problems() const& { return std::get<1>(state_); }
-  Problems&& problems() && { return std::get<1>(std::move(state_)); }
-
- private:
-  std::variant<T, Problems> state_;
+  const Problems& problems() const& { return this->error(); }
+  Problems&& problems() && { return std::move(*this).error(); }
 };
 
 }  // namespace dini

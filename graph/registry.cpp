@@ -30,6 +30,7 @@ void complete_ports(NodeType& type) {
       input.optional = slot.optional;
       input.names_file = slot.file;
       input.choices = slot.words;
+      input.keeps_apart = slot.is_mixed();
     }
   }
   for (std::size_t port = 0; port < type.outputs.size(); ++port) {
@@ -45,8 +46,8 @@ void check_input(const NodeType& type, const InputPort& input) {
   if (spec.maximum && spec.soft_maximum && *spec.soft_maximum > *spec.maximum)
     refuse(type, input.name + ": soft range");
   if (spec.default_value.is_null()) return;
-  const LiteralOutcome outcome = read_literal(spec.default_value, input.types.front(), input);
-  if (std::holds_alternative<LiteralProblem>(outcome)) refuse(type, input.name + ": default outside its own range");
+  if (!read_literal(spec.default_value, input.types.front(), input))
+    refuse(type, input.name + ": default outside its own range");
 }
 
 /// A handle turns a drag into a literal, so it can only set points, vectors and numbers, and stands at inputs that are

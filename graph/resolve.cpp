@@ -221,19 +221,20 @@ class Resolver {
       });
       return;
     }
-    LiteralOutcome outcome = overload.inputs[port].is_mixed()
-                                 ? LiteralProblem{"type-mismatch", "expected a link to a " + names_of(card.types)}
-                                 : read_literal(given.literal, wanted, card);
-    if (auto* wrong = std::get_if<LiteralProblem>(&outcome)) {
+    LiteralResult read = overload.inputs[port].is_mixed()
+                             ? LiteralProblem{"type-mismatch", "expected a link to a " + names_of(card.types)}
+                             : read_literal(given.literal, wanted, card);
+    if (!read) {
+      const LiteralProblem& wrong = read.error();
       add(resolved, card.name, [&] {
         const bool written_here = given.parameter == nullptr && !given.pointer.empty();
-        return problem(wrong->code, card.name, card.name + driver_text(given) + ": " + wrong->detail,
-                       written_here ? acceptable_literal(given.pointer, wrong->code, given.literal, card) : Json());
+        return problem(wrong.code, card.name, card.name + driver_text(given) + ": " + wrong.detail,
+                       written_here ? acceptable_literal(given.pointer, wrong.code, given.literal, card) : Json());
       });
       stand_in(port, wanted, resolved);
       return;
     }
-    Argument& argument = std::get<Argument>(outcome);
+    Argument& argument = *read;
     if (card.names_file) {
       const std::string& text = std::get<std::string>(std::get<Literal>(argument));
       SharedAssetFile file = find_asset_ ? find_asset_(text) : nullptr;
@@ -257,11 +258,10 @@ class Resolver {
   void stand_in(std::size_t port, WireType wanted, Resolved& resolved) const {
     const InputPort& card = type_.inputs[port];
     if (card.spec.default_value.is_null() || card.names_file || resolved.node.literals.contains(card.name)) return;
-    LiteralOutcome outcome = read_literal(card.spec.default_value, wanted, card);
-    auto* argument = std::get_if<Argument>(&outcome);
-    if (argument == nullptr) return;
-    if (const auto* literal = std::get_if<Literal>(argument)) resolved.node.literals[card.name] = *literal;
-    resolved.node.inputs[port].items.push_back({std::move(*argument), {wanted, {}, 0}});
+    LiteralResult argument = read_literal(card.spec.default_value, wanted, card);
+    if (!argument) return;
+    if (const auto* literal = std::get_if<Literal>(&*argument)) resolved.node.literals[card.name] = *literal;
+    resolved.node.inputs[port].items.push_back({*std::move(argument), {wanted, {}, 0}});
   }
 
   /// ", given by the parameter reach (Reach)" for what a parameter drives.

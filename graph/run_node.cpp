@@ -5,7 +5,7 @@
 
 #include "algebra/extract.h"
 #include "geometry/chunks.h"
-#include "graph/json_reader.h"
+#include "graph/fixes.h"
 #include "graph/literal.h"
 
 namespace dini {
@@ -67,11 +67,11 @@ class NodeRunner {
       if (auto problem = out_of_range(port)) return *problem;
     }
     LiftedResult lifted = node_.overload->run(call_);
-    if (auto* failed = std::get_if<FailedRun>(&lifted)) {
-      return problem(failed->failure.code, failed->failure.port,
-                     failed->failure.detail + place_text(node_.lifted, failed->index));
+    if (!lifted) {
+      const auto& [failure, index] = lifted.error();
+      return problem(failure.code, failure.port, failure.detail + place_text(node_.lifted, index));
     }
-    std::vector<AnyColumn> columns = std::move(std::get<0>(lifted));
+    std::vector<AnyColumn> columns = *std::move(lifted);
     if (cancel().stopped()) return columns;
     for (std::size_t output = 0; output < columns.size(); ++output) {
       if (const std::optional<std::size_t> bad = first_bad(columns[output], cancel())) {
@@ -95,8 +95,7 @@ class NodeRunner {
   const Cancel& cancel() const { return call_.context.cancel(); }
 
   Problem problem(std::string code, const std::string& port, std::string detail) const {
-    const std::string pointer = "/graph/nodes/" + node_.id + (port.empty() ? "" : "/inputs/" + pointer_token(port));
-    return {std::move(code), std::move(detail), node_.id, port, pointer};
+    return {std::move(code), std::move(detail), node_.id, port, input_pointer(node_.id, port)};
   }
 
   Argument read(const PlannedItem& item) const {

@@ -116,9 +116,9 @@ struct ContourInputs : kernels::WarpSettings {
 Attempt<Made<Point>> contour_points(const Context& context, const ContourInputs& in) {
   if (in.normal == Vector{}) return Failure{"degenerate", "the normal of the plane must not be zero", "normal"};
   const Attempt<std::vector<kernels::WarpSource>> sources = sources_of(context, in.generators);
-  if (const auto* failure = std::get_if<Failure>(&sources)) return *failure;
+  if (!sources) return sources.error();
   const kernels::Stop stop = context.cancel().for_kernels();
-  const kernels::WarpField warp_field(std::get<0>(sources), stop);
+  const kernels::WarpField warp_field(*sources, stop);
   const Vector up = normalized(in.normal);
   kernels::WarpSettings backward = in;
   backward.strength = -in.strength;

@@ -76,11 +76,11 @@ Attempt<SharedFile> export_file(const Context& context,
   const WantedFile wanted = context.file() != nullptr ? *context.file() : WantedFile{all_formats().front(), nullptr};
   options.about = wanted.about;
   auto outcome = wanted.format.write(scene_of(model, context.cancel()), options, context.cancel());
-  if (auto* error = std::get_if<FileError>(&outcome)) {
-    if (error->code == "nothing-to-export") return nothing_to_export(model);
-    return Failure{std::move(error->code), std::move(error->detail), "model"};
+  if (!outcome) {
+    const FileError& error = outcome.error();
+    return error.code == "nothing-to-export" ? nothing_to_export(model) : Failure{error.code, error.detail, "model"};
   }
-  WrittenFile& written = std::get<WrittenFile>(outcome);
+  WrittenFile& written = *outcome;
   warn_of_what_is_left_out(context, model);
   warn_of_coarse_circles(context, model);
   for (FileNote& note : written.notes) context.warn({std::move(note.code), std::move(note.detail), "model"});

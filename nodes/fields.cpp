@@ -57,8 +57,8 @@ struct WarpInputs : kernels::WarpSettings {
 std::optional<Failure> warp_points(const Context& context, const Batch<Point>& shape, const WarpInputs& in,
                                    BatchOut<Point> out) {
   const Attempt<std::vector<kernels::WarpSource>> sources = sources_of(context, in.generators);
-  if (const auto* failure = std::get_if<Failure>(&sources)) return *failure;
-  const kernels::WarpField field(std::get<0>(sources), context.cancel().for_kernels());
+  if (!sources) return sources.error();
+  const kernels::WarpField field(*sources, context.cancel().for_kernels());
   std::vector<double> storage;
   warp_chunks(context, field, in, spread(shape, out.size, storage), components(out), out.size);
   return std::nullopt;
@@ -66,8 +66,8 @@ std::optional<Failure> warp_points(const Context& context, const Batch<Point>& s
 
 Attempt<SharedMesh> warp_mesh(const Context& context, const SharedMesh& shape, const WarpInputs& in) {
   const Attempt<std::vector<kernels::WarpSource>> sources = sources_of(context, in.generators);
-  if (const auto* failure = std::get_if<Failure>(&sources)) return *failure;
-  const kernels::WarpField field(std::get<0>(sources), context.cancel().for_kernels());
+  if (!sources) return sources.error();
+  const kernels::WarpField field(*sources, context.cancel().for_kernels());
   Column<Point> positions(shape->positions.size());
   warp_chunks(context, field, in, components(shape->positions, 0), components(positions, 0), positions.size());
   // A warp is not conformal, so normals are made anew from the warped faces.

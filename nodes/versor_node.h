@@ -36,24 +36,23 @@ struct VersorNode {
 
   static std::optional<Failure> points(const Batch<Point>& shape, const Inputs& in, BatchOut<Point> out) {
     const Attempt<Versor> versor = make(in);
-    if (const auto* failure = std::get_if<Failure>(&versor)) return *failure;
-    return apply_to_points(std::get<Versor>(versor), shape, out);
+    if (!versor) return versor.error();
+    return apply_to_points(*versor, shape, out);
   }
 
   template <class Element>
   static Attempt<Element> element(const Context& context, const Element& shape, const Inputs& in) {
     const Attempt<Versor> versor = make(in);
-    if (const auto* failure = std::get_if<Failure>(&versor)) return *failure;
-    const Element moved = apply(std::get<Versor>(versor), shape);
-    if constexpr (!std::is_same_v<Element, Generator>)
-      warn_of_lost_radius(context, std::get<Versor>(versor), shape, moved);
+    if (!versor) return versor.error();
+    const Element moved = apply(*versor, shape);
+    if constexpr (!std::is_same_v<Element, Generator>) warn_of_lost_radius(context, *versor, shape, moved);
     return moved;
   }
 
   static Attempt<SharedMesh> mesh(const Context& context, const SharedMesh& shape, const Inputs& in) {
     const Attempt<Versor> versor = make(in);
-    if (const auto* failure = std::get_if<Failure>(&versor)) return *failure;
-    return apply_to_mesh(context, std::get<Versor>(versor), shape);
+    if (!versor) return versor.error();
+    return apply_to_mesh(context, *versor, shape);
   }
 
   static auto declare(const char* id) {

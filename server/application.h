@@ -27,6 +27,7 @@ struct Application {
   jobs::Supersede supersede = {};
   Cache known;  ///< requests that were read and checked, by their exact bytes
   StaticAnswer catalogue;
+  StaticAnswer document_schema;
   StaticAnswer example_list;
 
   /// Lets go of everything that could be made again: memory has run out, and the next request shall find some.

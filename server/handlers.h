@@ -10,6 +10,8 @@ Reply health(const Context& context);
 Reply version(const Context& context);
 /// GET /v1/nodes: the catalogue.
 Reply nodes(const Context& context);
+/// GET /schema/graph-1.json: the JSON Schema of the graph document.
+Reply schema(const Context& context);
 /// GET /v1/examples and /v1/examples/{id}.
 Reply example_list(const Context& context);
 Reply example(const Context& context);

@@ -37,7 +37,8 @@ RequestBody::RequestBody(Json body, std::initializer_list<std::string_view> know
       const std::string shown = cut(unknown, 64);
       return Problem{.code = "unknown-member",
                      .detail = "There is no member '" + shown + "'" + did_you_mean(shown, {known.begin(), known.end()}),
-                     .pointer = pointer_to(shown)};
+                     .pointer = pointer_to(shown),
+                     .in_request = true};
     });
   }
 }
@@ -63,7 +64,8 @@ std::string RequestBody::choice(std::string_view name, std::initializer_list<std
   if (body_.at(std::string(name)).is_string() && std::ranges::find(choices, value) == choices.end()) {
     problems_.add(Problem{.code = "not-in-choices",
                           .detail = "'" + cut(value, 64) + "' is none of " + quoted_list(choices) + ".",
-                          .pointer = pointer_to(name)});
+                          .pointer = pointer_to(name),
+                          .in_request = true});
   }
   return value;
 }
@@ -94,7 +96,8 @@ std::optional<std::int64_t> RequestBody::positive_integer(std::string_view name)
   if (!value || *value >= 1) return value;
   problems_.add(Problem{.code = "out-of-range",
                         .detail = "'" + std::string(name) + "' must be at least 1.",
-                        .pointer = pointer_to(name)});
+                        .pointer = pointer_to(name),
+                        .in_request = true});
   return std::nullopt;
 }
 
@@ -114,7 +117,8 @@ const Json* RequestBody::find(std::string_view name, bool required) {
   if (required) {
     problems_.add(Problem{.code = "required-input-missing",
                           .detail = "The body needs a member '" + std::string(name) + "'.",
-                          .pointer = pointer_to(name)});
+                          .pointer = pointer_to(name),
+                          .in_request = true});
   }
   return nullptr;
 }
@@ -122,7 +126,8 @@ const Json* RequestBody::find(std::string_view name, bool required) {
 void RequestBody::wrong_type(std::string_view name, std::string_view expected) {
   problems_.add(Problem{.code = "type-mismatch",
                         .detail = "'" + std::string(name) + "' must be " + std::string(expected) + ".",
-                        .pointer = pointer_to(name)});
+                        .pointer = pointer_to(name),
+                        .in_request = true});
 }
 
 }  // namespace dini::server

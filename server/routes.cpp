@@ -20,6 +20,7 @@ constexpr std::array all_routes = {
     Route{"GET", "/healthz", health},
     Route{"GET", "/version", version},
     Route{"GET", "/v1/nodes", nodes},
+    Route{"GET", "/schema/graph-1.json", schema},
     Route{"GET", "/v1/examples", example_list},
     Route{"GET", "/v1/examples/{id}", example},
     Route{"POST", "/v1/validate", validate, graph_body},

@@ -10,6 +10,7 @@
 #include "server/connections.h"
 #include "server/routes.h"
 #include "server/text.h"
+#include "service/document_schema.h"
 
 namespace dini::server {
 namespace {
@@ -57,6 +58,7 @@ struct Server::State {
                     .flights = flights,
                     .known = Cache(settings.known_bytes),
                     .catalogue = static_answer(dump(engine.catalogue())),
+                    .document_schema = static_answer(dump(document_schema(engine.catalogue()))),
                     .example_list = {}},
         queue({settings.compute_slots, settings.compute_queue, settings.compute_bytes}, jobs::give_back_free_memory) {
     application.example_list = static_answer(application.examples.list().dump());

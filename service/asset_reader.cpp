@@ -51,13 +51,13 @@ Result<SharedAssetFile> read_asset(std::string_view bytes, const Limits& limits,
                                          std::to_string(limits.asset_bytes) + " are accepted"};
   }
   ImportResult read = read_any(bytes, {limits.asset_vertices, limits.asset_triangles}, cancel);
-  if (const auto* error = std::get_if<ImportError>(&read)) {
-    if (error->code == ImportError::Code::stopped) return stopped_problem(cancel.reason());
-    const bool large = error->code == ImportError::Code::too_large;
-    return Problem{large ? "limit-exceeded" : "invalid-asset", format_of(bytes) + error->detail};
+  if (!read) {
+    const ImportError& error = read.error();
+    if (error.code == ImportError::Code::stopped) return stopped_problem(cancel.reason());
+    const bool large = error.code == ImportError::Code::too_large;
+    return Problem{large ? "limit-exceeded" : "invalid-asset", format_of(bytes) + error.detail};
   }
-  return std::make_shared<const AssetFile>(
-      AssetFile{sha256(bytes), bytes.size(), std::get<ImportedMesh>(std::move(read))});
+  return std::make_shared<const AssetFile>(AssetFile{sha256(bytes), bytes.size(), *std::move(read)});
 }
 
 }  // namespace dini

@@ -82,7 +82,8 @@ Result<AssetSummary> CatalogueEngine::add_asset(std::string_view bytes, const st
                       .warnings = file.content.warnings};
 }
 
-Result<Json> CatalogueEngine::validate(const Json& graph, const Json& parameters, const Cancel& cancel) const {
+Result<Json> CatalogueEngine::validate(const Json& graph, const Json& parameters, const Cancel& cancel,
+                                       Sent sent) const {
   ProblemCollector problems;
   CheckReport report;
   if (Result<Document> document = read_document(graph, limits_); !document) {
@@ -99,7 +100,7 @@ Result<Json> CatalogueEngine::validate(const Json& graph, const Json& parameters
     problems.add(report.problems);
   }
   if (cancel.stopped()) return stopped_problem(cancel.reason());
-  return validation_report(report, std::move(problems).take());
+  return validation_report(report, std::move(problems).take(), sent);
 }
 
 Result<SharedPrepared> CatalogueEngine::prepare(const EvaluateRequest& request, const Cancel& cancel) const {
@@ -177,8 +178,8 @@ Result<SharedComputed> CatalogueEngine::compute(const Prepared& asked, const Can
   return SharedComputed(std::move(computed));
 }
 
-Json CatalogueEngine::report(const Prepared& prepared, const Computed& computed) const {
-  return evaluation_report(own(prepared), static_cast<const ComputedGraph&>(computed));
+Json CatalogueEngine::report(const Prepared& prepared, const Computed& computed, Sent sent) const {
+  return evaluation_report(own(prepared), static_cast<const ComputedGraph&>(computed), sent);
 }
 
 Result<SharedBytes> CatalogueEngine::inspect(const InspectRequest& request, const Cancel& cancel) const {
@@ -195,10 +196,13 @@ Result<SharedBytes> CatalogueEngine::inspect(const InspectRequest& request, cons
   if (output >= node.outputs.size()) return bypassed_output(request.node, request.output, "/output");
   const std::size_t count = sample_count(node.outputs[output].axes);
   if (count > inspected_values) {
-    return Problem{
-        "limit-exceeded",
-        "there are " + std::to_string(count) + " values, at most " + std::to_string(inspected_values) + " are shown",
-        request.node, request.output, "/output"};
+    return Problem{.code = "limit-exceeded",
+                   .detail = "there are " + std::to_string(count) + " values, at most " +
+                             std::to_string(inspected_values) + " are shown",
+                   .node = request.node,
+                   .port = request.output,
+                   .pointer = "/output",
+                   .in_request = true};
   }
   const Result<Evaluation> evaluation = dini::evaluate(*plan, {index}, cache_, cancel);
   if (!evaluation) return evaluation.problems();
@@ -209,19 +213,6 @@ std::unique_ptr<Engine> make_engine(const Limits& limits) { return make_engine(l
 
 std::unique_ptr<Engine> make_engine(const Limits& limits, std::vector<FileFormat> formats) {
   return std::make_unique<CatalogueEngine>(limits, std::move(formats));
-}
-
-Json to_json(const Problems& problems) {
-  Json list = Json::array();
-  for (const Problem& problem : problems) {
-    Json entry = {{"code", problem.code}, {"detail", problem.detail}};
-    if (!problem.node.empty()) entry["node"] = problem.node;
-    if (!problem.port.empty()) entry["port"] = problem.port;
-    if (!problem.pointer.empty()) entry["pointer"] = problem.pointer;
-    if (!problem.fix.is_null()) entry["fix"] = problem.fix;
-    list.push_back(std::move(entry));
-  }
-  return list;
 }
 
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }

@@ -18,6 +18,7 @@
 #include "graph/limits.h"
 #include "graph/problem.h"
 #include "graph/file.h"
+#include "service/problem_json.h"
 
 namespace dini {
 
@@ -107,7 +108,8 @@ class Engine {
 
   /// Every static problem at once, inferred types and axes per wire, predicted sizes. Never evaluates; fails only when
   /// `cancel` stops it. {"valid": bool, "errors": [...], "wires": {...}, "cost": {...}}
-  virtual Result<Json> validate(const Json& graph, const Json& parameters, const Cancel& cancel) const = 0;
+  virtual Result<Json> validate(const Json& graph, const Json& parameters, const Cancel& cancel,
+                                Sent sent = Sent::request) const = 0;
 
   /// Reads and checks what the output and the previews depend on; nothing is computed. Problems of other nodes never
   /// stand in the way: the report lists them as warnings. But a check that cannot run fails the request
@@ -124,7 +126,7 @@ class Engine {
 
   /// Times, sizes, checks and warnings per node: see docs/http.md. `computed` is for the same content, and was not
   /// found without what a report needs.
-  virtual Json report(const Prepared& prepared, const Computed& computed) const = 0;
+  virtual Json report(const Prepared& prepared, const Computed& computed, Sent sent = Sent::request) const = 0;
 
   /// Lets go of everything that could be computed again, for when memory has run out.
   virtual void forget() const = 0;
@@ -138,9 +140,6 @@ std::unique_ptr<Engine> make_engine(const Limits& limits = {});
 
 /// The same, writing these formats.
 std::unique_ptr<Engine> make_engine(const Limits& limits, std::vector<FileFormat> formats);
-
-/// A problem list as JSON: [{"code", "detail", "node", "port", "pointer", "fix"}], absent members left out.
-Json to_json(const Problems& problems);
 
 /// JSON as text; bytes that are not UTF-8 are replaced.
 std::string dump(const Json& json);

@@ -55,8 +55,8 @@ std::string range_of(const Json& input) {
     if (has_low) return "from " + input.at(low).dump();
     return has_high ? "up to " + input.at(high).dump() : std::string();
   };
-  const std::string hard = bounds("minimum", "maximum");
-  const std::string soft = bounds("soft_minimum", "soft_maximum");
+  const std::string hard = bounds("min", "max");
+  const std::string soft = bounds("soft_min", "soft_max");
   if (hard.empty() || soft.empty() || hard == soft) return hard.empty() ? soft : hard;
   return hard + " (slider " + soft + ")";
 }
@@ -66,7 +66,8 @@ void write_inputs(const Json& inputs, std::string& page) {
   page += "| input | type | default | range | unit | what it does |\n|---|---|---|---|---|---|\n";
   for (const Json& input : inputs) {
     page += "| `" + text_of(input, "name") + "` | " + cell(types_of(input)) + " | " + cell(default_of(input)) + " | " +
-            cell(range_of(input)) + " | " + cell(text_of(input, "unit")) + " | " + cell(text_of(input, "doc")) + " |\n";
+            cell(range_of(input)) + " | " + cell(text_of(input, "unit")) + " | " + cell(text_of(input, "description")) +
+            " |\n";
   }
   page += "\n";
 }
@@ -86,7 +87,8 @@ void write_outputs(const Json& outputs, std::string& page) {
   for (const Json& output : outputs) {
     const std::string same = text_of(output, "same_as");
     const std::string types = same.empty() ? types_of(output) : "as `" + same + "`";
-    page += "| `" + text_of(output, "name") + "` | " + cell(types) + " | " + cell(text_of(output, "doc")) + " |\n";
+    page +=
+        "| `" + text_of(output, "name") + "` | " + cell(types) + " | " + cell(text_of(output, "description")) + " |\n";
   }
   page += "\n";
 }
@@ -114,7 +116,7 @@ void write_family(const Json& family, const std::vector<Json>& nodes, std::strin
 }
 
 void write_node(const Json& node, const NodeExamples& examples, std::string& page) {
-  page += "### " + heading(node) + "\n\n" + text_of(node, "doc") + "\n\n";
+  page += "### " + heading(node) + "\n\n" + text_of(node, "description") + "\n\n";
   const std::string details = text_of(node, "details");
   if (!details.empty()) page += details + "\n\n";
   const std::string source = text_of(node, "source");

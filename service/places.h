@@ -1,6 +1,7 @@
 #pragma once
 
-// Places in a graph as requests write them, and what is said about those that are not there.
+// Places in a graph as requests write them, and what is said about those that are not there. `pointer` is that of the
+// request's member.
 
 #include <string>
 

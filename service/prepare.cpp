@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "graph/check.h"
+#include "graph/fixes.h"
 #include "graph/nearest.h"
 #include "graph/parameters.h"
 #include "graph/stopped.h"
@@ -34,11 +35,12 @@ Result<ReadGraph> read_graph(const Environment& environment, const Json& graph, 
 
 Result<Detail> detail_of(const EvaluateRequest& request) {
   if (!request.triangle_budget) return Detail(request.quality);
-  const Problem refused{"out-of-range", "", "", "", "/triangle_budget"};
+  const std::string pointer = "/triangle_budget";
+  const Problem refused{.code = "out-of-range", .pointer = pointer, .in_request = true};
   if (request.quality != Quality::draft) {
     Problem problem = refused;
     problem.detail = "a triangle_budget goes with quality draft only; a final answer is never thinned";
-    problem.fix = {{{"op", "remove"}, {"path", problem.pointer}}};
+    problem.fix = {{{"op", "remove"}, {"path", pointer}}};
     return problem;
   }
   const std::int64_t budget = std::clamp(*request.triangle_budget, least_budget, largest_budget);
@@ -46,7 +48,7 @@ Result<Detail> detail_of(const EvaluateRequest& request) {
     Problem problem = refused;
     problem.detail = "got " + std::to_string(*request.triangle_budget) + ", accepted is " +
                      std::to_string(least_budget) + " to " + std::to_string(largest_budget);
-    problem.fix = {{{"op", "replace"}, {"path", problem.pointer}, {"value", budget}}};
+    problem.fix = {{{"op", "replace"}, {"path", pointer}, {"value", budget}}};
     return problem;
   }
   return Detail(request.quality, static_cast<std::size_t>(budget));
@@ -57,6 +59,10 @@ bool may_export(const Registry& registry, const NodeEntry& node) {
   const NodeType* type = registry.find(node.type);
   if (type == nullptr) return true;
   return !node.bypass && !type->outputs.empty() && type->outputs.front().types.front() == WireType::asset;
+}
+
+Problem unknown_export(std::string detail) {
+  return {.code = "unknown-output", .detail = std::move(detail), .pointer = "/output", .in_request = true};
 }
 
 /// The node to export: the one asked for, else the only one that makes a file.
@@ -72,17 +78,13 @@ Result<std::string> find_output(const Registry& registry, const Document& docume
   if (asked.empty()) {
     if (exports.size() == 1) return exports.front();
     if (exports.empty() && !unknown.empty()) return unknown.front();
-    return Problem{
-        "unknown-output",
-        exports.empty() ? "the graph has no export node" : "the graph has several outputs, choose one of " + known, "",
-        "", "/output"};
+    return unknown_export(exports.empty() ? "the graph has no export node"
+                                          : "the graph has several outputs, choose one of " + known);
   }
   const auto found = document.nodes.find(asked);
   if (found == document.nodes.end() || !may_export(registry, found->second)) {
-    return Problem{"unknown-output",
-                   "\"" + asked + "\" is no export node of the graph" + did_you_mean(asked, exports) +
-                       (exports.empty() ? "" : "; there is " + known),
-                   "", "", "/output"};
+    return unknown_export("\"" + asked + "\" is no export node of the graph" + did_you_mean(asked, exports) +
+                          (exports.empty() ? "" : "; there is " + known));
   }
   return asked;
 }
@@ -103,7 +105,7 @@ Problems broken_checks(const Registry& registry, const Document& document, const
     if (planned != report.plan.index.end() && !report.plan.nodes[planned->second].doubtful) continue;
     broken.add([&, &check = id] {
       return Problem{"check-failed", "the check cannot run: " + reason_of(report.elsewhere, check), check, "",
-                     "/graph/nodes/" + check};
+                     input_pointer(check, "")};
     });
   }
   return std::move(broken).take();
@@ -162,6 +164,7 @@ Digest report_digest(const PreparedGraph& prepared) {
   DigestBuilder digest;
   digest.text("report").digest(prepared.content);
   Document document = prepared.document;
+  document.schema = std::nullopt;
   document.meta = nullptr;
   document.ui = nullptr;
   digest.text(write_document(document).dump()).text(prepared.output);

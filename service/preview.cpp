@@ -104,7 +104,11 @@ PreviewedOutput previewed(const Plan& plan, const Evaluation& evaluation, std::s
 
 Problem problem_of(const EncodeError& error) {
   const bool large = error.code == EncodeError::Code::too_large;
-  return {large ? "limit-exceeded" : "encode-failed", "the preview: " + error.detail, error.part, "", "/preview"};
+  return {.code = large ? "limit-exceeded" : "encode-failed",
+          .detail = "the preview: " + error.detail,
+          .node = error.part,
+          .pointer = "/preview",
+          .in_request = true};
 }
 
 }  // namespace
@@ -112,10 +116,11 @@ Problem problem_of(const EncodeError& error) {
 Result<PreviewNames> read_previews(const Registry& registry, const Document& document,
                                    const std::vector<std::string>& asked, const Limits& limits) {
   if (asked.size() > limits.previews) {
-    return Problem{"limit-exceeded",
-                   "there are " + std::to_string(asked.size()) + " entries, at most " +
-                       std::to_string(limits.previews) + " are accepted",
-                   "", "", "/preview"};
+    return Problem{.code = "limit-exceeded",
+                   .detail = "there are " + std::to_string(asked.size()) + " entries, at most " +
+                             std::to_string(limits.previews) + " are accepted",
+                   .pointer = "/preview",
+                   .in_request = true};
   }
   PreviewNames names;
   Problems problems;
@@ -139,10 +144,11 @@ Result<std::vector<Preview>> plan_previews(Plan& plan, const PreviewNames& names
     }
   }
   if (vertices > limits.vertices) {
-    return Problem{"limit-exceeded",
-                   "the previewed meshes would have " + std::to_string(vertices) + " vertices together, at most " +
-                       std::to_string(limits.vertices) + " are accepted",
-                   "", "", "/preview"};
+    return Problem{.code = "limit-exceeded",
+                   .detail = "the previewed meshes would have " + std::to_string(vertices) +
+                             " vertices together, at most " + std::to_string(limits.vertices) + " are accepted",
+                   .pointer = "/preview",
+                   .in_request = true};
   }
   std::size_t outputs = 0;
   for (const Preview& preview : previews) outputs += preview.outputs.size();
@@ -158,6 +164,7 @@ Result<std::vector<Preview>> plan_previews(Plan& plan, const PreviewNames& names
   plan.cost.bytes += static_cast<std::size_t>(cost.bytes + 2 * cost.file_bytes + line_point_bytes * drawn.curve_points);
   if (auto problem = over_limits(plan.cost, limits, "with these previews the request")) {
     problem->pointer = "/preview";
+    problem->in_request = true;
     return *problem;
   }
   return previews;
@@ -201,11 +208,9 @@ Result<std::string> draw_previews(const Plan& plan, const Evaluation& evaluation
     }
   }
   EncodeResult<std::string> encoded = encode_groups(groups, {.extras = about}, cancel);
-  if (auto* error = std::get_if<EncodeError>(&encoded)) {
-    if (error->code == EncodeError::Code::cancelled) return stopped_problem(cancel.reason());
-    return problem_of(*error);
-  }
-  return std::get<std::string>(std::move(encoded));
+  if (encoded) return *std::move(encoded);
+  if (encoded.error().code == EncodeError::Code::canceled) return stopped_problem(cancel.reason());
+  return problem_of(encoded.error());
 }
 
 }  // namespace dini

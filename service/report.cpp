@@ -63,7 +63,7 @@ void add_warnings(Json& list, const PlannedNode& node, const NodeWarnings& said)
 
 }  // namespace
 
-Json evaluation_report(const PreparedGraph& prepared, const ComputedGraph& computed) {
+Json evaluation_report(const PreparedGraph& prepared, const ComputedGraph& computed, Sent sent) {
   const Plan& plan = prepared.plan;
   const std::set<std::string> needed = needed_nodes(prepared);
   const std::map<Digest, std::shared_ptr<const NodeWarnings>> said = warnings_of(computed.evaluation);
@@ -84,7 +84,7 @@ Json evaluation_report(const PreparedGraph& prepared, const ComputedGraph& compu
       checks.push_back({{"node", node.id}, {"passed", true}, {"values", to_json(value)["values"]}});
     }
   }
-  for (Json& problem : to_json(prepared.elsewhere)) warnings.push_back(std::move(problem));
+  for (Json& problem : to_json(prepared.elsewhere, sent)) warnings.push_back(std::move(problem));
   std::map<std::string, double> milliseconds = computed.milliseconds;
   milliseconds.emplace("prepare", prepared.milliseconds);
   if (computed.model != nullptr) {
@@ -120,7 +120,7 @@ Json evaluation_report(const PreparedGraph& prepared, const ComputedGraph& compu
   return report;
 }
 
-Json validation_report(const CheckReport& report, const Problems& problems) {
+Json validation_report(const CheckReport& report, const Problems& problems, Sent sent) {
   Json wires = Json::object();
   for (const PlannedNode& node : report.plan.nodes) {
     for (std::size_t output = 0; output < node.outputs.size(); ++output) {
@@ -128,7 +128,7 @@ Json validation_report(const CheckReport& report, const Problems& problems) {
     }
   }
   return {{"valid", problems.empty()},
-          {"errors", to_json(problems)},
+          {"errors", to_json(problems, sent)},
           {"blocked", report.blocked},
           {"wires", std::move(wires)},
           {"cost", cost_json(report.plan.cost)}};

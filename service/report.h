@@ -3,6 +3,7 @@
 #include "graph/check.h"
 #include "graph/evaluate.h"
 #include "service/prepared.h"
+#include "service/problem_json.h"
 
 namespace dini {
 
@@ -14,9 +15,9 @@ class ComputedGraph final : public Computed {
 
 /// The report of an evaluation: times, what was cached, types and axes, the file, checks and warnings; see
 /// docs/http.md.
-Json evaluation_report(const PreparedGraph& prepared, const ComputedGraph& computed);
+Json evaluation_report(const PreparedGraph& prepared, const ComputedGraph& computed, Sent sent);
 
 /// The answer of a validation: whether the graph is well, its problems, its wires and its cost.
-Json validation_report(const CheckReport& report, const Problems& problems);
+Json validation_report(const CheckReport& report, const Problems& problems, Sent sent);
 
 }  // namespace dini

@@ -150,6 +150,58 @@ TEST_CASE("validate finds every example valid and says what a wrong graph lacks"
   CHECK(wrong.out.find("error[unknown-node-type] n: ") == 0);
 }
 
+TEST_CASE("validate --json prints patches that mend the file they are about") {
+  const std::vector<Json> broken = {
+      Json::parse(graph_with(make("numbre"))),
+      Json::parse(graph_with(make("number", {{"valeu", 1}}))),
+      Json::parse(graph_with(make("measure", {{"model", from("bal")}}))),
+      Json::parse(graph_with(make("number", {{"value", from("n")}}))),
+      Json::parse(graph_with(make("sphere_mesh", {{"segments", -1}}))),
+      document({{"a~b", 1}}).patch(Json::parse(R"([{"op": "replace", "path": "/nodes", "value": {}},
+          {"op": "add", "path": "/parameters", "value": {"p": {"type": "number", "default": 3, "max": 2}}}])"))};
+  for (const Json& graph : broken) {
+    CAPTURE(graph.dump());
+    const Outcome outcome = run({"validate", "--json", "-"}, graph.dump());
+    CHECK(outcome.code == 3);
+    const Json errors = Json::parse(outcome.out)["errors"];
+    REQUIRE_FALSE(errors.empty());
+    const Json error = errors[0];
+    CAPTURE(error.dump());
+    CHECK(error["pointer"].get<std::string>().find("/graph") == std::string::npos);
+    REQUIRE(error.contains("fix"));
+    const Json mended = graph.patch(error["fix"]);
+    const Json left = Json::parse(run({"validate", "--json", "-"}, mended.dump()).out)["errors"];
+    for (const Json& other : left) CHECK(other["code"] != error["code"]);
+  }
+}
+
+TEST_CASE("what is wrong with --set has no patch, for it is in no file") {
+  const std::string graph = contents(example("fig11_patch"));
+  const Outcome outcome = run({"validate", "--json", "-", "--set", "strenght=1", "--set", "rule=fast"}, graph);
+  CHECK(outcome.code == 3);
+  const Json errors = Json::parse(outcome.out)["errors"];
+  REQUIRE(errors.size() == 2);
+  for (const Json& error : errors) {
+    CHECK(error["pointer"].get<std::string>().starts_with("/parameters/"));
+    CHECK_FALSE(error.contains("fix"));
+  }
+}
+
+TEST_CASE("docs/document.md tells the limits of a document as they are") {
+  const Limits limits;
+  const std::string page = contents(DINI_DOCUMENT_PAGE);
+  for (const auto& [name, value] :
+       std::vector<std::pair<std::string, std::size_t>>{{"body_bytes", limits.body_bytes},
+                                                        {"json_depth", limits.json_depth},
+                                                        {"json_values", limits.json_values},
+                                                        {"string_bytes", limits.string_bytes},
+                                                        {"nodes", limits.nodes},
+                                                        {"links", limits.links}}) {
+    CAPTURE(name, value);
+    CHECK(page.find("| `" + name + "` | " + std::to_string(value) + " |") != std::string::npos);
+  }
+}
+
 TEST_CASE("the catalogue of the page's tests is the one that the program prints") {
   const Outcome outcome = run({"nodes", "--json"});
   REQUIRE(outcome.code == 0);

@@ -4,7 +4,7 @@ namespace dini::testing {
 
 namespace {
 
-std::variant<WrittenFile, FileError> write(const Scene& scene, const FileOptions& options, const Cancel&) {
+Expected<WrittenFile, FileError> write(const Scene& scene, const FileOptions& options, const Cancel&) {
   std::size_t meshes = 0;
   WrittenFile file;
   for (const Part& part : scene.parts) {

@@ -14,8 +14,8 @@ using namespace dini::support;
 namespace {
 
 Mesh mesh_of(const ImportResult& result) {
-  if (const auto* error = std::get_if<ImportError>(&result)) FAIL(error->detail);
-  const Mesh& mesh = std::get<ImportedMesh>(result).mesh;
+  if (!result) FAIL(result.error().detail);
+  const Mesh& mesh = result->mesh;
   CHECK_FALSE(mesh_defect(mesh));
   return mesh;
 }

@@ -190,11 +190,11 @@ TEST_CASE("an encoder that fails becomes an error with the name of the part") {
     }
   };
   const auto result = encode_scene(shapes::scene_of(shapes::torus(20, 10)), {}, Cancel(), Broken());
-  REQUIRE(std::holds_alternative<EncodeError>(result));
-  CHECK(std::get<EncodeError>(result).part == "mesh");
-  CHECK(std::get<EncodeError>(result).detail == "broken");
+  REQUIRE_FALSE(result);
+  CHECK(result.error().part == "mesh");
+  CHECK(result.error().detail == "broken");
   const auto empty = DracoEncoder().encode({}, {}, {});
-  CHECK(std::get<EncodeError>(empty).code == Code::empty);
+  CHECK(empty.error().code == Code::empty);
 }
 
 TEST_CASE("a part name that is not UTF-8 is an error, not a crash") {

@@ -87,8 +87,8 @@ const Mesh& mesh_of(const Scene& scene, std::size_t index) {
 
 EncodedScene encode(const Scene& scene, const EncodeOptions& options) {
   auto result = encode_scene(scene, options, Cancel());
-  if (const auto* error = std::get_if<EncodeError>(&result)) FAIL(error->part << ": " << error->detail);
-  return std::get<EncodedScene>(std::move(result));
+  if (!result) FAIL(result.error().part << ": " << result.error().detail);
+  return *std::move(result);
 }
 
 Scene decode(const std::string& glb) {
@@ -99,8 +99,8 @@ Scene decode(const std::string& glb) {
 
 EncodeError failure(const Scene& scene, const EncodeOptions& options) {
   const auto result = encode_scene(scene, options, Cancel());
-  REQUIRE(std::holds_alternative<EncodeError>(result));
-  return std::get<EncodeError>(result);
+  REQUIRE_FALSE(result);
+  return result.error();
 }
 
 }  // namespace dini::compare

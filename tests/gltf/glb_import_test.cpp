@@ -17,8 +17,8 @@ using json = dini::Json;
 
 Mesh mesh_of(const json& document, const std::string& binary = quad_binary()) {
   const ImportResult result = read_glb_mesh(glb_of(document.dump(), binary), {});
-  if (const auto* error = std::get_if<ImportError>(&result)) FAIL(error->detail);
-  const Mesh& mesh = std::get<ImportedMesh>(result).mesh;
+  if (!result) FAIL(result.error().detail);
+  const Mesh& mesh = result->mesh;
   CHECK_FALSE(mesh_defect(mesh));
   return mesh;
 }

@@ -121,8 +121,8 @@ TEST_CASE("a stopped encoding says so") {
   const Cancel cancel;
   cancel.stop(StopReason::client_gone);
   const auto result = encode_scene(scene, {}, cancel);
-  REQUIRE(std::holds_alternative<EncodeError>(result));
-  CHECK(std::get<EncodeError>(result).code == EncodeError::Code::cancelled);
+  REQUIRE_FALSE(result);
+  CHECK(result.error().code == EncodeError::Code::canceled);
 }
 
 }  // namespace

@@ -75,8 +75,8 @@ class SampleWriter {
     EncodeOptions stamped = options;
     stamped.extras = {{"sample", name}, {"parameters", {{"width", 0.1}}}};
     const auto result = encode_scene(scene, stamped, Cancel());
-    if (const auto* error = std::get_if<EncodeError>(&result)) return fail(name + ": " + error->detail);
-    const auto& encoded = std::get<EncodedScene>(result);
+    if (!result) return fail(name + ": " + result.error().detail);
+    const EncodedScene& encoded = *result;
     const std::string& glb = encoded.file;
     const auto decoded = read_glb(glb);
     if (!decoded) return fail(name + ": cannot be read back");

@@ -58,7 +58,7 @@ TEST_CASE("an axis of the same name with another size or closure is an error tha
   CHECK(size.code == "axis-mismatch");
   CHECK(size.node == "s");
   CHECK(size.detail.find("axis k is 3 open at b but 2 open at a") != std::string::npos);
-  CHECK(size.pointer == "/graph/nodes/s/inputs/b");
+  CHECK(size.pointer == "/nodes/s/inputs/b");
   const Problem closure = problem(ramp(2, "k", true));
   CHECK(closure.detail.find("axis k is 2 closed at b but 2 open at a") != std::string::npos);
 }

@@ -48,14 +48,13 @@ TEST_CASE("problems say what would be accepted and carry a fix where one is know
   };
   const Problem type = only(toy_node("rampp", Json::object()));
   CHECK(type.detail == R"(there is no node type "rampp"; did you mean "ramp"?)");
-  CHECK(type.fix == Json::parse(R"([{"op": "replace", "path": "/graph/nodes/n/type", "value": "ramp"}])"));
+  CHECK(type.fix == Json::parse(R"([{"op": "replace", "path": "/nodes/n/type", "value": "ramp"}])"));
   const Problem port = only(toy_node("ramp", {{"cuont", 4}}));
-  CHECK(
-      port.fix ==
-      Json::parse(R"([{"op": "move", "from": "/graph/nodes/n/inputs/cuont", "path": "/graph/nodes/n/inputs/count"}])"));
+  CHECK(port.fix ==
+        Json::parse(R"([{"op": "move", "from": "/nodes/n/inputs/cuont", "path": "/nodes/n/inputs/count"}])"));
   const Problem range = only(toy_node("constant", {{"value", -200}}));
   CHECK(range.detail == "value: got -200, accepted is -100 to 1000000");
-  CHECK(range.fix == Json::parse(R"([{"op": "replace", "path": "/graph/nodes/n/inputs/value", "value": -100}])"));
+  CHECK(range.fix == Json::parse(R"([{"op": "replace", "path": "/nodes/n/inputs/value", "value": -100}])"));
   const Problem link = only(toy_node("ramp", {{"count", from("n")}}));
   CHECK(link.code == "graph-has-cycle");
 }
@@ -148,7 +147,7 @@ TEST_CASE("a link to a node that is not there is mended with the nearest name th
       registry, document({{"ring", toy_node("sum", {{"a", 1}})}, {"s", toy_node("sum", {{"a", from("rong.value")}})}}));
   REQUIRE(report.problems.size() == 1);
   CHECK(report.problems[0].fix ==
-        Json{{{"op", "replace"}, {"path", "/graph/nodes/s/inputs/a/from"}, {"value", "ring.value"}}});
+        Json{{{"op", "replace"}, {"path", "/nodes/s/inputs/a/from"}, {"value", "ring.value"}}});
 }
 
 TEST_CASE("a check that is stopped ends at once") {

@@ -15,7 +15,7 @@ std::multiset<std::string> pointers(const Json& json) {
   const Result<Document> read = read_document(json, limits);
   std::multiset<std::string> all;
   if (read) return all;
-  for (const Problem& problem : read.problems()) all.insert(problem.code + " " + problem.pointer);
+  for (const Problem& problem : read.problems()) all.insert(problem.code + " " + problem.pointer.value_or("nowhere"));
   return all;
 }
 
@@ -48,50 +48,58 @@ TEST_CASE("writing what was read gives the same document") {
   CHECK(*again == *read);
 }
 
+TEST_CASE("a document may say where its schema is, and keeps it") {
+  const Json json = {{"$schema", "/schema/graph-1.json"}, {"format", 1}, {"nodes", Json::object()}};
+  const Result<Document> read = read_document(json, limits);
+  REQUIRE(read);
+  CHECK(write_document(*read) == json);
+  CHECK(pointers({{"$schema", 1}, {"format", 1}, {"nodes", Json::object()}}) ==
+        std::multiset<std::string>{"type-mismatch /$schema"});
+}
+
 TEST_CASE("unknown members anywhere are errors with the nearest known name") {
   CHECK(pointers(Json::parse(R"({"format": 1, "nods": {}, "nodes": {}})")) ==
-        std::multiset<std::string>{"unknown-member /graph/nods"});
+        std::multiset<std::string>{"unknown-member /nods"});
   CHECK(pointers(Json::parse(R"({"format": 1, "nodes": {"a": {"type": "number", "input": {}}}})")) ==
-        std::multiset<std::string>{"unknown-member /graph/nodes/a/input"});
+        std::multiset<std::string>{"unknown-member /nodes/a/input"});
   CHECK(pointers(Json::parse(
             R"({"format": 1, "nodes": {}, "parameters": {"p": {"type": "number", "default": 1, "maximum": 2}}})")) ==
-        std::multiset<std::string>{"unknown-member /graph/parameters/p/maximum"});
+        std::multiset<std::string>{"unknown-member /parameters/p/maximum"});
   CHECK(pointers(
             Json::parse(R"({"format": 1, "nodes": {"a": {"type": "number", "inputs": {"value": {"form": "b"}}}}})")) ==
-        std::multiset<std::string>{"type-mismatch /graph/nodes/a/inputs/value"});
+        std::multiset<std::string>{"type-mismatch /nodes/a/inputs/value"});
   CHECK(pointers(Json::parse(
             R"({"format": 1, "nodes": {"a": {"type": "number", "inputs": {"value": {"from": "b", "x": 1}}}}})")) ==
-        std::multiset<std::string>{"type-mismatch /graph/nodes/a/inputs/value"});
+        std::multiset<std::string>{"type-mismatch /nodes/a/inputs/value"});
 }
 
 TEST_CASE("ids, formats and parameter defaults are checked") {
   CHECK(pointers(Json::parse(
             R"({"format": 2, "nodes": {"1a": {"type": "number"}, "a.b": {"type": "number"}, "": {"type": "x"}}})")) ==
-        std::multiset<std::string>{"invalid-id /graph/nodes/", "invalid-id /graph/nodes/1a",
-                                   "invalid-id /graph/nodes/a.b", "unsupported-format /graph/format"});
+        std::multiset<std::string>{"invalid-id /nodes/", "invalid-id /nodes/1a", "invalid-id /nodes/a.b",
+                                   "unsupported-format /format"});
   CHECK(pointers(Json::parse(R"({"nodes": []})")) ==
-        std::multiset<std::string>{"required-member-missing /graph", "type-mismatch /graph/nodes"});
+        std::multiset<std::string>{"required-member-missing ", "type-mismatch /nodes"});
   CHECK(pointers(Json::parse(R"({"format": 1, "nodes": {}, "parameters": {
     "a": {"type": "number", "default": 5, "max": 4},
     "b": {"type": "choice", "default": "x", "choices": ["y"]},
     "c": {"type": "mesh", "default": 1},
-    "d": {"type": "number"}}})")) == std::multiset<std::string>{"out-of-range /graph/parameters/a/default",
-                                                                "not-in-choices /graph/parameters/b/default",
-                                                                "required-member-missing /graph/parameters/d",
-                                                                "type-mismatch /graph/parameters/c/type"});
+    "d": {"type": "number"}}})")) ==
+        std::multiset<std::string>{"out-of-range /parameters/a/default", "not-in-choices /parameters/b/default",
+                                   "required-member-missing /parameters/d", "type-mismatch /parameters/c/type"});
   CHECK(pointers(Json::parse(R"({"format": 1, "nodes": {"n": {"type": 7}}, "parameters": {
     "a": {"type": "number", "default": 5, "min": 4, "max": 3},
     "b": {"type": "number", "default": 5, "step": 0},
     "c": {"type": "number", "default": 5, "step": -1}}})")) ==
-        std::multiset<std::string>{"type-mismatch /graph/nodes/n/type", "out-of-range /graph/parameters/a/min",
-                                   "out-of-range /graph/parameters/b/step", "out-of-range /graph/parameters/c/step"});
-  CHECK(pointers(Json(3)) == std::multiset<std::string>{"type-mismatch /graph"});
+        std::multiset<std::string>{"type-mismatch /nodes/n/type", "out-of-range /parameters/a/min",
+                                   "out-of-range /parameters/b/step", "out-of-range /parameters/c/step"});
+  CHECK(pointers(Json(3)) == std::multiset<std::string>{"type-mismatch "});
 }
 
 TEST_CASE("a graph with too many nodes is refused as a whole") {
   Json json = {{"format", 1}, {"nodes", Json::object()}};
   for (std::size_t i = 0; i <= limits.nodes; ++i) json["nodes"]["n" + std::to_string(i)] = {{"type", "number"}};
-  CHECK(pointers(json) == std::multiset<std::string>{"limit-exceeded /graph/nodes"});
+  CHECK(pointers(json) == std::multiset<std::string>{"limit-exceeded /nodes"});
 }
 
 TEST_CASE("the reader refuses what is not strict JSON") {

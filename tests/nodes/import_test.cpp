@@ -74,7 +74,7 @@ TEST_CASE("an export tells when texture coordinates lose much by rounding") {
 TEST_CASE("a file that is not known is a problem of the node that names it") {
   const CatalogueGraph graph = graph_of({{"file", make("import", {{"asset", "nobody"}})}});
   CHECK(codes(graph.static_problems()) == std::multiset<std::string>{"unknown-asset file.asset"});
-  CHECK(graph.static_problems().front().pointer == "/graph/nodes/file/inputs/asset");
+  CHECK(graph.static_problems().front().pointer == "/nodes/file/inputs/asset");
   CHECK(codes(graph_of({{"file", make("import")}}).static_problems()) ==
         std::multiset<std::string>{"required-input-missing file.asset"});
 }

@@ -134,7 +134,7 @@ TEST_CASE("a formula that cannot be read is a problem with its place") {
     CAPTURE(text, problem.detail);
     CHECK(problem.code == "invalid-formula");
     CHECK(problem.port == "formula");
-    CHECK(problem.pointer == "/graph/nodes/f/inputs/formula");
+    CHECK(problem.pointer == "/nodes/f/inputs/formula");
     CHECK(problem.detail == "formula: the formula cannot be read " + std::string(reason));
   }
   CHECK(wrong("").detail == "formula: the formula is empty");

@@ -79,7 +79,7 @@ TEST_CASE("every card tells in JSON what the declaration says") {
       CHECK(input["required"] == type.inputs[port].required());
       CHECK(input["several"] == type.inputs[port].spec.takes_several);
       CHECK(input.contains("default") == !type.inputs[port].spec.default_value.is_null());
-      CHECK(input.contains("minimum") == type.inputs[port].spec.minimum.has_value());
+      CHECK(input.contains("min") == type.inputs[port].spec.minimum.has_value());
     }
     CHECK(shown["outputs"].size() == type.outputs.size());
   }

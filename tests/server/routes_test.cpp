@@ -35,6 +35,17 @@ TEST_CASE("The catalogue has a tag, and HEAD gives its headers alone") {
   CHECK(client.receive()->status == 200);
 }
 
+TEST_CASE("The schema of documents has every node of the catalogue, and a tag") {
+  const Running server;
+  const auto answer = get(server.port(), "/schema/graph-1.json");
+  REQUIRE(answer);
+  CHECK(answer->status == 200);
+  CHECK(answer->header("content-type") == "application/schema+json");
+  CHECK(answer->json()["$schema"] == "https://json-schema.org/draft/2020-12/schema");
+  CHECK(answer->json()["$defs"]["node_toy"]["properties"]["type"] == Json{{"const", "toy"}});
+  CHECK(get(server.port(), "/schema/graph-1.json", "If-None-Match: " + answer->header("etag") + "\r\n")->status == 304);
+}
+
 TEST_CASE("JSON is not compressed, whatever the client accepts") {
   const Running server;
   CHECK(get(server.port(), "/v1/nodes", "Accept-Encoding: br, gzip\r\n")->header("content-encoding").empty());

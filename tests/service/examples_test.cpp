@@ -169,6 +169,7 @@ TEST_CASE("an entity tag is the same for the same request and another for any ot
     CHECK(usual == tag(engine(), request));
     CHECK(usual == tag(other, request));
     Json moved = graph;
+    moved["$schema"] = "/schema/graph-1.json";
     moved["ui"] = {{"nodes", Json::object()}};
     moved["meta"]["title"] = "Another title";
     CHECK(usual == tag(other, {.graph = moved, .parameters = Json::object(), .output = "", .quality = Quality::final}));
@@ -184,6 +185,22 @@ TEST_CASE("an entity tag is the same for the same request and another for any ot
               {.graph = graph, .parameters = {{name, parameter["default"]}}, .output = "", .quality = Quality::final}));
     }
   }
+}
+
+TEST_CASE("where its schema is, its title and its drawing are in no tag of a report") {
+  const Json graph = examples().at("fig11_patch");
+  Json moved = graph;
+  moved["$schema"] = "/schema/graph-1.json";
+  moved["ui"] = {{"nodes", Json::object()}};
+  moved["meta"]["title"] = "Another title";
+  const auto report_tag = [](const Json& document) {
+    const auto prepared = engine().prepare({.graph = document}, Cancel());
+    require_none(prepared ? Problems{} : prepared.problems());
+    return (*prepared)->report_tag;
+  };
+  CHECK(report_tag(moved) == report_tag(graph));
+  moved["parameters"]["strength"]["label"] = "Another label";
+  CHECK(report_tag(moved) != report_tag(graph));
 }
 
 TEST_CASE("every parameter of every example changes the file, and the file tells its value") {

@@ -112,6 +112,24 @@ TEST_CASE("a preview has a node for each graph node and a child for each output 
   CHECK(children.at("grid.points")["primitives"][0]["mode"] == 0);
 }
 
+TEST_CASE("what is drawn of a wire has the color of its socket, linear as glTF wants it") {
+  Json nodes = {{"ring", make("circle", Json::object())},
+                {"ball", make("sphere", Json::object())},
+                {"spot", make("point", Json::object())},
+                {"up", make("vector", {{"z", 1}})},
+                {"pair", make("point_pair", {{"position", {0, 0, 0}}, {"direction", {0, 0, 1}}})}};
+  const Json json = json_of(preview_of(showing(nodes, {"ring", "ball", "spot", "up", "pair"})));
+  const auto children = children_of(json);
+  REQUIRE(children.size() == 5);
+  for (const auto& [place, child] : children) {
+    CAPTURE(place);
+    const auto wire = std::ranges::find(wire_types(), child["extras"]["type"].get<std::string>(), &WireInfo::name);
+    REQUIRE(wire != wire_types().end());
+    const Json& material = json["materials"][child["primitives"][0]["material"].get<std::size_t>()];
+    CHECK(material["pbrMetallicRoughness"]["baseColorFactor"] == Json(linear_color(wire->type)));
+  }
+}
+
 TEST_CASE("generators are drawn after their kind") {
   std::vector<std::string> all;
   for (const auto& [id, node] : generators.items()) {

@@ -42,8 +42,7 @@ inline SharedAssetFile test_file(std::string_view name) {
                            : name == "short"    ? "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\nl 1 2\n"
                                                 : "";
   if (text.empty()) return nullptr;
-  return std::make_shared<const AssetFile>(
-      AssetFile{sha256(text), text.size(), std::get<ImportedMesh>(read_obj(text, {}))});
+  return std::make_shared<const AssetFile>(AssetFile{sha256(text), text.size(), *read_obj(text, {})});
 }
 
 class CatalogueGraph;
@@ -107,7 +106,8 @@ class CatalogueGraph {
 
   CatalogueGraph(const Json& nodes, Quality quality) {
     const Result<Document> read = read_document(document(nodes), Limits{});
-    for (const Problem& problem : read ? Problems{} : read.problems()) FAIL(problem.pointer << ": " << problem.detail);
+    for (const Problem& problem : read ? Problems{} : read.problems())
+      FAIL(problem.pointer.value_or("") << ": " << problem.detail);
     report_ = check(catalogue(), *read, {}, quality, {}, test_file);
   }
 

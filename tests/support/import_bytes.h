@@ -97,10 +97,10 @@ std::string refusal(Read read, std::string_view bytes, const ImportLimits& limit
   // A copy of its own, so that a read past the end is one for the address sanitizer too.
   const std::vector<char> exact(bytes.begin(), bytes.end());
   const ImportResult result = read(std::string_view(exact.data(), exact.size()), limits, cancel);
-  const auto* error = std::get_if<ImportError>(&result);
-  if (error == nullptr) return "";
-  if (error->code == ImportError::Code::stopped) return "stopped";
-  return (error->code == ImportError::Code::invalid ? "invalid: " : "too large: ") + error->detail;
+  if (result) return "";
+  const auto& [code, detail] = result.error();
+  if (code == ImportError::Code::stopped) return "stopped";
+  return (code == ImportError::Code::invalid ? "invalid: " : "too large: ") + detail;
 }
 
 }  // namespace dini::support

@@ -15,9 +15,9 @@ struct ReadFile {
   std::vector<std::string> warnings;
 
   explicit ReadFile(const ImportResult& result) {
-    if (const auto* error = std::get_if<ImportError>(&result)) FAIL(error->detail);
-    mesh = std::get<ImportedMesh>(result).mesh;
-    warnings = std::get<ImportedMesh>(result).warnings;
+    if (!result) FAIL(result.error().detail);
+    mesh = result->mesh;
+    warnings = result->warnings;
     CHECK_FALSE(mesh_defect(mesh));
   }
 

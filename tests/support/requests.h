@@ -16,8 +16,8 @@ namespace dini::support {
 /// Fails the test when there are problems, and shows them.
 inline void require_none(const Problems& problems) {
   for (const Problem& problem : problems) {
-    FAIL_CHECK(problem.code << " at " << problem.node << "." << problem.port << " " << problem.pointer << ": "
-                            << problem.detail);
+    FAIL_CHECK(problem.code << " at " << problem.node << "." << problem.port << " " << problem.pointer.value_or("")
+                            << ": " << problem.detail);
   }
   REQUIRE(problems.empty());
 }

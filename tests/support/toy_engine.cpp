@@ -31,7 +31,7 @@ Problem problem_of(const std::string& code, const char* node = "out") {
           .detail = "The toy was asked for '" + code + "'.",
           .node = node,
           .port = "amount",
-          .pointer = "/graph/nodes/out/inputs/amount"};
+          .pointer = "/nodes/out/inputs/amount"};
 }
 
 Problems check(const Json& graph, const Json& parameters) {
@@ -44,7 +44,8 @@ Problems check(const Json& graph, const Json& parameters) {
     if (known.contains(name)) continue;
     problems.push_back({.code = "unknown-parameter",
                         .detail = "There is no parameter '" + name + "'.",
-                        .pointer = "/parameters/" + name});
+                        .pointer = "/parameters/" + name,
+                        .in_request = true});
   }
   return problems;
 }
@@ -64,15 +65,16 @@ bool spend(const Json& inputs, const Cancel& cancel) {
 
 Json toy_catalogue() {
   return {{"engine", "0.0.0-toy"},
-          {"types", Json::array({{{"name", "number"}}})},
+          {"types", Json::array({{{"name", "integer"}, {"literal_only", true}}, {{"name", "asset"}}})},
           {"families", Json::array({{{"name", "toys"}, {"title", "Toys"}}})},
           {"nodes",
-           Json::array({{{"id", "toy"},
-                         {"title", "Toy"},
-                         {"family", "toys"},
-                         {"doc", "Waits for a while."},
-                         {"inputs", Json::array({{{"name", "milliseconds"}, {"types", {"integer"}}, {"default", 0}}})},
-                         {"outputs", Json::array({{{"name", "asset"}, {"types", {"asset"}}, {"doc", "Bytes."}}})}}})}};
+           Json::array(
+               {{{"id", "toy"},
+                 {"title", "Toy"},
+                 {"family", "toys"},
+                 {"description", "Waits for a while."},
+                 {"inputs", Json::array({{{"name", "milliseconds"}, {"types", {"integer"}}, {"default", 0}}})},
+                 {"outputs", Json::array({{{"name", "asset"}, {"types", {"asset"}}, {"description", "Bytes."}}})}}})}};
 }
 
 std::vector<FileFormat> toy_formats() {
@@ -105,10 +107,12 @@ Result<AssetSummary> ToyEngine::add_asset(std::string_view bytes, const std::str
   return AssetSummary{std::string(64, 'a'), bytes.size(), "obj", 3, 1, {"1 line (l) is left out"}};
 }
 
-Result<Json> ToyEngine::validate(const Json& graph, const Json& parameters, const Cancel&) const {
+Result<Json> ToyEngine::validate(const Json& graph, const Json& parameters, const Cancel&, Sent sent) const {
   const Problems problems = check(graph, parameters);
-  return Json{
-      {"valid", problems.empty()}, {"errors", to_json(problems)}, {"wires", Json::object()}, {"cost", {{"bytes", 8}}}};
+  return Json{{"valid", problems.empty()},
+              {"errors", to_json(problems, sent)},
+              {"wires", Json::object()},
+              {"cost", {{"bytes", 8}}}};
 }
 
 Result<SharedPrepared> ToyEngine::prepare(const EvaluateRequest& request, const Cancel&) const {
@@ -162,7 +166,7 @@ Result<SharedComputed> ToyEngine::compute(const Prepared& asked, const Cancel& c
   return SharedComputed(std::move(computed));
 }
 
-Json ToyEngine::report(const Prepared& asked, const Computed& computed) const {
+Json ToyEngine::report(const Prepared& asked, const Computed& computed, Sent) const {
   const auto& prepared = static_cast<const ToyPrepared&>(asked);
   Json nodes = Json::object();
   for (const auto& [id, node] : prepared.nodes.items()) nodes[id] = {{"type", "toy"}};

@@ -210,6 +210,7 @@ test("edits of one gesture are one step, and an undone future ends with the next
 
 test("unknown keys of a document and of its ui are kept", () => {
   const document = open({
+    $schema: "/schema/graph-1.json",
     format: 1,
     meta: { author: "x" },
     nodes: { a: { type: "circle", inputs: {} } },
@@ -218,6 +219,7 @@ test("unknown keys of a document and of its ui are kept", () => {
   const changed = moveNodes(new Map([["a", { x: 5, y: 6 }]]))(setInput("a", "radius", 2)(document));
   assert.deepEqual(changed.json["ui"], { zoom: 2, nodes: { a: { x: 5, y: 6, tint: "red" } } });
   assert.deepEqual(changed.json["meta"], { author: "x" });
+  assert.equal(changed.json["$schema"], "/schema/graph-1.json");
 });
 
 test("only what an edit touches is a new object", () => {

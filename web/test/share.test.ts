@@ -9,7 +9,7 @@ import { graphInGlb, withGraph } from "../src/files/glb_graph";
 import { KeptDrafts } from "../src/files/kept_drafts";
 import { packGraph, unpackGraph } from "../src/files/share";
 import { readDocument } from "../src/model/document";
-import { splitGlb } from "../src/model/glb";
+import { joinGlb, splitGlb } from "../src/model/glb";
 import type { JsonObject } from "../src/model/json";
 import { documentWithValues } from "../src/model/saved_values";
 import type { Origin } from "../src/session/state";
@@ -139,6 +139,15 @@ test("a model of ours tells what it knows of its graph", () => {
       json: { format: 1, nodes: {} },
     });
   }
+});
+
+test("a model names its fingerprint, and called it its graph before", () => {
+  const { binary } = splitGlb(new Uint8Array(readFileSync("test/data/sample.glb")));
+  const model = (extras: JsonObject) => joinGlb({ json: { asset: { version: "2.0", extras } }, binary });
+  const hash = "0".repeat(64);
+  assert.deepEqual(graphInGlb(model({ engine: "1", fingerprint: hash })), { kind: "hash", hash });
+  assert.deepEqual(graphInGlb(model({ engine: "1", graph: hash })), { kind: "hash", hash });
+  assert.deepEqual(graphInGlb(model({ fingerprint: hash })), { kind: "foreign" });
 });
 
 test("only the ten newest drafts are kept", () => {

@@ -154,7 +154,7 @@ function OptionField({ option: { input, kind }, value, onChange }: OptionFieldPr
   const parameter = asParameter(input, kind);
   return (
     <>
-      <label htmlFor={id} title={input.doc}>
+      <label htmlFor={id} title={input.description}>
         {parameter.label}
       </label>
       <ValueField

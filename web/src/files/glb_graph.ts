@@ -16,6 +16,7 @@ export function graphInGlb(bytes: Uint8Array<ArrayBuffer>): GlbContent {
   const extras = asObject(asset["extras"]);
   const document = extras["document"];
   if (isObject(document) && isObject(document["nodes"])) return { kind: "graph", json: document };
+  // Files of before called the fingerprint "graph".
   const hash = asString(extras["fingerprint"]) || asString(extras["graph"]);
   return hash && asString(extras["engine"]) ? { kind: "hash", hash } : { kind: "foreign" };
 }

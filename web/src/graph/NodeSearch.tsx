@@ -66,7 +66,7 @@ export function NodeSearch({ search }: { search: Search }): ReactElement {
         text={text}
         onText={setText}
         empty="Nothing is called that here."
-        foot={({ finding }) => finding.card.doc}
+        foot={({ finding }) => finding.card.description}
         onChoose={({ finding }) => {
           close();
           const id = addFinding(editor, finding, search);

@@ -69,7 +69,7 @@ const Head = memo(function Head({ node, tone }: { node: ViewNode; tone?: string 
   const editor = useEditor();
   const isRenaming = useEditing((state) => state.renaming === node.id);
   const hasPicture = node.outputs.some((row) => row.type !== FILE_TYPE && isDrawn(row.type));
-  const hint = `${node.title} (${node.id})${node.doc ? `\n${node.doc}` : ""}\nDouble-click to rename`;
+  const hint = `${node.title} (${node.id})${node.description ? `\n${node.description}` : ""}\nDouble-click to rename`;
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: F2 does the same.
     <div className="node-head" onDoubleClick={() => editor.store.set({ renaming: node.id })}>
@@ -124,7 +124,14 @@ function Rows({ node, isOpen, isUnfolded }: { node: ViewNode; isOpen: boolean; i
       {node.outputs.map((row) => (
         <div className="node-row node-output" key={row.name}>
           <span className="row-name">{row.name}</span>
-          <Socket node={node.id} side="output" name={row.name} type={row.type} nodeTitle={node.title} doc={row.doc} />
+          <Socket
+            node={node.id}
+            side="output"
+            name={row.name}
+            type={row.type}
+            nodeTitle={node.title}
+            description={row.description}
+          />
         </div>
       ))}
     </div>
@@ -137,10 +144,21 @@ const Input = memo(function Input({ row, id, title }: { row: InputRow; id: strin
   return (
     <div className="node-row" data-default={row.isDefault}>
       {row.hasSocket && (
-        <Socket node={id} side="input" name={row.name} type={row.type} nodeTitle={title} doc={row.doc} />
+        <Socket
+          node={id}
+          side="input"
+          name={row.name}
+          type={row.type}
+          nodeTitle={title}
+          description={row.description}
+        />
       )}
       {/* biome-ignore lint/a11y/noStaticElementInteractions: a short way for the pointer; the default can be typed as well. */}
-      <span className="row-name" title={row.doc} onDoubleClick={row.linked || row.isDefault ? undefined : reset}>
+      <span
+        className="row-name"
+        title={row.description}
+        onDoubleClick={row.linked || row.isDefault ? undefined : reset}
+      >
         {row.name}
       </span>
       {row.parameter !== undefined ? (
@@ -162,10 +180,24 @@ function Ports({ node }: { node: ViewNode }): ReactElement {
       {node.inputs
         .filter((row) => row.linked)
         .map((row) => (
-          <Socket key={`in ${row.name}`} {...common} side="input" name={row.name} type={row.type} doc={row.doc} />
+          <Socket
+            key={`in ${row.name}`}
+            {...common}
+            side="input"
+            name={row.name}
+            type={row.type}
+            description={row.description}
+          />
         ))}
       {node.outputs.map((row) => (
-        <Socket key={`out ${row.name}`} {...common} side="output" name={row.name} type={row.type} doc={row.doc} />
+        <Socket
+          key={`out ${row.name}`}
+          {...common}
+          side="output"
+          name={row.name}
+          type={row.type}
+          description={row.description}
+        />
       ))}
     </div>
   );

@@ -64,7 +64,7 @@ function Notice({ editor }: { editor: Editor }): ReactElement {
 }
 
 function SocketTip({ inspected }: { inspected: Inspected }): ReactElement {
-  const { screen, side, title, doc, lines } = inspected;
+  const { screen, side, title, description, lines } = inspected;
   const isLeft = side === "input";
   const style: CSSProperties = {
     left: isLeft ? undefined : Math.min(screen.x + 14, window.innerWidth - 300),
@@ -74,7 +74,7 @@ function SocketTip({ inspected }: { inspected: Inspected }): ReactElement {
   return (
     <div className="socket-tip" role="tooltip" style={style}>
       <strong>{title}</strong>
-      {doc && <span>{doc}</span>}
+      {description && <span>{description}</span>}
       {lines.map((line) => (
         <code key={line}>{line}</code>
       ))}

@@ -11,11 +11,18 @@ interface SocketProps {
   name: string;
   type: string;
   nodeTitle: string;
-  doc: string;
+  description: string;
 }
 
 /** The place where wires end: its color tells the family, its shape the kind, its name both. */
-export const Socket = memo(function Socket({ node, side, name, type, nodeTitle, doc }: SocketProps): ReactElement {
+export const Socket = memo(function Socket({
+  node,
+  side,
+  name,
+  type,
+  nodeTitle,
+  description,
+}: SocketProps): ReactElement {
   const editor = useEditor();
   const look = useCurrent((state) => (state.catalogue ? wireType(state.catalogue, type) : undefined));
   const fit = useEditing(({ wiring }) => {
@@ -28,7 +35,7 @@ export const Socket = memo(function Socket({ node, side, name, type, nodeTitle, 
     const box = element.getBoundingClientRect();
     editor.openConnect({ node, side, name }, { x: box.left + box.width / 2, y: box.bottom + 8 });
   };
-  const shown = { node, side, name, type, doc };
+  const shown = { node, side, name, type, description };
   return (
     <Handle
       id={name}

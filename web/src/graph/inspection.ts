@@ -11,7 +11,7 @@ export interface InspectedSocket {
   side: "input" | "output";
   name: string;
   type: string;
-  doc: string;
+  description: string;
 }
 
 const REST_MILLISECONDS = 350;
@@ -35,7 +35,7 @@ async function look(editor: Editor, socket: InspectedSocket, element: Element): 
   const box = element.getBoundingClientRect();
   const screen = { x: box.left + box.width / 2, y: box.top };
   const title = `${socket.name}: ${socket.type || "unknown type"}`;
-  editor.store.set({ inspected: { screen, side: socket.side, title, doc: socket.doc, lines: [] } });
+  editor.store.set({ inspected: { screen, side: socket.side, title, description: socket.description, lines: [] } });
   const place = sourceOf(editor, socket);
   const { document, values } = editor.session.store.get();
   if (!place || !document) return;

@@ -8,7 +8,7 @@ export interface WireType {
   family: string;
   color: string;
   shape: string;
-  doc: string;
+  description: string;
   /** Given as literals only: there are no wires of this type. */
   literalOnly: boolean;
 }
@@ -17,7 +17,7 @@ export interface WireType {
 export interface InputCard {
   name: string;
   types: string[];
-  doc: string;
+  description: string;
   required: boolean;
   several: boolean;
   fallback?: Json;
@@ -30,6 +30,8 @@ export interface InputCard {
   softMaximum?: number;
   step?: number;
   choices: string[];
+  /** Nothing can be written here, whatever the types are. */
+  linksOnly: boolean;
   /** The text names a file kept by the server. */
   namesFile: boolean;
   /** The text names an axis that the node makes. */
@@ -51,7 +53,7 @@ export interface HandleHint {
 export interface OutputCard {
   name: string;
   types: string[];
-  doc: string;
+  description: string;
   sameAs?: string;
 }
 
@@ -59,8 +61,8 @@ export interface NodeCard {
   id: string;
   title: string;
   family: string;
-  doc: string;
-  /** More than the one sentence of `doc`; may be empty. */
+  description: string;
+  /** More than the one sentence of `description`; may be empty. */
   details: string;
   source: string;
   inputs: InputCard[];
@@ -82,7 +84,7 @@ const UNKNOWN_TYPE: WireType = {
   family: "",
   color: "#8B94A3",
   shape: "circle",
-  doc: "",
+  description: "",
   literalOnly: false,
 };
 
@@ -100,8 +102,8 @@ export function readCatalogue(json: Json): Catalogue {
     const color = asString(item["color"]) || UNKNOWN_TYPE.color;
     const shape = asString(item["shape"]) || UNKNOWN_TYPE.shape;
     const literalOnly = item["literal_only"] === true;
-    const [family, doc] = [asString(item["family"]), asString(item["doc"])];
-    catalogue.types.set(name, { name, family, color, shape, doc, literalOnly });
+    const [family, description] = [asString(item["family"]), asString(item["description"])];
+    catalogue.types.set(name, { name, family, color, shape, description, literalOnly });
   }
   for (const item of asArray(root["families"]).map(asObject)) {
     catalogue.families.set(asString(item["name"]), asString(item["title"]));
@@ -135,7 +137,7 @@ function readCard(item: Record<string, Json>): NodeCard {
     id,
     title: asString(item["title"]) || id,
     family: asString(item["family"]),
-    doc: asString(item["doc"]),
+    description: asString(item["description"]),
     details: asString(item["details"]),
     source: asString(item["source"]),
     inputs: asArray(item["inputs"]).map(asObject).map(readInput),
@@ -147,17 +149,18 @@ function readInput(item: Record<string, Json>): InputCard {
   return {
     name: asString(item["name"]),
     types: asArray(item["types"]).map(asString),
-    doc: asString(item["doc"]),
+    description: asString(item["description"]),
     required: item["required"] === true,
     several: item["several"] === true || isNumber(item["several"]),
     fallback: item["default"],
     unit: asString(item["unit"]),
-    minimum: asNumber(item["minimum"]),
-    maximum: asNumber(item["maximum"]),
-    softMinimum: asNumber(item["soft_minimum"]),
-    softMaximum: asNumber(item["soft_maximum"]),
+    minimum: asNumber(item["min"]),
+    maximum: asNumber(item["max"]),
+    softMinimum: asNumber(item["soft_min"]),
+    softMaximum: asNumber(item["soft_max"]),
     step: asNumber(item["step"]),
     choices: asArray(item["choices"]).map(asString),
+    linksOnly: item["links_only"] === true,
     namesFile: item["names_file"] === true,
     makesAxis: item["makes_axis"] === true,
     emptyMeans: asString(item["empty_means"]),
@@ -174,7 +177,7 @@ function readOutput(item: Record<string, Json>): OutputCard {
   return {
     name: asString(item["name"]),
     types: asArray(item["types"]).map(asString),
-    doc: asString(item["doc"]),
+    description: asString(item["description"]),
     sameAs: asString(item["same_as"]) || undefined,
   };
 }

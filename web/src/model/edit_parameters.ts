@@ -29,7 +29,7 @@ export function expose(node: string, input: InputCard, value: Json): Edit {
       if (input.unit) item["unit"] = input.unit;
     }
     if (type === "choice") item["choices"] = input.choices;
-    if (input.doc) item["description"] = input.doc;
+    if (input.description) item["description"] = input.description;
     return inOrder(addParameter(name, item), setInput(node, input.name, { parameter: name }))(document);
   };
 }

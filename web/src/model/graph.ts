@@ -12,7 +12,7 @@ export interface InputRow {
   name: string;
   type: string;
   types: string[];
-  doc: string;
+  description: string;
   linked: boolean;
   /** Text of the literal, or of the default where nothing is given. */
   value: string;
@@ -32,7 +32,7 @@ export interface InputRow {
 export interface OutputRow {
   name: string;
   type: string;
-  doc: string;
+  description: string;
 }
 
 export interface ViewNode {
@@ -41,7 +41,7 @@ export interface ViewNode {
   title: string;
   type: string;
   family: string;
-  doc: string;
+  description: string;
   details: string;
   source: string;
   known: boolean;
@@ -131,7 +131,7 @@ function viewNode(
     title: card?.title ?? node.type,
     type: node.type,
     family: card?.family ?? "",
-    doc: card?.doc ?? "",
+    description: card?.description ?? "",
     details: card?.details ?? "",
     source: card?.source ?? "",
     known: card !== undefined,
@@ -144,7 +144,7 @@ function viewNode(
     outputs: (card?.outputs ?? []).map((output) => ({
       name: output.name,
       type: types.of(node.id, output.name) ?? "",
-      doc: output.doc,
+      description: output.description,
     })),
   };
 }
@@ -168,7 +168,7 @@ function inputRow(
     name,
     type: (link && types.of(link.node, link.output)) ?? input?.types[0] ?? "",
     types: input?.types ?? [],
-    doc: input?.doc ?? "",
+    description: input?.description ?? "",
     linked: link !== undefined,
     value: isDefault ? fallback : literals.map((value) => withUnit(literalText(value))).join(", "),
     literal: isDefault ? input?.fallback : sources.length === 1 ? literals[0] : undefined,

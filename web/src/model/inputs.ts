@@ -23,6 +23,7 @@ const KINDS: Readonly<Record<string, ParameterType>> = {
 
 /** The control for an input, or undefined where nothing but a wire can stand. */
 export function controlKind(card: InputCard, literal: Json): ControlKind | undefined {
+  if (card.linksOnly) return undefined;
   const kind = card.types.map((type) => KINDS[type]).find((found) => found !== undefined);
   if (kind === undefined) return undefined;
   if (card.several && (kind === "number" || kind === "vector"))
@@ -41,7 +42,7 @@ export function asParameter(card: InputCard, kind: ParameterType): Parameter {
   return {
     ...parameter,
     label: sentenceCase(card.name),
-    description: card.doc,
+    description: card.description,
     choices: card.choices,
     unit: card.unit,
     step: card.step,

@@ -52,7 +52,7 @@ export function matchScore(card: NodeCard, family: string, query: string): numbe
   const names = Math.max(textScore(title, query), 0.98 * textScore(id, query));
   if (names > 0) return 10 + names;
   if (family.toLowerCase().startsWith(query)) return 6;
-  if (query.length > 2 && card.doc.toLowerCase().includes(query)) return 4;
+  if (query.length > 2 && card.description.toLowerCase().includes(query)) return 4;
   const scattered = Math.max(subsequenceScore(title, query), subsequenceScore(id, query));
   return scattered > 0 ? 1 + scattered : 0;
 }

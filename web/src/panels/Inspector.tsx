@@ -30,7 +30,7 @@ export function Inspector(): ReactElement {
       </div>
       <Outputs node={node} />
       <div className="inspector-text">
-        {node.doc && <p>{node.doc}</p>}
+        {node.description && <p>{node.description}</p>}
         {node.details && <p>{node.details}</p>}
         {node.source && <p className="node-source">{node.source}</p>}
       </div>
@@ -103,7 +103,7 @@ const Row = memo(function Row({ row, id, title }: { row: InputRow; id: string; t
       {/* biome-ignore lint/a11y/noStaticElementInteractions: a short way for the pointer; the default can be typed as well. */}
       <span
         className="parameter-label"
-        title={`${row.doc}${canReset ? "\nDouble-click for the default" : ""}`}
+        title={`${row.description}${canReset ? "\nDouble-click for the default" : ""}`}
         onDoubleClick={canReset ? reset : undefined}
       >
         <Mark type={row.type} /> {row.name}
@@ -112,7 +112,7 @@ const Row = memo(function Row({ row, id, title }: { row: InputRow; id: string; t
       <Source row={row} id={id} title={title} about={about} />
       <ExposeButton row={row} id={id} />
       <span hidden id={about}>
-        {row.doc}
+        {row.description}
       </span>
     </div>
   );
@@ -176,7 +176,7 @@ function Outputs({ node }: { node: ViewNode }): ReactElement {
       {node.outputs.map((row) => {
         const output = wires?.get(`${node.id}.${row.name}`) ?? report?.outputs.get(row.name);
         return (
-          <li key={row.name} title={row.doc}>
+          <li key={row.name} title={row.description}>
             <Mark type={row.type} />
             {row.name}
             <span className="muted">{output ? axesText(output.type, output.axes) : row.type}</span>

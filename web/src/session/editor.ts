@@ -48,7 +48,7 @@ export interface Inspected {
   screen: Position;
   side: "output" | "input";
   title: string;
-  doc: string;
+  description: string;
   lines: readonly string[];
 }
 
