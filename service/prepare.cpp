@@ -117,12 +117,15 @@ Result<const FileFormat*> format_of(const Environment& environment, const Evalua
       request.format.empty() ? &environment.formats.front() : format_named(environment.formats, request.format);
   std::vector<std::string> names;
   for (const FileFormat& known : environment.formats) names.push_back(known.name);
+  const auto refused = [](std::string detail) {
+    return Problem{
+        .code = "not-in-choices", .detail = std::move(detail), .pointer = "/format", .in_request = true};
+  };
   if (format == nullptr) {
-    return Problem{"not-in-choices", "there is no format \"" + request.format + "\"" + did_you_mean(request.format, names),
-                   "", "", "/format"};
+    return refused("there is no format \"" + request.format + "\"" + did_you_mean(request.format, names));
   }
   if (format != &environment.formats.front() && !request.preview.empty() && request.output.empty()) {
-    return Problem{"not-in-choices", "previews are written as " + names.front() + " only", "", "", "/format"};
+    return refused("previews are written as " + names.front() + " only");
   }
   return format;
 }

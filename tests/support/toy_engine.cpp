@@ -124,7 +124,7 @@ Result<SharedPrepared> ToyEngine::prepare(const EvaluateRequest& request, const 
   prepared->preview = request.preview;
   prepared->output = request.output.empty() && request.preview.empty() ? "out" : request.output;
   prepared->format = request.format.empty() ? &formats_.front() : format_named(formats_, request.format);
-  if (prepared->format == nullptr) return Problem{.code = "not-in-choices", .pointer = "/format"};
+  if (prepared->format == nullptr) return Problem{.code = "not-in-choices", .pointer = "/format", .in_request = true};
   Json content = prepared->inputs;
   content.erase("milliseconds");
   DigestBuilder digest;
