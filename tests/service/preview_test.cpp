@@ -4,6 +4,7 @@
 #include <set>
 
 #include "gltf/glb_container.h"
+#include "graph/wire.h"
 #include "tests/support/requests.h"
 
 using namespace dini;
