@@ -4,9 +4,9 @@
 #include "server/computing.h"
 #include "server/handlers.h"
 #include "server/negotiation.h"
-#include "server/request_body.h"
 #include "server/responses.h"
 #include "server/text.h"
+#include "service/requests/requests.h"
 
 namespace dini::server {
 namespace {
@@ -109,23 +109,15 @@ std::shared_ptr<const KnownRequest> read_request(const Context& context) {
   };
   auto json = read_json(context);
   if (!json) return refuse(problem_reply(json.problems(), context.exchange()));
-  RequestBody body(*std::move(json),
-                   {"graph", "parameters", "output", "preview", "quality", "triangle_budget", "deadline_ms"});
-  const EvaluateRequest asked{
-      .graph = body.object("graph", true),
-      .parameters = body.object("parameters", false),
-      .output = body.text("output", false),
-      .quality = body.choice("quality", {"final", "draft"}) == "draft" ? Quality::draft : Quality::final,
-      .triangle_budget = body.integer("triangle_budget"),
-      .preview = body.texts("preview")};
+  const auto asked = read_evaluate_body(*std::move(json));
+  if (!asked) return refuse(problem_reply(asked.problems(), context.exchange()));
   auto read = std::make_shared<KnownRequest>();
-  read->file_name = file_name(asked.output);
-  read->deadline_milliseconds = body.positive_integer("deadline_ms");
-  if (!body.well()) return refuse(problem_reply(std::move(body).problems(), context.exchange()));
+  read->file_name = file_name(asked->output);
+  read->deadline_milliseconds = asked->deadline_milliseconds;
   const Cancel cancel(deadline_of(context, read->deadline_milliseconds));
-  auto prepared = context.engine().prepare(asked, cancel);
+  auto prepared = context.engine().prepare(*asked, cancel);
   if (!prepared) {
-    return refuse(problem_reply(prepared.problems(), context.exchange(), context.engine().blocked(asked, cancel)));
+    return refuse(problem_reply(prepared.problems(), context.exchange(), context.engine().blocked(*asked, cancel)));
   }
   read->prepared = *std::move(prepared);
   context.application.known.insert<KnownRequest>(digest, read, read->prepared->held);

@@ -22,16 +22,20 @@ namespace dini {
 
 /// What to evaluate: a graph document, values for its parameters by name, the node to export, and nodes to draw.
 struct EvaluateRequest {
+  static constexpr std::int64_t least_triangle_budget = 100;
+  static constexpr std::int64_t most_triangle_budget = 10'000'000;
+
   Json graph;
   Json parameters = Json::object();
   /// Empty: nothing when something is previewed, else the only export node of the graph; several are a problem that
   /// lists them.
   std::string output = {};
   Quality quality = Quality::final;
-  /// About how many triangles a draft has, 100 to 10 million; refused for a final answer.
+  /// About how many triangles a draft has, within the two above; refused for a final answer.
   std::optional<std::int64_t> triangle_budget = {};
   /// Nodes ("node") and single outputs ("node.output") to draw into a file of their own; their order does not count.
   std::vector<std::string> preview = {};
+  bool embed_graph = false;  ///< the file carries the graph document in its extras
 };
 
 /// What to look at: one output of one node. An empty `output` means the node's only or first output.
