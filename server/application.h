@@ -28,6 +28,9 @@ struct Application {
   Cache known;  ///< requests that were read and checked, by their exact bytes
   StaticAnswer catalogue;
   StaticAnswer example_list;
+  StaticAnswer openapi;
+  StaticAnswer docs;
+  StaticAnswer docs_style;
 };
 
 /// One request at its handler.

@@ -7,6 +7,7 @@
 #include "server/responses.h"
 #include "server/text.h"
 #include "service/requests/requests.h"
+#include "service/requests/schema.h"
 
 namespace dini::server {
 namespace {
@@ -132,6 +133,34 @@ bool is_known_to_client(const Context& context, std::string_view type, const Pre
 }
 
 }  // namespace
+
+Operation describe_evaluate() {
+  return {.id = "evaluate",
+          .group = "Graphs",
+          .title = "The model of a graph, a preview, a report, or all of them",
+          .doc = "Answers with the model of an output, a preview of nodes, a report about both, or all of them in one "
+                 "answer. The bytes of a file depend on the graph, the parameters and the engine only. Only what the "
+                 "output and the previews depend on has to be well; problems of other nodes are warnings of the "
+                 "report. But a check that cannot run fails the request, as one that does not hold would.",
+          .parameters = {accept_header("What is answered: the file, the report, or both as parts of one answer.",
+                                       {offers.begin(), offers.end()}),
+                         if_none_match_header(), supersede_key_header()},
+          .request = &evaluate_description(),
+          .answers = {{.status = 200,
+                       .doc = "The file of the model, or without an output that of the preview; the report; or the "
+                              "parts `report`, `model` and `preview`, those of them that were asked for.",
+                       .contents = {{.type = std::string(model_type)},
+                                    {.type = std::string(report_type), .schema = schema::reference("Report")},
+                                    {.type = std::string(both_type)}},
+                       .headers = {"ETag", "Cache-Control", "Vary", "Content-Disposition"}},
+                      not_modified()},
+          .problems = [] {
+            auto codes = codes_of(ProblemKind::graph);
+            codes.push_back("not-acceptable");
+            return codes;
+          }(),
+          .computes = true};
+}
 
 void evaluate(const Context& context) {
   const auto type = choose_type(context.request().header("Accept"), offers);

@@ -2,8 +2,27 @@
 #include "server/handlers.h"
 #include "server/responses.h"
 #include "service/requests/requests.h"
+#include "service/requests/schema.h"
 
 namespace dini::server {
+
+Operation describe_inspect() {
+  return {.id = "inspect",
+          .group = "Graphs",
+          .title = "The value on a wire, in full double precision",
+          .doc = "Answers with the value of one output of one node, in full double precision.",
+          .parameters = {supersede_key_header()},
+          .request = &inspect_description(),
+          .answers = {{.doc = "The values and the axes that they run over.",
+                       .contents = {{.type = "application/json",
+                                     .schema = schema::reference("Inspection"),
+                                     .example = {{"type", "number"},
+                                                 {"axes", {{{"name", "k"}, {"size", 2}, {"closed", false}}}},
+                                                 {"values", {0, 0.5}}}}},
+                       .headers = {"Cache-Control"}}},
+          .problems = codes_of(ProblemKind::graph),
+          .computes = true};
+}
 
 void inspect(const Context& context) {
   auto json = read_json(context);

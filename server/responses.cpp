@@ -59,6 +59,8 @@ int status_of(std::string_view code) {
 
 std::string_view reason_of(int status) { return title_of(status).reason; }
 
+std::string_view title_of_status(int status) { return title_of(status).title; }
+
 Reply problem_reply(const Problems& problems, const Exchange& exchange, const Json& blocked) {
   const Problem& first = problems.front();
   const int status = status_of(first.code);

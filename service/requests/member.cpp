@@ -76,6 +76,7 @@ Json schema_of(const Member& member) {
   if (member.kind == MemberKind::graph) return {{"$ref", "#/components/schemas/Graph"}, {"description", member.doc}};
   static const char* const types[] = {"object", "object", "string", "string", "boolean", "integer", "array"};
   Json schema = {{"type", types[static_cast<std::size_t>(member.kind)]}, {"description", member.doc}};
+  if (member.kind == MemberKind::object) schema["additionalProperties"] = true;
   if (member.kind == MemberKind::texts) schema["items"] = {{"type", "string"}};
   if (!member.choices.empty()) schema["enum"] = member.choices;
   if (member.spec.least) schema["minimum"] = *member.spec.least;
