@@ -38,8 +38,9 @@ Operation describe_add_asset() {
   return {.id = "addAsset",
           .group = "Files",
           .title = "Takes a mesh file for the node `import`",
-          .doc = "Keeps a mesh file (OBJ, PLY or GLB, told by its content) for graphs that name it by its hash in a node "
-                 "`import`. When `asset_store_bytes` are full, the files that were used longest ago go.",
+          .doc =
+              "Keeps a mesh file (OBJ, PLY or GLB, told by its content) for graphs that name it by its hash in a node "
+              "`import`. When `asset_store_bytes` are full, the files that were used longest ago go.",
           .parameters = {supersede_key_header()},
           .file_types = {mesh_types.begin(), mesh_types.end()},
           .answers = {{.status = 201,

@@ -35,7 +35,8 @@ std::string all_codes() {
   std::string text;
   for (const ProblemKind kind : {ProblemKind::request, ProblemKind::graph, ProblemKind::file, ProblemKind::service,
                                  ProblemKind::warning, ProblemKind::program}) {
-    text += (text.empty() ? "Codes " : "\nCodes ") + std::string(title_of(kind)) + ":\n\n" + markdown(codes_table(kind));
+    text +=
+        (text.empty() ? "Codes " : "\nCodes ") + std::string(title_of(kind)) + ":\n\n" + markdown(codes_table(kind));
   }
   return text;
 }

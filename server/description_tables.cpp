@@ -1,10 +1,12 @@
 #include "server/description_tables.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 
 #include "server/responses.h"
 #include "server/server_limits.h"
+#include "service/requests/results.h"
 
 namespace dini::server {
 namespace {
@@ -61,11 +63,30 @@ std::string range_words(const MemberSpec& spec) {
   return text.empty() || spec.unit_text.empty() ? text : text + " " + spec.unit_text;
 }
 
+/// The name of the component that a schema refers to; empty when it refers to none.
+std::string component_of(const Json& schema) {
+  const std::string reference = schema.value("$ref", "");
+  return reference.substr(reference.rfind('/') + 1);
+}
+
+/// "list of `Axis`", "text": what a schema takes, in words.
+std::string type_words(const Json& schema) {
+  if (schema.contains("$ref")) return code(component_of(schema));
+  const std::string type = schema.value("type", "");
+  if (type == "array") return "list of " + type_words(schema["items"]);
+  if (type == "object" && schema.value("additionalProperties", Json()).is_object()) {
+    return "object of " + type_words(schema["additionalProperties"]) + " by name";
+  }
+  if (type == "string") return "text";
+  if (type == "integer") return "whole number";
+  return type.empty() ? "anything" : type;
+}
+
 template <class Owner>
 void add_limits(std::span<const Limit<Owner>> limits, Table& table) {
   for (const Limit<Owner>& limit : limits) {
-    const std::string usual = limit.zero_means.empty() ? number_words(limit.get(Owner{}), limit.unit)
-                                                       : std::string(limit.zero_means);
+    const std::string usual =
+        limit.zero_means.empty() ? number_words(limit.get(Owner{}), limit.unit) : std::string(limit.zero_means);
     const std::string counted = is_measure(limit.unit) ? "" : std::string(limit.unit) + " ";
     table.rows.push_back({code(limit.name), usual, counted + std::string(limit.doc),
                           code(flag_of(limit.name)) + " " + code(variable_of(limit.name))});
@@ -86,8 +107,8 @@ Table routes_table(std::span<const Route> routes) {
 Table members_table(const RequestDescription& request) {
   Table table{{"member", "type", "left out", "range", "what it is"}, {}};
   for (const Member& member : request.members) {
-    table.rows.push_back({code(member.name), type_words(member), default_words(member.spec), range_words(member.spec),
-                          member.doc});
+    table.rows.push_back(
+        {code(member.name), type_words(member), default_words(member.spec), range_words(member.spec), member.doc});
   }
   return table;
 }
@@ -108,6 +129,19 @@ Table answers_table(const Operation& operation) {
     for (const Content& content : answer.contents) types.push_back(code(content.type));
     for (const std::string& header : answer.headers) headers.push_back(code(header));
     table.rows.push_back({std::to_string(answer.status), joined(types), joined(headers), answer.doc});
+  }
+  return table;
+}
+
+Table schema_table(const Json& schema) {
+  Table table{{"member", "type", "what it is"}, {}};
+  const Json whole = schema.contains("$ref") ? result_schemas().value(component_of(schema), Json::object()) : schema;
+  const Json required = whole.value("required", Json::array());
+  const Json properties = whole.value("properties", Json::object());
+  for (const auto& [name, member] : properties.items()) {
+    const bool always = std::ranges::find(required, Json(name)) != required.end();
+    table.rows.push_back(
+        {code(name), type_words(member) + (always ? "" : ", or left out"), member.value("description", "")});
   }
   return table;
 }
@@ -133,8 +167,8 @@ Table codes_table(ProblemKind kind) {
   Table table{{"code", "status", "meaning"}, {}, "problems"};
   for (const ProblemCode& known : problem_codes()) {
     if (known.kind != kind) continue;
-    table.rows.push_back({code(known.code), known.status == 0 ? "" : std::to_string(known.status),
-                          std::string(known.meaning)});
+    table.rows.push_back(
+        {code(known.code), known.status == 0 ? "" : std::to_string(known.status), std::string(known.meaning)});
   }
   return table;
 }
@@ -153,7 +187,8 @@ Table statuses_table() {
 
 Table headers_table() {
   Table table{{"header", "meaning"}, {}};
-  for (const AnswerHeader& header : answer_headers()) table.rows.push_back({code(header.name), std::string(header.doc)});
+  for (const AnswerHeader& header : answer_headers())
+    table.rows.push_back({code(header.name), std::string(header.doc)});
   return table;
 }
 

@@ -25,6 +25,8 @@ Table members_table(const RequestDescription& request);
 Table parameters_table(const Operation& operation);
 /// What comes back when all is well, by status and media type.
 Table answers_table(const Operation& operation);
+/// The members of a JSON answer, or of a component of it; no rows for one that has none of its own.
+Table schema_table(const Json& schema);
 /// The codes that an operation may answer, by status.
 Table operation_problems_table(const Route& route, const Operation& operation);
 /// Every limit: name, default, unit, what it bounds, and what sets it.

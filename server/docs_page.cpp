@@ -6,6 +6,7 @@
 #include "server/html.h"
 #include "server/responses.h"
 #include "server/text.h"
+#include "service/requests/results.h"
 
 namespace dini::server {
 namespace {
@@ -46,6 +47,13 @@ std::string operation_html(const Route& route, const Operation& operation) {
     text += element("p", "The body is the file itself, as one of " + types + ".");
   }
   text += titled("Answers", answers_table(operation));
+  for (const Answer& answer : operation.answers) {
+    for (const Content& content : answer.contents) {
+      if (content.schema.is_null()) continue;
+      const Table members = schema_table(content.schema);
+      if (!members.rows.empty()) text += folded("Members of the answer", html::table(members));
+    }
+  }
   text += folded("Problems", html::table(operation_problems_table(route, operation)));
   return element("section", text, id_of(operation.id)) + "\n";
 }
@@ -75,31 +83,41 @@ std::string docs_html(std::span<const Route> routes, const std::string& version)
     for (const Route& route : routes) {
       const Operation operation = route.describe();
       if (operation.group != group) continue;
-      entries += element("li", link("#" + operation.id, method_mark(route.method) + " " + element("code", html::escaped(route.path))));
+      entries += element(
+          "li", link("#" + operation.id, method_mark(route.method) + " " + element("code", html::escaped(route.path))));
       sections += operation_html(route, operation);
     }
     contents += element("h2", html::escaped(group)) + element("ul", entries) + "\n";
   }
+  std::string shapes;
+  const Json components = result_schemas();
+  for (const auto& [name, schema] : components.items()) {
+    shapes += element("h3", element("code", html::escaped(name)), id_of(name)) + "\n" +
+              element("p", html::prose(schema.value("description", ""))) + html::table(schema_table(schema));
+  }
   std::string codes;
   for (const ProblemKind kind : kinds) {
-    codes += element("h3", html::escaped("Codes " + std::string(title_of(kind)))) + "\n" +
-             html::table(codes_table(kind));
+    codes +=
+        element("h3", html::escaped("Codes " + std::string(title_of(kind)))) + "\n" + html::table(codes_table(kind));
   }
   contents += element("h2", "Everywhere") +
               element("ul", element("li", link("#headers", "Headers of answers")) +
+                                element("li", link("#shapes", "Parts of answers")) +
                                 element("li", link("#limits", "Limits")) + element("li", link("#codes", "Problems")));
   const std::string head =
       element("h1", "Dini " + html::escaped(version)) +
-      element("p", "Graphs of geometry nodes, evaluated into Draco-compressed glTF. This page is made of the same "
-                   "declarations as " +
-                       link("openapi.json", element("code", "openapi.json")) + ". A " + element("code", "GET") +
-                       " address answers " + element("code", "HEAD") + " too.");
+      element("p",
+              "Graphs of geometry nodes, evaluated into Draco-compressed glTF. This page is made of the same "
+              "declarations as " +
+                  link("openapi.json", element("code", "openapi.json")) + ". A " + element("code", "GET") +
+                  " address answers " + element("code", "HEAD") + " too.");
   return html::page(
       "Dini: HTTP interface", "docs/style.css",
       element("nav", element("p", link("./", "Dini"), "class=\"home\"") + contents, "aria-label=\"Contents\"") +
           element("main", head + sections + element("h2", "Headers of answers", id_of("headers")) +
-                              html::table(headers_table()) + element("h2", "Limits", id_of("limits")) +
-                              html::table(limits_table()) + element("h2", "Problems", id_of("codes")) +
+                              html::table(headers_table()) + element("h2", "Parts of answers", id_of("shapes")) +
+                              shapes + element("h2", "Limits", id_of("limits")) + html::table(limits_table()) +
+                              element("h2", "Problems", id_of("codes")) +
                               element("p", html::prose("Every error is an `application/problem+json` (RFC 9457) whose "
                                                        "`errors` have these codes.")) +
                               codes));
@@ -107,8 +125,7 @@ std::string docs_html(std::span<const Route> routes, const std::string& version)
 
 std::string problem_page_html(const ProblemCode& code) {
   std::string body = element("p", link("../docs#codes", "All problems"), "class=\"home\"") +
-                     element("h1", element("code", html::escaped(code.code))) +
-                     element("p", html::prose(code.meaning));
+                     element("h1", element("code", html::escaped(code.code))) + element("p", html::prose(code.meaning));
   if (code.status != 0) {
     body += element("p", "HTTP status " + element("code", std::to_string(code.status)) + ": " +
                              html::escaped(title_of_status(code.status)) + ".");

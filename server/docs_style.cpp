@@ -31,7 +31,7 @@ html { scroll-padding-top: 1rem; }
 body {
   margin: 0;
   display: grid;
-  grid-template-columns: 15rem minmax(0, 1fr);
+  grid-template-columns: 18rem minmax(0, 1fr);
   background: var(--ground);
   color: var(--text);
   font: 15px/1.55 system-ui, sans-serif;
@@ -47,7 +47,7 @@ nav {
 }
 nav h2 { margin: 1.25rem 0 0.25rem; border: 0; padding: 0; color: var(--quiet); font-size: 0.8rem; }
 nav ul { margin: 0; padding: 0; list-style: none; }
-nav li a { display: block; padding: 0.15rem 0; color: var(--text); }
+nav li a { display: block; padding: 0.15rem 0; color: var(--text); white-space: nowrap; }
 main { grid-column: 2; max-width: 62rem; padding: 1.5rem 2rem 5rem; }
 main:first-child { grid-column: 1 / -1; }
 h1 { margin: 0 0 0.5rem; font-size: 1.7rem; }
@@ -87,6 +87,8 @@ summary { margin-top: 0.5rem; cursor: pointer; color: var(--accent); }
   body { grid-template-columns: minmax(0, 1fr); }
   nav { position: static; height: auto; border: 0; border-bottom: 1px solid var(--line); }
   main { grid-column: 1; padding: 1rem; }
+  section { padding: 0.75rem; }
+  table { min-width: 34rem; }
 }
 )";
 }

@@ -138,10 +138,11 @@ Operation describe_evaluate() {
   return {.id = "evaluate",
           .group = "Graphs",
           .title = "The model of a graph, a preview, a report, or all of them",
-          .doc = "Answers with the model of an output, a preview of nodes, a report about both, or all of them in one "
-                 "answer. The bytes of a file depend on the graph, the parameters and the engine only. Only what the "
-                 "output and the previews depend on has to be well; problems of other nodes are warnings of the "
-                 "report. But a check that cannot run fails the request, as one that does not hold would.",
+          .doc =
+              "Answers with the model of an output, a preview of nodes, a report about both, or all of them in one "
+              "answer. The bytes of a file depend on the graph, the parameters and the engine only. Only what the "
+              "output and the previews depend on has to be well; problems of other nodes are warnings of the "
+              "report. But a check that cannot run fails the request, as one that does not hold would.",
           .parameters = {accept_header("What is answered: the file, the report, or both as parts of one answer.",
                                        {offers.begin(), offers.end()}),
                          if_none_match_header(), supersede_key_header()},
@@ -154,11 +155,12 @@ Operation describe_evaluate() {
                                     {.type = std::string(both_type)}},
                        .headers = {"ETag", "Cache-Control", "Vary", "Content-Disposition"}},
                       not_modified()},
-          .problems = [] {
-            auto codes = codes_of(ProblemKind::graph);
-            codes.push_back("not-acceptable");
-            return codes;
-          }(),
+          .problems =
+              [] {
+                auto codes = codes_of(ProblemKind::graph);
+                codes.push_back("not-acceptable");
+                return codes;
+              }(),
           .computes = true};
 }
 

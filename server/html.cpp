@@ -69,8 +69,7 @@ std::string table(const Table& table) {
     }
     body += element("tr", cells) + "\n";
   }
-  return element("div",
-                 element("table", element("thead", element("tr", head)) + "\n" + element("tbody", body)),
+  return element("div", element("table", element("thead", element("tr", head)) + "\n" + element("tbody", body)),
                  "class=\"table\" tabindex=\"0\"") +
          "\n";
 }

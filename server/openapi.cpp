@@ -87,9 +87,8 @@ Json problems_json(int status, const std::vector<const ProblemCode*>& codes, boo
   std::vector<std::string> headers = {"Cache-Control"};
   if (status == 503) headers.emplace_back("Retry-After");
   if (status == 401) headers.emplace_back("WWW-Authenticate");
-  Json json = {{"description", std::move(text)},
-               {"headers", header_references(headers)},
-               {"x-problem-codes", std::move(names)}};
+  Json json = {
+      {"description", std::move(text)}, {"headers", header_references(headers)}, {"x-problem-codes", std::move(names)}};
   if (!head) {
     json["content"][std::string(problem_type)] = {{"schema", schema::reference("Problem")},
                                                   {"example", problem_example(*codes.front())}};
@@ -167,8 +166,9 @@ Json openapi_document(std::span<const Route> routes, const std::string& version)
           {"info",
            {{"title", "Dini"},
             {"version", version},
-            {"description", "Graphs of geometry nodes, evaluated into Draco-compressed glTF. Every error is an "
-                            "`application/problem+json`; unknown members are errors everywhere."},
+            {"description",
+             "Graphs of geometry nodes, evaluated into Draco-compressed glTF. Every error is an "
+             "`application/problem+json`; unknown members are errors everywhere."},
             {"license", {{"name", "MIT"}, {"identifier", "MIT"}}}}},
           {"servers", {{{"url", "/"}, {"description", "This server."}}}},
           {"paths", std::move(paths)},

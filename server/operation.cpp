@@ -20,9 +20,9 @@ constexpr std::array headers = {
 };
 
 /// What any request may be answered before its handler sees it.
-constexpr std::array<std::string_view, 9> always = {
-    "bad-request",  "request-timeout", "uri-too-long",  "expectation-failed", "misdirected-request",
-    "headers-too-large", "internal",   "out-of-memory", "http-version"};
+constexpr std::array<std::string_view, 9> always = {"bad-request",        "request-timeout",     "uri-too-long",
+                                                    "expectation-failed", "misdirected-request", "headers-too-large",
+                                                    "internal",           "out-of-memory",       "http-version"};
 constexpr std::array<std::string_view, 5> with_body = {"foreign-origin", "length-required", "body-too-large",
                                                        "unsupported-media-type", "busy"};
 constexpr std::array<std::string_view, 6> with_json = {"not-json",      "required-input-missing", "unknown-member",

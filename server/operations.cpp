@@ -1,5 +1,5 @@
-#include "server/handlers.h"
 #include "server/docs_page.h"
+#include "server/handlers.h"
 #include "server/negotiation.h"
 #include "server/responses.h"
 #include "server/server_limits.h"
@@ -17,12 +17,13 @@ Operation describe_static(std::string id, std::string group, std::string title, 
           .title = std::move(title),
           .doc = std::move(doc),
           .parameters = {if_none_match_header()},
-          .answers = {
-              {.doc = told, .contents = {std::move(content)}, .headers = {"ETag", "Cache-Control"}}, not_modified()}};
+          .answers = {{.doc = told, .contents = {std::move(content)}, .headers = {"ETag", "Cache-Control"}},
+                      not_modified()}};
 }
 
 Parameter in_path(std::string name, std::string doc, std::string example) {
-  return {.place = Parameter::Place::path, .name = std::move(name), .doc = std::move(doc), .example = std::move(example)};
+  return {
+      .place = Parameter::Place::path, .name = std::move(name), .doc = std::move(doc), .example = std::move(example)};
 }
 
 template <class Owner>
@@ -74,15 +75,15 @@ Operation describe_example_list() {
                                      {"figure", schema::text("The figure of the paper that it is."), true},
                                      {"image", schema::text("The address of its picture."), true},
                                      {"graph", schema::reference("Graph")}});
-  return describe_static(
-      "examples", "Catalogue", "The built-in graphs", "The built-in graphs, with their documents.",
-      {.type = "application/json",
-       .schema = schema::object({{"examples", schema::list(entry, "In the order of their ids.")}})});
+  return describe_static("examples", "Catalogue", "The built-in graphs", "The built-in graphs, with their documents.",
+                         {.type = "application/json",
+                          .schema = schema::object({{"examples", schema::list(entry, "In the order of their ids.")}})});
 }
 
 Operation describe_example() {
-  Operation operation = describe_static("example", "Catalogue", "One built-in graph", "The document of a built-in graph.",
-                                        {.type = "application/json", .schema = schema::reference("Graph")});
+  Operation operation =
+      describe_static("example", "Catalogue", "One built-in graph", "The document of a built-in graph.",
+                      {.type = "application/json", .schema = schema::reference("Graph")});
   operation.parameters.push_back(in_path("id", "The id of the example.", "fig04_boosted_ring"));
   operation.problems = {"not-found"};
   return operation;
@@ -97,7 +98,8 @@ Operation describe_example_picture() {
 }
 
 Operation describe_openapi() {
-  return describe_static("openapi", "Service", "This interface, for programs", "The description of all routes, as OpenAPI 3.1.",
+  return describe_static("openapi", "Service", "This interface, for programs",
+                         "The description of all routes, as OpenAPI 3.1.",
                          {.type = "application/json", .schema = schema::anything("An OpenAPI document.")});
 }
 
@@ -124,9 +126,9 @@ Reply docs_style(const Context& context) {
 }
 
 Operation describe_problem_page() {
-  Operation operation =
-      describe_static("problemPage", "Service", "What a code of problems means",
-                      "A page about a code of problems: the `type` of every problem leads here.", {.type = "text/html"});
+  Operation operation = describe_static("problemPage", "Service", "What a code of problems means",
+                                        "A page about a code of problems: the `type` of every problem leads here.",
+                                        {.type = "text/html"});
   operation.parameters.push_back(in_path("code", "The code.", "out-of-range"));
   operation.problems = {"not-found"};
   return operation;

@@ -28,9 +28,9 @@ constexpr std::array all_routes = {
     Route{"GET", "/v1/examples", example_list, describe_example_list},
     Route{"GET", "/v1/examples/{id}", example, describe_example},
     Route{"GET", "/images/examples/{name}", example_picture, describe_example_picture},
+    Route{"POST", "/v1/evaluate", evaluate, describe_evaluate, graph_body},
     Route{"POST", "/v1/validate", validate, describe_validate, graph_body},
     Route{"POST", "/v1/inspect", inspect, describe_inspect, graph_body},
-    Route{"POST", "/v1/evaluate", evaluate, describe_evaluate, graph_body},
     Route{"POST", "/v1/assets", add_asset, describe_add_asset, file_body},
 };
 

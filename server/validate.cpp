@@ -10,8 +10,9 @@ Operation describe_validate() {
   return {.id = "validate",
           .group = "Graphs",
           .title = "Everything that is wrong with a graph, without evaluating it",
-          .doc = "Answers with everything that is wrong with a graph at once, the types and axes of every wire, and what "
-                 "it would cost. Never evaluates. A graph that is wrong is answered 200 too.",
+          .doc =
+              "Answers with everything that is wrong with a graph at once, the types and axes of every wire, and what "
+              "it would cost. Never evaluates. A graph that is wrong is answered 200 too.",
           .request = &validate_description(),
           .answers = {{.doc = "What is known of the graph.",
                        .contents = {{.type = "application/json", .schema = schema::reference("Validation")}},

@@ -32,7 +32,7 @@ struct Limit {
   }
   void set(Owner& owner, std::uint64_t value) const {
     if (const auto* number = std::get_if<std::size_t Owner::*>(&member)) {
-      owner.**number = value;
+      owner.** number = value;
     } else {
       owner.*std::get<std::chrono::milliseconds Owner::*>(member) = std::chrono::milliseconds(value);
     }

@@ -12,7 +12,8 @@ namespace {
 
 const RequestType<EvaluateBody>& request() {
   static const auto declared =
-      RequestType<EvaluateBody>("EvaluateRequest", "What to make of a graph: the model of an output, a preview, or both.")
+      RequestType<EvaluateBody>("EvaluateRequest",
+                                "What to make of a graph: the model of an output, a preview, or both.")
           .graph(&EvaluateRequest::graph, "The graph document.")
           .member("parameters", &EvaluateRequest::parameters, "Values for the parameters of the graph, by name.",
                   left_out_means("their defaults").example({{"reach", 0.5}}))

@@ -13,9 +13,7 @@ Problem fault(const Member& member, std::string code, std::string detail) {
   return {.code = std::move(code), .detail = std::move(detail), .pointer = "/" + pointer_token(member.name)};
 }
 
-bool is_whole(const Json& value) {
-  return value.is_number() && value.get<double>() == std::floor(value.get<double>());
-}
+bool is_whole(const Json& value) { return value.is_number() && value.get<double>() == std::floor(value.get<double>()); }
 
 bool has_kind(MemberKind kind, const Json& value) {
   switch (kind) {

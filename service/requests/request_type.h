@@ -67,8 +67,8 @@ class RequestType {
 
   /// A member whose value goes to one of T.
   template <class Value, class Owner>
-  requires std::is_base_of_v<Owner, T>
-  RequestType&& member(std::string name, Value Owner::*place, std::string doc, MemberSpec spec) && {
+  requires std::is_base_of_v<Owner, T> RequestType &&
+      member(std::string name, Value Owner::*place, std::string doc, MemberSpec spec) && {
     using Traits = MemberTraits<Value>;
     Member member{std::move(name), std::move(doc), Traits::kind, std::move(spec)};
     if constexpr (ChoiceEnum<Value>) {
@@ -80,8 +80,7 @@ class RequestType {
   }
   /// The member that holds the graph document.
   template <class Value, class Owner>
-  requires std::is_base_of_v<Owner, T>
-  RequestType&& graph(Value Owner::*place, std::string doc) && {
+  requires std::is_base_of_v<Owner, T> RequestType && graph(Value Owner::*place, std::string doc) && {
     auto&& declared = std::move(*this).member("graph", place, std::move(doc), needed().example(example_graph()));
     description_.members.back().kind = MemberKind::graph;
     return std::move(declared);

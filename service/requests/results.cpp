@@ -8,25 +8,25 @@ namespace {
 using namespace schema;
 
 Json graph_document() {
-  return object({{"format", whole("The format of the document: 1.")},
-                 {"nodes", map_of(anything("A node: its type, its inputs, and whether it is bypassed."),
-                                  "The nodes by id.")},
-                 {"parameters", map_of(anything("A parameter: type, default, bounds, label."), "By name."), true},
-                 {"meta", anything("Title, description, camera; never read by an evaluation."), true},
-                 {"ui", anything("Where an editor shows the nodes; never read by an evaluation."), true},
-                 {"$schema", text("The address of the schema of the document."), true}},
-                "A graph document.");
+  return object(
+      {{"format", whole("The format of the document: 1.")},
+       {"nodes", map_of(anything("A node: its type, its inputs, and whether it is bypassed."), "The nodes by id.")},
+       {"parameters", map_of(anything("A parameter: type, default, bounds, label."), "By name."), true},
+       {"meta", anything("Title, description, camera; never read by an evaluation."), true},
+       {"ui", anything("Where an editor shows the nodes; never read by an evaluation."), true},
+       {"$schema", text("The address of the schema of the document."), true}},
+      "A graph document.");
 }
 
 Json problem_entry() {
-  return object({{"code", text("A stable word that programs look at; each has its page at `/problems/<code>`.")},
-                 {"detail", text("One sentence with the numbers and what would be accepted.")},
-                 {"node", text("The node to blame."), true},
-                 {"port", text("The input or output of that node."), true},
-                 {"pointer", text("The place in the body of the request (RFC 6901)."), true},
-                 {"fix", list(anything("An operation."), "A JSON Patch (RFC 6902) of the body that removes the problem."),
-                  true}},
-                "One thing that is wrong, or worth a warning.");
+  return object(
+      {{"code", text("A stable word that programs look at; each has its page at `/problems/<code>`.")},
+       {"detail", text("One sentence with the numbers and what would be accepted.")},
+       {"node", text("The node to blame."), true},
+       {"port", text("The input or output of that node."), true},
+       {"pointer", text("The place in the body of the request (RFC 6901)."), true},
+       {"fix", list(anything("An operation."), "A JSON Patch (RFC 6902) of the body that removes the problem."), true}},
+      "One thing that is wrong, or worth a warning.");
 }
 
 Json axis() {
@@ -93,20 +93,23 @@ Json report() {
        {"nodes", map_of(reference("NodeRun"), "Every node by id.")},
        {"checks", list(reference("CheckResult"), "Every check that ran.")},
        {"warnings", list(reference("ProblemEntry"), "What is worth knowing although the request succeeded.")},
-       {"fingerprint", text("64 hexadecimal digits: the hash of what the output depends on; there with an output."), true},
-       {"output", text("The `export` node; there with an output."), true},
-       {"model", object({{"bytes", whole("Of the file.")},
-                         {"vertices", whole("Of all meshes.")},
-                         {"triangles", whole("Of all meshes.")},
-                         {"position_error",
-                          number("In meters: no point in the file is farther than that from the one that was computed.")},
-                         {"sha256", text("Of the file.")}},
-                        "The file of the output; there with an output."),
+       {"fingerprint", text("64 hexadecimal digits: the hash of what the output depends on; there with an output."),
         true},
-       {"preview", object({{"bytes", whole("Of the file.")},
-                           {"nodes", list(text(""), "The nodes that are drawn.")},
-                           {"sha256", text("Of the file.")}},
-                          "The file of the preview; there when something is previewed."),
+       {"output", text("The `export` node; there with an output."), true},
+       {"model",
+        object({{"bytes", whole("Of the file.")},
+                {"vertices", whole("Of all meshes.")},
+                {"triangles", whole("Of all meshes.")},
+                {"position_error",
+                 number("In meters: no point in the file is farther than that from the one that was computed.")},
+                {"sha256", text("Of the file.")}},
+               "The file of the output; there with an output."),
+        true},
+       {"preview",
+        object({{"bytes", whole("Of the file.")},
+                {"nodes", list(text(""), "The nodes that are drawn.")},
+                {"sha256", text("Of the file.")}},
+               "The file of the preview; there when something is previewed."),
         true}},
       "Times, sizes, checks and warnings of an evaluation.");
 }

@@ -1,20 +1,21 @@
 // The table of problem codes, held against the words in the sources.
 
+#include "service/problem_codes.h"
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
 #include <regex>
 #include <set>
 
-#include "service/problem_codes.h"
 #include "tests/layers/source_tree.h"
 
 namespace dini {
 namespace {
 
 /// Words with hyphens that are something else: values and names of headers, and of a member of OpenAPI.
-const std::set<std::string> other_words = {"no-store",   "no-cache",         "keep-alive",        "same-origin",
-                                           "if-range",   "content-encoding", "transfer-encoding", "content-length",
+const std::set<std::string> other_words = {"no-store",    "no-cache",         "keep-alive",        "same-origin",
+                                           "if-range",    "content-encoding", "transfer-encoding", "content-length",
                                            "no-referrer", "x-problem-codes"};
 
 std::vector<std::string> matches(const std::string& text, const std::regex& pattern) {

@@ -63,8 +63,8 @@ TEST_CASE("A body is read into the members that it names, and the others keep th
 }
 
 TEST_CASE("Every member says what is wrong with it, in one answer") {
-  const auto read = order().read(Json::parse(
-      R"({"itm": 1, "count": 1.5, "finish": 2, "wrapped": "yes", "notes": ["a", 1], "extras": []})"));
+  const auto read = order().read(
+      Json::parse(R"({"itm": 1, "count": 1.5, "finish": 2, "wrapped": "yes", "notes": ["a", 1], "extras": []})"));
   REQUIRE_FALSE(read);
   std::map<std::string, std::string> codes;
   for (const Problem& problem : read.problems()) codes[problem.pointer] = problem.code;
@@ -132,8 +132,7 @@ TEST_CASE("The example of every request can be read, and every member says what 
   CHECK(read_evaluate_body(example_of(evaluate_description())));
   CHECK(read_inspect_body(example_of(inspect_description())));
   CHECK(read_validate_body(example_of(validate_description())));
-  for (const RequestDescription* request :
-       {&evaluate_description(), &inspect_description(), &validate_description()}) {
+  for (const RequestDescription* request : {&evaluate_description(), &inspect_description(), &validate_description()}) {
     for (const Member& member : request->members) {
       CAPTURE(request->name, member.name);
       CHECK(member.doc.ends_with('.'));

@@ -21,8 +21,8 @@ class Validator {
   explicit Validator(const Json& document) : document_(document) {}
 
   void check(const Json& value, const Json& schema, const std::string& place) {
-    static const std::set<std::string> known = {"$ref",    "type",     "properties", "required",
-                                                "items",   "enum",     "minimum",    "maximum",
+    static const std::set<std::string> known = {"$ref",    "type",     "properties",  "required",
+                                                "items",   "enum",     "minimum",     "maximum",
                                                 "default", "examples", "description", "additionalProperties"};
     for (const auto& [keyword, ignored] : schema.items()) {
       if (!known.contains(keyword)) say(place, "the schema has the unknown keyword " + keyword);
