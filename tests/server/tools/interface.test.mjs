@@ -49,7 +49,9 @@ after(async () => {
 async function complaints(source) {
   const folder = mkdtempSync(path.join(here, "node_modules/.generated-"));
   try {
-    writeFileSync(path.join(folder, "interface.ts"), astToString(await openapiTypescript(description)));
+    // By itself the generator takes a member with a default for one that must be given; that is meant for answers.
+    const types = await openapiTypescript(description, { defaultNonNullable: false });
+    writeFileSync(path.join(folder, "interface.ts"), astToString(types));
     const file = path.join(folder, "client.ts");
     writeFileSync(file, source);
     const checked = ts.createProgram([file], {
@@ -101,9 +103,9 @@ test("every operation has an id of its own, and every reference leads somewhere"
   }
 });
 
-test("a client generated from the description compiles, and finds members that are wrong", async () => {
+test("a client generated from the description compiles, and not when a member is wrong or missing", async () => {
   assert.deepEqual(await complaints(clientOf('{ graph, quality: "draft", parameters: { reach: 0.5 } }')), []);
-  assert.match((await complaints(clientOf('{ graph, qualty: "draft" }'))).join(), /qualty/);
+  assert.match((await complaints(clientOf('{ quality: "draft" }'))).join(), /'graph' is missing/);
   assert.match((await complaints(clientOf('{ graph, quality: "rough" }'))).join(), /rough/);
 });
 
