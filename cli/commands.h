@@ -15,5 +15,6 @@ void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine
 void add_validate(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_inspect(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_nodes(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
+void add_describe(CLI::App& program, Command& chosen);
 
 }  // namespace dini::cli

@@ -10,6 +10,7 @@
 #include "cli/ending_signals.h"
 #include "cli/exit_codes.h"
 #include "cli/folders.h"
+#include "cli/limit_options.h"
 #include "cli/log_sink.h"
 #include "cli/terminal.h"
 #include "jobs/memory_reserve.h"
@@ -22,6 +23,7 @@ namespace {
 
 struct Options {
   server::Settings settings;
+  Limits limits;
   std::string web;
   std::string examples;
   std::string port_file;
@@ -73,7 +75,7 @@ int run(Options& options, const EngineMaker& make_engine) {
 
   jobs::use_few_memory_pools();
   const jobs::MemoryReserve reserve(memory_reserve);
-  const std::unique_ptr<Engine> engine = make_engine({});
+  const std::unique_ptr<Engine> engine = make_engine(options.limits);
   const auto server = server::Server::start(*engine, options.settings);
   if (!server) {
     const std::string& code = server.problems().front().code;
@@ -110,6 +112,7 @@ void add_serve(CLI::App& program, Command& chosen, const EngineMaker& make_engin
   command->add_option("--log-level", options->log_level, "Least level to log (default info)")
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}));
   options->computing.add_options(*command);
+  add_limit_options(*command, options->limits, settings);
   command->callback(
       [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });
 }

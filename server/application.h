@@ -29,6 +29,9 @@ struct Application {
   StaticAnswer catalogue;
   StaticAnswer document_schema;
   StaticAnswer example_list;
+  StaticAnswer openapi;
+  StaticAnswer docs;
+  StaticAnswer docs_style;
 
   /// Lets go of everything that could be made again: memory has run out, and the next request shall find some.
   void release_memory();

@@ -5,17 +5,19 @@
 #include "server/handlers.h"
 #include "server/responses.h"
 #include "server/text.h"
+#include "service/requests/schema.h"
 
 namespace dini::server {
 namespace {
 
 /// The content tells the format; the type only keeps out what web forms send on their own.
+constexpr std::array<std::string_view, 8> mesh_types = {
+    "application/octet-stream", "model/gltf-binary", "model/obj",   "application/x-ply",
+    "application/ply",          "model/ply",         "model/x-ply", "text/plain",
+};
+
 bool is_mesh_type(std::string_view type) {
-  constexpr std::array<std::string_view, 8> types = {
-      "application/octet-stream", "model/gltf-binary", "model/obj",   "application/x-ply",
-      "application/ply",          "model/ply",         "model/x-ply", "text/plain",
-  };
-  return std::ranges::any_of(types, [&](std::string_view known) { return equal_ignoring_case(known, type); });
+  return std::ranges::any_of(mesh_types, [&](std::string_view known) { return equal_ignoring_case(known, type); });
 }
 
 Reply added_reply(const AssetSummary& added) {
@@ -31,6 +33,30 @@ Reply added_reply(const AssetSummary& added) {
 }
 
 }  // namespace
+
+Operation describe_add_asset() {
+  return {.id = "addAsset",
+          .group = "Files",
+          .title = "Takes a mesh file for the node `import`",
+          .doc =
+              "Keeps a mesh file (OBJ, PLY or GLB, told by its content) for graphs that name it by its hash in a node "
+              "`import`. When `asset_store_bytes` are full, the files that were used longest ago go.",
+          .parameters = {supersede_key_header()},
+          .file_types = {mesh_types.begin(), mesh_types.end()},
+          .answers = {{.status = 201,
+                       .doc = "What is known of the file.",
+                       .contents = {{.type = "application/json",
+                                     .schema = schema::reference("AssetSummary"),
+                                     .example = {{"sha256", std::string(64, '0')},
+                                                 {"bytes", 35128},
+                                                 {"format", "obj"},
+                                                 {"vertices", 397},
+                                                 {"triangles", 736},
+                                                 {"warnings", {"1 line (l) is left out"}}}}},
+                       .headers = {"Cache-Control"}}},
+          .problems = {"invalid-asset", "limit-exceeded"},
+          .computes = true};
+}
 
 void add_asset(const Context& context) {
   const std::string_view type = context.request().header("Content-Type");

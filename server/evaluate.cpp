@@ -1,29 +1,38 @@
 #include <algorithm>
-#include <array>
 
 #include "server/computing.h"
 #include "server/handlers.h"
 #include "server/negotiation.h"
-#include "server/request_body.h"
 #include "server/responses.h"
 #include "server/text.h"
+#include "service/requests/requests.h"
+#include "service/requests/schema.h"
 
 namespace dini::server {
 namespace {
 
-constexpr std::string_view model_type = "model/gltf-binary";
 constexpr std::string_view report_type = "application/json";
 constexpr std::string_view both_type = "multipart/form-data";
-constexpr std::array offers = {model_type, report_type, both_type};
+
+/// Every type that an answer may have, the one that is answered to who takes all first.
+std::vector<std::string_view> offers_of(std::span<const FileFormat> formats) {
+  std::vector<std::string_view> offers;
+  for (const FileFormat& format : formats) offers.insert(offers.end(), format.media_types.begin(), format.media_types.end());
+  offers.push_back(report_type);
+  offers.push_back(both_type);
+  return offers;
+}
+
+bool is_model(std::string_view type) { return type != report_type && type != both_type; }
 
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
 }
 
-std::string file_name(const std::string& output) {
-  std::string name;
-  std::ranges::copy_if(output.substr(0, 64), std::back_inserter(name), is_plain);
-  return (name.empty() ? "model" : name) + ".glb";
+std::string file_name(const std::string& name, const File& file) {
+  std::string plain;
+  std::ranges::copy_if(name.substr(0, 64), std::back_inserter(plain), is_plain);
+  return (plain.empty() ? "model" : plain) + file.extension;
 }
 
 /// From the fingerprint, so that equal requests give equal bytes; and no answer contains the hash of its own request.
@@ -61,14 +70,14 @@ class Multipart {
 /// A request that was read and checked.
 struct KnownRequest {
   SharedPrepared prepared;
-  std::string file_name;
+  std::string output;
   std::optional<std::int64_t> deadline_milliseconds;
 };
 
 /// One tag for the result in all its forms that holds no times: it is strong for the model. What a report tells has a
 /// tag of its own, which is weak, since its bytes differ from one answer to the next.
 std::string tag_for(std::string_view type, const Prepared& prepared) {
-  return type == model_type ? prepared.model_tag : "W/" + prepared.report_tag;
+  return is_model(type) ? prepared.model_tag : "W/" + prepared.report_tag;
 }
 
 Reply evaluated_reply(const Context& context, std::string_view type, const KnownRequest& request,
@@ -77,10 +86,11 @@ Reply evaluated_reply(const Context& context, std::string_view type, const Known
   for (const auto& [step, took] : computed.milliseconds) context.call->note_time(step, took);
   Reply reply{.type = std::string(type),
               .headers = {{"ETag", tag_for(type, prepared)}, {"Cache-Control", "no-cache"}, {"Vary", "Accept"}}};
-  const std::string file = computed.model != nullptr ? request.file_name : file_name("preview");
-  if (type == model_type) {
-    reply.body = {computed.model != nullptr ? computed.model->bytes : computed.preview->bytes};
-    reply.headers.emplace_back("Content-Disposition", "inline; filename=\"" + file + "\"");
+  if (is_model(type)) {
+    const File& file = computed.model != nullptr ? *computed.model : *computed.preview;
+    const std::string name = file_name(computed.model != nullptr ? request.output : "preview", file);
+    reply.body = {file.bytes};
+    reply.headers.emplace_back("Content-Disposition", "inline; filename=\"" + name + "\"");
     return reply;
   }
   SharedBytes report = share(dump(context.engine().report(prepared, computed)));
@@ -90,18 +100,27 @@ Reply evaluated_reply(const Context& context, std::string_view type, const Known
   }
   Multipart parts(prepared.report_tag);
   parts.add("report", report_type, std::move(report));
-  if (computed.model != nullptr) parts.add("model", model_type, computed.model->bytes, file);
-  if (computed.preview != nullptr) parts.add("preview", model_type, computed.preview->bytes, file_name("preview"));
+  const auto add = [&](const char* part, const SharedFile& file, const std::string& name) {
+    if (file != nullptr) parts.add(part, file->media_type, file->bytes, file_name(name, *file));
+  };
+  add("model", computed.model, request.output);
+  add("preview", computed.preview, "preview");
   std::move(parts).finish(reply);
   return reply;
 }
 
-/// Reads and checks a request, unless the very same bytes were read and checked before. Null when it has been answered
-/// that it is wrong.
-std::shared_ptr<const KnownRequest> read_request(const Context& context) {
+/// Reads and checks a request for a type of answer, unless the very same bytes were read and checked before. Null when
+/// it has been answered that it is wrong.
+std::shared_ptr<const KnownRequest> read_request(const Context& context, std::string_view type) {
   const Request& request = context.request();
-  const Digest digest =
-      DigestBuilder().text("request").text(request.header("Content-Type")).text(request.body).finish();
+  const FileFormat* format = is_model(type) ? format_of_type(context.engine().formats(), type) : nullptr;
+  const std::string format_name = format != nullptr ? format->name : "";
+  const Digest digest = DigestBuilder()
+                            .text("request")
+                            .text(request.header("Content-Type"))
+                            .text(format_name)
+                            .text(request.body)
+                            .finish();
   if (auto known = context.application.known.find<KnownRequest>(digest)) return known;
   const auto refuse = [&](const Reply& reply) {
     context.call->reply(reply);
@@ -109,23 +128,16 @@ std::shared_ptr<const KnownRequest> read_request(const Context& context) {
   };
   auto json = read_json(context);
   if (!json) return refuse(problem_reply(json.problems(), context.exchange()));
-  RequestBody body(*std::move(json),
-                   {"graph", "parameters", "output", "preview", "quality", "triangle_budget", "deadline_ms"});
-  const EvaluateRequest asked{
-      .graph = body.object("graph", true),
-      .parameters = body.object("parameters", false),
-      .output = body.text("output", false),
-      .quality = body.choice("quality", {"final", "draft"}) == "draft" ? Quality::draft : Quality::final,
-      .triangle_budget = body.integer("triangle_budget"),
-      .preview = body.texts("preview")};
+  auto asked = read_evaluate_body(*std::move(json));
+  if (!asked) return refuse(problem_reply(asked.problems(), context.exchange()));
   auto read = std::make_shared<KnownRequest>();
-  read->file_name = file_name(asked.output);
-  read->deadline_milliseconds = body.positive_integer("deadline_ms");
-  if (!body.well()) return refuse(problem_reply(std::move(body).problems(), context.exchange()));
+  asked->format = format_name;
+  read->output = asked->output;
+  read->deadline_milliseconds = asked->deadline_milliseconds;
   const Cancel cancel(deadline_of(context, read->deadline_milliseconds));
-  auto prepared = context.engine().prepare(asked, cancel);
+  auto prepared = context.engine().prepare(*asked, cancel);
   if (!prepared) {
-    return refuse(problem_reply(prepared.problems(), context.exchange(), context.engine().blocked(asked, cancel)));
+    return refuse(problem_reply(prepared.problems(), context.exchange(), context.engine().blocked(*asked, cancel)));
   }
   read->prepared = *std::move(prepared);
   context.application.known.insert<KnownRequest>(digest, read, read->prepared->held);
@@ -136,19 +148,59 @@ std::shared_ptr<const KnownRequest> read_request(const Context& context) {
 /// says nothing about a result.
 bool is_known_to_client(const Context& context, std::string_view type, const Prepared& prepared) {
   const std::string_view known = context.request().header("If-None-Match");
-  return trim(known) != "*" && names_tag(known, type == model_type ? prepared.model_tag : prepared.report_tag);
+  return trim(known) != "*" && names_tag(known, is_model(type) ? prepared.model_tag : prepared.report_tag);
 }
 
 }  // namespace
 
+Operation describe_evaluate() {
+  return {.id = "evaluate",
+          .group = "Graphs",
+          .title = "The model of a graph, a preview, a report, or all of them",
+          .doc =
+              "Answers with the model of an output, a preview of nodes, a report about both, or all of them in one "
+              "answer. The bytes of a file depend on the graph, the parameters and the engine only. Only what the "
+              "output and the previews depend on has to be well; problems of other nodes are warnings of the "
+              "report. But a check that cannot run fails the request, as one that does not hold would.",
+          .parameters = {accept_header("What is answered: the file, the report, or both as parts of one answer.",
+                                       [] {
+                                         const auto offers = offers_of(usual_formats());
+                                         return std::vector<std::string>(offers.begin(), offers.end());
+                                       }()),
+                         if_none_match_header(), supersede_key_header()},
+          .request = &evaluate_description(),
+          .answers = {{.status = 200,
+                       .doc = "The file of the model, or without an output that of the preview; the report; or the "
+                              "parts `report`, `model` and `preview`, those of them that were asked for.",
+                       .contents =
+                           [] {
+                             std::vector<Content> contents;
+                             for (const std::string_view type : offers_of(usual_formats())) {
+                               contents.push_back({.type = std::string(type)});
+                               if (type == report_type) contents.back().schema = schema::reference("Report");
+                             }
+                             return contents;
+                           }(),
+                       .headers = {"ETag", "Cache-Control", "Vary", "Content-Disposition"}},
+                      not_modified()},
+          .problems =
+              [] {
+                auto codes = codes_of(ProblemKind::graph);
+                codes.push_back("not-acceptable");
+                return codes;
+              }(),
+          .computes = true};
+}
+
 void evaluate(const Context& context) {
+  const std::vector<std::string_view> offers = offers_of(context.engine().formats());
   const auto type = choose_type(context.request().header("Accept"), offers);
   if (!type) {
-    return reply_problems(context,
-                          {{.code = "not-acceptable",
-                            .detail = "Available are model/gltf-binary, application/json and multipart/form-data."}});
+    std::string list;
+    for (const std::string_view offer : offers) list.append(list.empty() ? "" : ", ").append(offer);
+    return reply_problems(context, {{.code = "not-acceptable", .detail = "Available are " + list + "."}});
   }
-  const auto request = read_request(context);
+  const auto request = read_request(context, *type);
   if (request == nullptr) return take_over(context);  // a wrong request is newer all the same
   const SharedPrepared prepared = request->prepared;
   if (is_known_to_client(context, *type, *prepared)) {

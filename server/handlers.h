@@ -1,32 +1,57 @@
 #pragma once
 
 #include "server/application.h"
+#include "server/operation.h"
 
 namespace dini::server {
 
-/// GET /healthz: the process answers.
+// Each handler and what is told of it; routes.cpp has their methods and addresses.
+
+/// The process answers.
 Reply health(const Context& context);
-/// GET /version: the engine and every limit by name.
+Operation describe_health();
+/// The engine and every limit by name.
 Reply version(const Context& context);
-/// GET /v1/nodes: the catalogue.
+Operation describe_version();
+/// The description of all routes, as OpenAPI.
+Reply openapi(const Context& context);
+Operation describe_openapi();
+/// The same to read, and its style.
+Reply docs(const Context& context);
+Operation describe_docs();
+Reply docs_style(const Context& context);
+Operation describe_docs_style();
+/// What a code means, to read.
+Reply problem_page(const Context& context);
+Operation describe_problem_page();
+/// The catalogue.
 Reply nodes(const Context& context);
-/// GET /schema/graph-1.json: the JSON Schema of the graph document.
+Operation describe_nodes();
+/// The JSON Schema of the graph document.
 Reply schema(const Context& context);
-/// GET /v1/examples and /v1/examples/{id}.
+Operation describe_schema();
+/// The built-in graphs: the list, one of them, and its picture.
 Reply example_list(const Context& context);
+Operation describe_example_list();
 Reply example(const Context& context);
-/// GET /images/examples/{name}: the picture of an example.
+Operation describe_example();
 Reply example_picture(const Context& context);
-/// POST /v1/validate: everything that is wrong, without evaluating.
+Operation describe_example_picture();
+/// Everything that is wrong, without evaluating.
 Reply validate(const Context& context);
-/// POST /v1/inspect: the value on one wire.
+Operation describe_validate();
+/// The value on one wire.
 void inspect(const Context& context);
-/// POST /v1/evaluate: the model, the report, or both.
+Operation describe_inspect();
+/// The model, the report, or both.
 void evaluate(const Context& context);
-/// POST /v1/assets: a mesh file for `import`.
+Operation describe_evaluate();
+/// A mesh file for `import`.
 void add_asset(const Context& context);
-/// GET anything else: a file of the page.
+Operation describe_add_asset();
+/// The page: `/` and every file of it, which has no route of its own.
 Reply page_file(const Context& context);
+Operation describe_page();
 
 /// A body from outside as JSON; the media type must say so, which also keeps foreign web forms out.
 Result<Json> read_json(const Context& context);

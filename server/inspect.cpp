@@ -1,22 +1,36 @@
 #include "server/computing.h"
 #include "server/handlers.h"
-#include "server/request_body.h"
 #include "server/responses.h"
+#include "service/requests/requests.h"
+#include "service/requests/schema.h"
 
 namespace dini::server {
+
+Operation describe_inspect() {
+  return {.id = "inspect",
+          .group = "Graphs",
+          .title = "The value on a wire, in full double precision",
+          .doc = "Answers with the value of one output of one node, in full double precision.",
+          .parameters = {supersede_key_header()},
+          .request = &inspect_description(),
+          .answers = {{.doc = "The values and the axes that they run over.",
+                       .contents = {{.type = "application/json",
+                                     .schema = schema::reference("Inspection"),
+                                     .example = {{"type", "number"},
+                                                 {"axes", {{{"name", "k"}, {"size", 2}, {"closed", false}}}},
+                                                 {"values", {0, 0.5}}}}},
+                       .headers = {"Cache-Control"}}},
+          .problems = codes_of(ProblemKind::graph),
+          .computes = true};
+}
 
 void inspect(const Context& context) {
   auto json = read_json(context);
   if (!json) return reply_problems(context, json.problems());
-  RequestBody body(*std::move(json), {"graph", "parameters", "node", "output", "full", "deadline_ms"});
-  const auto request =
-      std::make_shared<const InspectRequest>(InspectRequest{.graph = body.object("graph", true),
-                                                            .parameters = body.object("parameters", false),
-                                                            .node = body.text("node", true),
-                                                            .output = body.text("output", false),
-                                                            .full = body.boolean("full")});
-  const auto deadline = deadline_of(context, body.positive_integer("deadline_ms"));
-  if (!body.well()) return reply_problems(context, std::move(body).problems());
+  auto body = read_inspect_body(*std::move(json));
+  if (!body) return reply_problems(context, body.problems());
+  const auto deadline = deadline_of(context, body->deadline_milliseconds);
+  const auto request = std::make_shared<const InspectRequest>(*std::move(body));
 
   const Digest key = DigestBuilder().text("inspect").text(context.request().body).finish();
   compute<std::string>(

@@ -4,6 +4,19 @@
 
 namespace dini::server {
 
+Operation describe_page() {
+  return {.id = "page",
+          .group = "Service",
+          .title = "The editor, in which graphs are made",
+          .doc = "The page in which graphs are made. Its files lie beside it.",
+          .parameters = {if_none_match_header()},
+          .answers = {{.doc = "The page.",
+                       .contents = {{.type = "text/html"}},
+                       .headers = {"ETag", "Cache-Control", "Vary"}},
+                      not_modified()},
+          .problems = {"not-found"}};
+}
+
 Reply page_file(const Context& context) {
   const Page::File* file = context.application.page.find(context.request().path);
   if (file == nullptr) {

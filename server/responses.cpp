@@ -5,41 +5,10 @@
 
 #include "server/text.h"
 #include "service/engine.h"
+#include "service/problem_codes.h"
 
 namespace dini::server {
 namespace {
-
-struct CodeStatus {
-  std::string_view code;
-  int status;
-};
-
-constexpr std::array code_statuses = {
-    CodeStatus{"not-json", 400},
-    CodeStatus{"bad-request", 400},
-    CodeStatus{"unauthorized", 401},
-    CodeStatus{"foreign-origin", 403},
-    CodeStatus{"not-found", 404},
-    CodeStatus{"method-not-allowed", 405},
-    CodeStatus{"not-acceptable", 406},
-    CodeStatus{"request-timeout", 408},
-    CodeStatus{"superseded", 409},
-    CodeStatus{"length-required", 411},
-    CodeStatus{"body-too-large", 413},
-    CodeStatus{"uri-too-long", 414},
-    CodeStatus{"unsupported-media-type", 415},
-    CodeStatus{"expectation-failed", 417},
-    CodeStatus{"misdirected-request", 421},
-    CodeStatus{"headers-too-large", 431},
-    CodeStatus{"canceled", 409},
-    CodeStatus{"client-gone", 499},  // nobody reads it, but the log does
-    CodeStatus{"internal", 500},
-    CodeStatus{"busy", 503},
-    CodeStatus{"out-of-memory", 503},
-    CodeStatus{"shutting-down", 503},
-    CodeStatus{"deadline", 504},
-    CodeStatus{"http-version", 505},
-};
 
 struct StatusTitle {
   int status;
@@ -84,11 +53,13 @@ constexpr std::size_t detail_bytes = 200;
 }  // namespace
 
 int status_of(std::string_view code) {
-  const auto found = std::ranges::find(code_statuses, code, &CodeStatus::code);
-  return found != code_statuses.end() ? found->status : 422;
+  const ProblemCode* known = find_problem_code(code);
+  return known != nullptr && known->status != 0 ? known->status : 422;
 }
 
 std::string_view reason_of(int status) { return title_of(status).reason; }
+
+std::string_view title_of_status(int status) { return title_of(status).title; }
 
 Reply problem_reply(const Problems& problems, const Exchange& exchange, const Json& blocked) {
   const Problem& first = problems.front();

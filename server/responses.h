@@ -15,6 +15,9 @@ int status_of(std::string_view code);
 /// The reason phrase of every status that there is.
 std::string_view reason_of(int status);
 
+/// What kind of problem a status is, in a few words.
+std::string_view title_of_status(int status);
+
 /// An RFC 9457 answer. The first problem decides status, type and detail; all of them are listed. `blocked` names the
 /// nodes that are well in themselves but stand behind one that is not.
 Reply problem_reply(const Problems& problems, const Exchange& exchange, const Json& blocked = Json::array());

@@ -17,17 +17,22 @@ std::size_t graph_body(const Limits& limits) { return limits.body_bytes; }
 std::size_t file_body(const Limits& limits) { return limits.asset_bytes; }
 
 constexpr std::array all_routes = {
-    Route{"GET", "/healthz", health},
-    Route{"GET", "/version", version},
-    Route{"GET", "/v1/nodes", nodes},
-    Route{"GET", "/schema/graph-1.json", schema},
-    Route{"GET", "/v1/examples", example_list},
-    Route{"GET", "/v1/examples/{id}", example},
-    Route{"POST", "/v1/validate", validate, graph_body},
-    Route{"POST", "/v1/inspect", inspect, graph_body},
-    Route{"POST", "/v1/evaluate", evaluate, graph_body},
-    Route{"GET", "/images/examples/{name}", example_picture},
-    Route{"POST", "/v1/assets", add_asset, file_body},
+    Route{"GET", "/", page_file, describe_page},
+    Route{"GET", "/healthz", health, describe_health},
+    Route{"GET", "/version", version, describe_version},
+    Route{"GET", "/openapi.json", openapi, describe_openapi},
+    Route{"GET", "/docs", docs, describe_docs},
+    Route{"GET", "/docs/style.css", docs_style, describe_docs_style},
+    Route{"GET", "/problems/{code}", problem_page, describe_problem_page},
+    Route{"GET", "/v1/nodes", nodes, describe_nodes},
+    Route{"GET", "/schema/graph-1.json", schema, describe_schema},
+    Route{"GET", "/v1/examples", example_list, describe_example_list},
+    Route{"GET", "/v1/examples/{id}", example, describe_example},
+    Route{"GET", "/images/examples/{name}", example_picture, describe_example_picture},
+    Route{"POST", "/v1/evaluate", evaluate, describe_evaluate, graph_body},
+    Route{"POST", "/v1/validate", validate, describe_validate, graph_body},
+    Route{"POST", "/v1/inspect", inspect, describe_inspect, graph_body},
+    Route{"POST", "/v1/assets", add_asset, describe_add_asset, file_body},
 };
 
 bool reads(std::string_view method) { return method == "GET" || method == "HEAD"; }

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "server/application.h"
+#include "server/operation.h"
 #include "server/request_head.h"
 
 namespace dini::server {
@@ -15,11 +16,13 @@ using InstantHandler = Reply (*)(const Context& context);
 /// Sees to it that the call is answered, now or later, by whatever thread.
 using LaterHandler = void (*)(const Context& context);
 
-/// One address and method: everything that is done for a request follows from this.
+/// One address and method: everything that is done for a request, and told of it, follows from this. A GET route
+/// answers HEAD too.
 struct Route {
   std::string_view method;
   std::string_view path;  ///< segments in braces stand for any one segment
   std::variant<InstantHandler, LaterHandler> handler;
+  Operation (*describe)();
   /// How long its body may be, by the limits; null when it takes none.
   std::size_t (*body_limit)(const Limits& limits) = nullptr;
 };

@@ -8,6 +8,8 @@
 
 #include "jobs/process_memory.h"
 #include "server/connections.h"
+#include "server/docs_page.h"
+#include "server/openapi.h"
 #include "server/routes.h"
 #include "server/text.h"
 #include "service/document_schema.h"
@@ -59,9 +61,15 @@ struct Server::State {
                     .known = Cache(settings.known_bytes),
                     .catalogue = static_answer(dump(engine.catalogue())),
                     .document_schema = static_answer(dump(document_schema(engine.catalogue()))),
-                    .example_list = {}},
+                    .example_list = {},
+                    .openapi = {},
+                    .docs = {},
+                    .docs_style = static_answer(std::string(docs_style_sheet()))},
         queue({settings.compute_slots, settings.compute_queue, settings.compute_bytes}, jobs::give_back_free_memory) {
     application.example_list = static_answer(application.examples.list().dump());
+    const std::string version = engine.catalogue().value("engine", "");
+    application.openapi = static_answer(dump(openapi_document(routes(), version)));
+    application.docs = static_answer(docs_html(routes(), version));
   }
 
   const Settings settings;

@@ -1,19 +1,32 @@
 #include "server/computing.h"
 #include "server/handlers.h"
-#include "server/request_body.h"
 #include "server/responses.h"
+#include "service/requests/requests.h"
+#include "service/requests/schema.h"
 
 namespace dini::server {
+
+Operation describe_validate() {
+  return {.id = "validate",
+          .group = "Graphs",
+          .title = "Everything that is wrong with a graph, without evaluating it",
+          .doc =
+              "Answers with everything that is wrong with a graph at once, the types and axes of every wire, and what "
+              "it would cost. Never evaluates. A graph that is wrong is answered 200 too.",
+          .request = &validate_description(),
+          .answers = {{.doc = "What is known of the graph.",
+                       .contents = {{.type = "application/json", .schema = schema::reference("Validation")}},
+                       .headers = {"Cache-Control"}}},
+          .problems = {"deadline"}};
+}
 
 Reply validate(const Context& context) {
   auto json = read_json(context);
   if (!json) return problem_reply(json.problems(), context.exchange());
-  RequestBody body(*std::move(json), {"graph", "parameters"});
-  const Json graph = body.object("graph", true);
-  const Json parameters = body.object("parameters", false);
-  if (!body.well()) return problem_reply(std::move(body).problems(), context.exchange());
-  const Cancel cancel(deadline_of(context, std::nullopt));
-  const Result<Json> verdict = context.engine().validate(graph, parameters, cancel);
+  const auto body = read_validate_body(*std::move(json));
+  if (!body) return problem_reply(body.problems(), context.exchange());
+  const Cancel cancel(deadline_of(context, body->deadline_milliseconds));
+  const Result<Json> verdict = context.engine().validate(body->graph, body->parameters, cancel);
   if (!verdict) return problem_reply(verdict.problems(), context.exchange());
   Reply reply = json_reply(*verdict);
   reply.headers.emplace_back("Cache-Control", "no-store");

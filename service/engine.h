@@ -24,13 +24,16 @@ namespace dini {
 
 /// What to evaluate: a graph document, values for its parameters by name, the node to export, and nodes to draw.
 struct EvaluateRequest {
+  static constexpr std::int64_t least_triangle_budget = 100;
+  static constexpr std::int64_t most_triangle_budget = 10'000'000;
+
   Json graph;
   Json parameters = Json::object();
   /// Empty: nothing when something is previewed, else the only export node of the graph; several are a problem that
   /// lists them.
   std::string output = {};
   Quality quality = Quality::final;
-  /// About how many triangles a draft has, 100 to 10 million; refused for a final answer.
+  /// About how many triangles a draft has, within the two above; refused for a final answer.
   std::optional<std::int64_t> triangle_budget = {};
   /// Nodes ("node") and single outputs ("node.output") to draw into a file of their own; their order does not count.
   std::vector<std::string> preview = {};
@@ -134,6 +137,9 @@ class Engine {
   /// The value on any wire, in full double precision, as JSON text.
   virtual Result<SharedBytes> inspect(const InspectRequest& request, const Cancel& cancel) const = 0;
 };
+
+/// Every format that is written, the usual one first.
+std::span<const FileFormat> usual_formats();
 
 /// The engine over the whole catalogue of nodes, writing all formats.
 std::unique_ptr<Engine> make_engine(const Limits& limits = {});

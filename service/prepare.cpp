@@ -16,8 +16,8 @@ namespace dini {
 
 namespace {
 
-constexpr std::int64_t least_budget = 100;
-constexpr std::int64_t largest_budget = 10'000'000;
+constexpr std::int64_t least_budget = EvaluateRequest::least_triangle_budget;
+constexpr std::int64_t largest_budget = EvaluateRequest::most_triangle_budget;
 
 /// A document with the values of its parameters.
 struct ReadGraph {

@@ -217,3 +217,34 @@ TEST_CASE("docs/nodes.md is what the program writes about its nodes") {
   const bool current = contents(DINI_NODES_PAGE) == outcome.out;
   CHECK(current);
 }
+
+TEST_CASE("The tables of docs/http.md are what the program writes about its interface") {
+  const TemporaryFile copy;
+  std::filesystem::copy_file(DINI_HTTP_PAGE, copy.path);
+  const Outcome outcome = run({"describe", "--update", copy.path.string()});
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  INFO("docs/http.md is out of date; write it again with: build/dev/dini describe --update docs/http.md");
+  const bool current = contents(DINI_HTTP_PAGE) == contents(copy.path);
+  CHECK(current);
+  CHECK(contents(copy.path).find("| `interactive_milliseconds` | 10,000 ms |") != std::string::npos);
+}
+
+TEST_CASE("A page of documentation with a part that is none, or has no end, is refused and left as it is") {
+  for (const std::string page : {"<!-- generated: nonsense -->\n<!-- end -->\n", "<!-- generated: limits -->\n"}) {
+    const TemporaryFile file;
+    std::ofstream(file.path) << page;
+    CHECK(run({"describe", "--update", file.path.string()}).code == 2);
+    CHECK(contents(file.path) == page);
+  }
+  CHECK(run({"describe", "--update", "/nowhere/page.md"}).code == 6);
+}
+
+TEST_CASE("The interface is printed as OpenAPI, with every route of the server") {
+  const Outcome outcome = run({"describe"});
+  REQUIRE(outcome.code == 0);
+  const Json described = Json::parse(outcome.out);
+  CHECK(described["openapi"] == "3.1.0");
+  CHECK(described["paths"]["/v1/evaluate"]["post"]["operationId"] == "evaluate");
+  CHECK(described["paths"]["/v1/nodes"]["head"]["operationId"] == "nodesHead");
+}

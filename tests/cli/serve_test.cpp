@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <thread>
 
+#include "server/server_limits.h"
 #include "tests/cli/program.h"
 #include "tests/server/client.h"
 
@@ -38,7 +39,59 @@ class Server {
   int port_ = 0;
 };
 
+/// A value for a limit that is not its default.
+template <class Owner>
+std::uint64_t another(const dini::Limit<Owner>& limit) {
+  const std::uint64_t usual = limit.get(Owner{});
+  return usual < limit.most ? usual + 1 : usual - 1;
+}
+
+template <class Owner>
+void set_all(std::span<const dini::Limit<Owner>> limits, std::vector<std::string>& words, dini::Json& expected) {
+  for (const dini::Limit<Owner>& limit : limits) {
+    words.push_back(dini::flag_of(limit.name));
+    words.push_back(std::to_string(another(limit)));
+    expected[std::string(limit.name)] = another(limit);
+  }
+}
+
+/// An environment variable for the programs that are started while this lives.
+struct Variable {
+  Variable(std::string variable, const std::string& value) : name(std::move(variable)) {
+    ::setenv(name.c_str(), value.c_str(), 1);
+  }
+  ~Variable() { ::unsetenv(name.c_str()); }
+  std::string name;
+};
+
 }  // namespace
+
+TEST_CASE("Every limit has an option, and /version tells what it was set to") {
+  std::vector<std::string> words;
+  dini::Json expected = dini::Json::object();
+  set_all(dini::evaluation_limits(), words, expected);
+  set_all(dini::server::server_limits(), words, expected);
+  Server server(words);
+  CHECK(get(server.port(), "/version")->json()["limits"] == expected);
+}
+
+TEST_CASE("A limit comes from its environment variable, unless its option is given") {
+  const Variable depth("DINI_JSON_DEPTH", "7"), nodes("DINI_NODES", "8");
+  Server server({"--nodes", "9"});
+  const dini::Json limits = get(server.port(), "/version")->json()["limits"];
+  CHECK(limits["json_depth"] == 7);
+  CHECK(limits["nodes"] == 9);
+}
+
+TEST_CASE("A limit that is out of its range is refused, and help tells unit and default") {
+  for (const std::string wrong : {"-1", "100000", "many", "1.5"}) {
+    CHECK(run_dini({"serve", "--port", "0", "--json-depth", wrong}).code == 2);
+  }
+  const std::string help = run_dini({"serve", "--help"}).out;
+  CHECK(help.find("--body-bytes") != std::string::npos);
+  CHECK(help.find("DINI_BODY_BYTES") != std::string::npos);
+  CHECK(help.find("(default 1048576)") != std::string::npos);
+}
 
 TEST_CASE("The server says where it listens, and ends with 0 when told to") {
   for (const int number : {SIGTERM, SIGINT}) {

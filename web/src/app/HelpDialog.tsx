@@ -62,6 +62,11 @@ function Open(): ReactElement {
           </dl>
         </section>
       </div>
+      <p>
+        <a href="docs" target="_blank" rel="noreferrer">
+          The HTTP interface
+        </a>
+      </p>
     </Dialog>
   );
 }

@@ -1,0 +1,75 @@
+#pragma once
+
+// What people and programs are told of a route. Every handler has one beside it; the table of routes holds both, and
+// from it follow GET /openapi.json, GET /docs and the tables of docs/http.md.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "service/problem_codes.h"
+#include "service/requests/description.h"
+
+namespace dini::server {
+
+/// A part of a request beside its body.
+struct Parameter {
+  enum class Place { path, query, header };
+  Place place;
+  std::string name;
+  std::string doc;  ///< one sentence
+  Json schema = {{"type", "string"}};
+  Json example = nullptr;
+};
+
+/// A body in one media type.
+struct Content {
+  std::string type;
+  Json schema = nullptr;   ///< null for bytes that are no JSON
+  Json example = nullptr;  ///< null for none
+};
+
+/// What is answered when all is well.
+struct Answer {
+  int status = 200;
+  std::string doc;  ///< one sentence
+  std::vector<Content> contents = {};
+  std::vector<std::string> headers = {};  ///< names of `answer_headers`
+};
+
+struct Operation {
+  std::string id;     ///< of the operation in clients: camelCase
+  std::string group;  ///< what it stands with: a tag in OpenAPI
+  std::string title;  ///< a few words
+  std::string doc;    ///< sentences
+  std::vector<Parameter> parameters = {};
+  const RequestDescription* request = nullptr;  ///< of a JSON body
+  std::vector<std::string> file_types = {};     ///< media types of a body that is a file
+  std::vector<Answer> answers = {};
+  std::vector<std::string_view> problems = {};  ///< codes of its own; `every_problem` adds those of HTTP
+  bool computes = false;                        ///< its work waits for a place, and may be stopped
+};
+
+/// A header of answers.
+struct AnswerHeader {
+  std::string_view name;
+  std::string_view doc;
+};
+
+std::span<const AnswerHeader> answer_headers();
+
+/// The headers that requests may carry, described once for all routes that look at them.
+Parameter accept_header(std::string doc, const std::vector<std::string>& offers);
+Parameter if_none_match_header();
+Parameter supersede_key_header();
+
+/// The answer 304, and the two headers that go with it.
+Answer not_modified();
+
+/// The codes of a kind.
+std::vector<std::string_view> codes_of(ProblemKind kind);
+
+/// Every code that the operation may answer at that method and path, in the order of `problem_codes`.
+std::vector<std::string_view> every_problem(const Operation& operation, std::string_view method, std::string_view path);
+
+}  // namespace dini::server

@@ -1,0 +1,45 @@
+#include "service/requests/request_type.h"
+#include "service/requests/requests.h"
+
+namespace dini {
+
+template <>
+struct ChoiceNames<Quality> {
+  static constexpr std::array names = {"draft", "final"};
+};
+
+namespace {
+
+const RequestType<EvaluateBody>& request() {
+  static const auto declared =
+      RequestType<EvaluateBody>("EvaluateRequest",
+                                "What to make of a graph: the model of an output, a preview, or both.")
+          .graph(&EvaluateRequest::graph, "The graph document.")
+          .member("parameters", &EvaluateRequest::parameters, "Values for the parameters of the graph, by name.",
+                  left_out_means("their defaults").example({{"reach", 0.5}}))
+          .member("output", &EvaluateRequest::output, "The `export` node whose model is asked for.",
+                  left_out_means("the only one of the graph, or none beside a preview").example("out"))
+          .member("preview", &EvaluateRequest::preview,
+                  "Nodes (`node`) or single outputs (`node.output`) to draw into a file of their own, in any order.",
+                  left_out_means("none"))
+          .member("quality", &EvaluateRequest::quality, "A draft is made faster, of fewer triangles.", usually("final"))
+          .member("triangle_budget", &EvaluateRequest::triangle_budget,
+                  "How many triangles all meshes of a draft have together at most; refused for a final answer.",
+                  usually(Detail::usual_triangle_budget)
+                      .range(EvaluateRequest::least_triangle_budget, EvaluateRequest::most_triangle_budget)
+                      .unit("triangles"))
+          .member("embed_graph", &EvaluateRequest::embed_graph,
+                  "Whether the file carries the graph document in `asset.extras.document`.", usually(false))
+          .member("deadline_ms", &EvaluateBody::deadline_milliseconds,
+                  "When the work is stopped, counted from the first byte of the request.",
+                  left_out_means("`interactive_milliseconds`, which it never goes past").range(1, {}).unit("ms"));
+  return declared;
+}
+
+}  // namespace
+
+const RequestDescription& evaluate_description() { return request().description(); }
+
+Result<EvaluateBody> read_evaluate_body(Json body) { return request().read(std::move(body)); }
+
+}  // namespace dini

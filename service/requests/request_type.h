@@ -1,0 +1,108 @@
+#pragma once
+
+// How a request is declared: a struct, and a description beside it whose members are bound to the struct's by name.
+// service/requests/inspect.cpp is a small example. The compiler knows the type of each member, so the description
+// cannot say another one.
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <type_traits>
+
+#include "graph/arguments.h"
+#include "service/requests/description.h"
+
+namespace dini {
+
+/// How a member of type T is described, and set from a value that `fault_in` finds nothing wrong with.
+template <class T>
+struct MemberTraits;
+
+template <>
+struct MemberTraits<Json> {
+  static constexpr MemberKind kind = MemberKind::object;
+  static Json taken(Json&& value) { return std::move(value); }
+};
+template <>
+struct MemberTraits<std::string> {
+  static constexpr MemberKind kind = MemberKind::text;
+  static std::string taken(Json&& value) { return value.get<std::string>(); }
+};
+template <>
+struct MemberTraits<bool> {
+  static constexpr MemberKind kind = MemberKind::boolean;
+  static bool taken(Json&& value) { return value.get<bool>(); }
+};
+template <>
+struct MemberTraits<std::int64_t> {
+  static constexpr MemberKind kind = MemberKind::integer;
+  static std::int64_t taken(Json&& value) {
+    // What lies beyond is out of any range as well.
+    constexpr double largest = 9007199254740992;
+    return static_cast<std::int64_t>(std::clamp(value.get<double>(), -largest, largest));
+  }
+};
+template <>
+struct MemberTraits<std::vector<std::string>> {
+  static constexpr MemberKind kind = MemberKind::texts;
+  static std::vector<std::string> taken(Json&& value) { return value.get<std::vector<std::string>>(); }
+};
+template <class T>
+struct MemberTraits<std::optional<T>> : MemberTraits<T> {};
+template <ChoiceEnum E>
+struct MemberTraits<E> {
+  static constexpr MemberKind kind = MemberKind::choice;
+  static E taken(Json&& value) {
+    const auto& names = ChoiceNames<E>::names;
+    const auto place = std::ranges::find(names, value.get_ref<const std::string&>());
+    return static_cast<E>(place - names.begin());
+  }
+};
+
+/// A request of type T: its description, and the reader that follows from it.
+template <class T>
+class RequestType {
+ public:
+  RequestType(std::string name, std::string doc) : description_{std::move(name), std::move(doc)} {}
+
+  /// A member whose value goes to one of T.
+  template <class Value, class Owner>
+  requires std::is_base_of_v<Owner, T> RequestType &&
+      member(std::string name, Value Owner::*place, std::string doc, MemberSpec spec) && {
+    using Traits = MemberTraits<Value>;
+    Member member{std::move(name), std::move(doc), Traits::kind, std::move(spec)};
+    if constexpr (ChoiceEnum<Value>) {
+      member.choices.assign(ChoiceNames<Value>::names.begin(), ChoiceNames<Value>::names.end());
+    }
+    description_.members.push_back(std::move(member));
+    setters_.push_back([place](T& request, Json&& value) { request.*place = Traits::taken(std::move(value)); });
+    return std::move(*this);
+  }
+  /// The member that holds the graph document.
+  template <class Value, class Owner>
+  requires std::is_base_of_v<Owner, T> RequestType && graph(Value Owner::*place, std::string doc) && {
+    auto&& declared = std::move(*this).member("graph", place, std::move(doc), needed().example(example_graph()));
+    description_.members.back().kind = MemberKind::graph;
+    return std::move(declared);
+  }
+
+  const RequestDescription& description() const { return description_; }
+
+  /// A body from outside. Members that are left out have the defaults of the struct.
+  Result<T> read(Json body) const {
+    ProblemCollector faults = faults_in(description_, body);
+    if (!faults.empty()) return std::move(faults).take();
+    T request{};
+    for (std::size_t i = 0; i < setters_.size(); ++i) {
+      const auto given = body.find(description_.members[i].name);
+      if (given != body.end()) setters_[i](request, std::move(*given));
+    }
+    return request;
+  }
+
+ private:
+  RequestDescription description_;
+  std::vector<std::function<void(T&, Json&&)>> setters_;  ///< as the members of the description
+};
+
+}  // namespace dini

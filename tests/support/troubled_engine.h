@@ -1,0 +1,73 @@
+#pragma once
+
+#include <atomic>
+#include <new>
+#include <stdexcept>
+#include <thread>
+
+#include "graph/stopped.h"
+#include "service/engine.h"
+
+namespace dini::support {
+
+/// What the engine does instead of its work.
+enum class Trouble { none, never_ends, throws, no_memory };
+
+/// The real engine, which can be told to get into trouble whenever it checks or computes.
+class TroubledEngine final : public Engine {
+ public:
+  TroubledEngine(const Limits& limits, const std::atomic<Trouble>& trouble)
+      : engine_(make_engine(limits)), trouble_(trouble) {}
+
+  const Limits& limits() const override { return engine_->limits(); }
+  const Json& catalogue() const override { return engine_->catalogue(); }
+  Result<AssetSummary> add_asset(std::string_view bytes, const std::string& name, const Cancel& cancel) const override {
+    if (auto problem = meet_trouble(cancel)) return *std::move(problem);
+    return engine_->add_asset(bytes, name, cancel);
+  }
+  Result<Json> validate(const Json& graph, const Json& parameters, const Cancel& cancel) const override {
+    if (auto problem = meet_trouble(cancel)) return *std::move(problem);
+    return engine_->validate(graph, parameters, cancel);
+  }
+  Result<SharedPrepared> prepare(const EvaluateRequest& request, const Cancel& cancel) const override {
+    return engine_->prepare(request, cancel);
+  }
+  std::vector<std::string> blocked(const EvaluateRequest& request, const Cancel& cancel) const override {
+    return engine_->blocked(request, cancel);
+  }
+  SharedComputed find(const Prepared& prepared, bool for_report) const override {
+    return trouble_ == Trouble::none ? engine_->find(prepared, for_report) : nullptr;
+  }
+  Result<SharedComputed> compute(const Prepared& prepared, const Cancel& cancel) const override {
+    if (auto problem = meet_trouble(cancel)) return *std::move(problem);
+    return engine_->compute(prepared, cancel);
+  }
+  Json report(const Prepared& prepared, const Computed& computed) const override {
+    return engine_->report(prepared, computed);
+  }
+  Result<SharedBytes> inspect(const InspectRequest& request, const Cancel& cancel) const override {
+    if (auto problem = meet_trouble(cancel)) return *std::move(problem);
+    return engine_->inspect(request, cancel);
+  }
+
+ private:
+  std::optional<Problem> meet_trouble(const Cancel& cancel) const {
+    switch (trouble_.load()) {
+      case Trouble::none:
+        return std::nullopt;
+      case Trouble::throws:
+        throw std::runtime_error("a bug");
+      case Trouble::no_memory:
+        throw std::bad_alloc();
+      case Trouble::never_ends:
+        break;
+    }
+    while (!cancel.stopped()) std::this_thread::yield();
+    return stopped_problem(cancel.reason());
+  }
+
+  const std::unique_ptr<Engine> engine_;
+  const std::atomic<Trouble>& trouble_;
+};
+
+}  // namespace dini::support
