@@ -153,7 +153,7 @@ TEST_CASE("validate finds every example valid and says what a wrong graph lacks"
 TEST_CASE("the catalogue of the page's tests is the one that the program prints") {
   const Outcome outcome = run({"nodes", "--json"});
   REQUIRE(outcome.code == 0);
-  INFO("It is out of date; write it again with: build/dev/dini nodes --json > web/test/data/catalogue.json");
+  INFO("It is out of date; scripts/generate writes it again");
   const bool current = contents(DINI_WEB_CATALOGUE) == outcome.out;
   CHECK(current);
 }
@@ -161,7 +161,7 @@ TEST_CASE("the catalogue of the page's tests is the one that the program prints"
 TEST_CASE("docs/nodes.md is what the program writes about its nodes") {
   const Outcome outcome = run({"nodes", "--markdown"});
   REQUIRE(outcome.code == 0);
-  INFO("docs/nodes.md is out of date; write it again with: build/dev/dini nodes --markdown > docs/nodes.md");
+  INFO("docs/nodes.md is out of date; scripts/generate writes it again");
   const bool current = contents(DINI_NODES_PAGE) == outcome.out;
   CHECK(current);
 }
