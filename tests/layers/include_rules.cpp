@@ -67,7 +67,9 @@ std::span<const LayerRule> layer_rules() {
       {"server",
        {"jobs/", "service/", "graph/problem.h", "graph/limits.h", "graph/nearest.h", "graph/cache.h", "graph/digest.h",
         "geometry/cancel.h"}},
-      {"cli", {"server/", "jobs/", "service/", "graph/", "geometry/cancel.h", "algebra/kernels.h"}},
+      {"cli",
+       {"server/", "jobs/", "service/", "graph/problem.h", "graph/nearest.h", "graph/stopped.h", "geometry/cancel.h",
+        "algebra/kernels.h"}},
   };
   return rules;
 }
