@@ -6,10 +6,11 @@
 #include "tests/gltf/compare.h"
 #include "tests/gltf/shapes.h"
 
-namespace dini {
+using namespace dini;
+
 namespace {
 
-TEST_CASE("stamping extras keeps the binary chunk and everything else") {
+TEST_CASE("Stamping extras keeps the binary chunk and everything else") {
   const std::string glb = compare::encode(shapes::scene_of(shapes::torus(20, 10))).glb;
   for (std::size_t length = 0; length < 8; ++length) {
     const Json extras = {{"hash", std::string(length, 'a')}, {"engine", "0.1.0"}, {"parameters", {{"width", 0.1}}}};
@@ -29,12 +30,12 @@ TEST_CASE("stamping extras keeps the binary chunk and everything else") {
   }
 }
 
-TEST_CASE("extras with text that is not UTF-8 are written with replacement characters") {
+TEST_CASE("Extras with text that is not UTF-8 are written with replacement characters") {
   const std::string glb = compare::encode(shapes::scene_of(shapes::torus(20, 10))).glb;
   CHECK(split_glb(stamp_extras(glb, {{"name", "\xff"}})));
 }
 
-TEST_CASE("what is no file of ours is neither stamped nor read") {
+TEST_CASE("What is no file of ours is neither stamped nor read") {
   const std::string glb = compare::encode(shapes::scene_of(shapes::torus(20, 10))).glb;
   for (std::size_t size = 0; size < glb.size(); size += 7) {
     CHECK_FALSE(split_glb(glb.substr(0, size)));
@@ -45,4 +46,3 @@ TEST_CASE("what is no file of ours is neither stamped nor read") {
 }
 
 }  // namespace
-}  // namespace dini

@@ -4,7 +4,7 @@
 #include <optional>
 #include <sstream>
 
-namespace dini::tests {
+namespace dini::support {
 namespace {
 
 /// The path between the quotes or angle brackets of an include line.
@@ -87,4 +87,4 @@ std::vector<std::string> wrong_includes(const SourceFile& file, const LayerRule&
   return wrong;
 }
 
-}  // namespace dini::tests
+}  // namespace dini::support
