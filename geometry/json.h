@@ -59,4 +59,9 @@ inline void dini::Json::json_value::destroy(value_t type) {
   }
 }
 
+// Compiled once, in json.cpp: nearly every file reads this one, and would make the same functions again.
+extern template class basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, double,
+                                 dini::JsonAllocator>;
+extern template class detail::serializer<dini::Json>;
+
 }  // namespace nlohmann

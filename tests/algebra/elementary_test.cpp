@@ -6,7 +6,9 @@
 
 #include "tests/support/random_elements.h"
 
-namespace dini::elementary {
+using namespace dini;
+using namespace dini::elementary;
+
 namespace {
 
 template <class Value, class Reference>
@@ -22,7 +24,7 @@ void require_within(double ulps, Value value, Reference reference, double low, d
   }
 }
 
-TEST_CASE("elementary functions are within a few units in the last place") {
+TEST_CASE("Elementary functions are within a few units in the last place") {
   using L = long double;
   require_within(
       1, exp, [](L x) { return std::exp(x); }, -700, 700);
@@ -66,7 +68,7 @@ TEST_CASE("elementary functions are within a few units in the last place") {
       1, [](double x) { return hypot(x, 3); }, [](L x) { return std::hypot(x, 3.0L); }, -10, 10);
 }
 
-TEST_CASE("elementary functions are exact where people look") {
+TEST_CASE("Elementary functions are exact where people look") {
   REQUIRE(log10(1000) == 3);
   REQUIRE(log2(8) == 3);
   REQUIRE(cbrt(27) == 3);
@@ -85,7 +87,7 @@ TEST_CASE("elementary functions are exact where people look") {
   REQUIRE(hypot(3e300, 4e300) == Approx(5e300));
 }
 
-TEST_CASE("elementary functions meet the edges of the range") {
+TEST_CASE("Elementary functions meet the edges of the range") {
   const double infinity = std::numeric_limits<double>::infinity();
   REQUIRE(exp(1000) == infinity);
   REQUIRE(exp(-1000) == 0);
@@ -108,4 +110,3 @@ TEST_CASE("elementary functions meet the edges of the range") {
 }
 
 }  // namespace
-}  // namespace dini::elementary

@@ -9,10 +9,11 @@
 #include "tests/support/dense.h"
 #include "tests/support/random_elements.h"
 
-namespace dini {
+using namespace dini;
+
 namespace {
 
-TEST_CASE("a null pair is the translated tangent at the origin") {
+TEST_CASE("A null pair is the translated tangent at the origin") {
   RandomElements random(21);
   for (int i = 0; i < 50; ++i) {
     const Point c = random.point(3);
@@ -21,7 +22,7 @@ TEST_CASE("a null pair is the translated tangent at the origin") {
   }
 }
 
-TEST_CASE("products of weighted points agree with the dense product") {
+TEST_CASE("Products of weighted points agree with the dense product") {
   RandomElements random(22);
   for (int i = 0; i < 50; ++i) {
     const Point a = random.point(), b = random.point();
@@ -36,7 +37,7 @@ TEST_CASE("products of weighted points agree with the dense product") {
   }
 }
 
-TEST_CASE("circles give back their coordinates") {
+TEST_CASE("Circles give back their coordinates") {
   RandomElements random(23);
   for (int i = 0; i < 100; ++i) {
     const Point c = random.point(5);
@@ -53,7 +54,7 @@ TEST_CASE("circles give back their coordinates") {
   }
 }
 
-TEST_CASE("lines give back their direction and nearest point") {
+TEST_CASE("Lines give back their direction and nearest point") {
   RandomElements random(24);
   for (int i = 0; i < 100; ++i) {
     const Vector u = normalized(random.vector()), p = random.vector(5);
@@ -65,7 +66,7 @@ TEST_CASE("lines give back their direction and nearest point") {
   }
 }
 
-TEST_CASE("spheres and planes give back their coordinates") {
+TEST_CASE("Spheres and planes give back their coordinates") {
   const auto sphere = coordinates(sphere_from({1, 2, 3}, 0.5));
   REQUIRE(sphere);
   require_close(sphere->center, {1, 2, 3});
@@ -78,7 +79,7 @@ TEST_CASE("spheres and planes give back their coordinates") {
   REQUIRE_FALSE(coordinates(Sphere{1, {0, 0, 0}, 1}));
 }
 
-TEST_CASE("a circle through three points contains them in order") {
+TEST_CASE("A circle through three points contains them in order") {
   RandomElements random(25);
   for (int i = 0; i < 100; ++i) {
     const Point a = random.point(), b = random.point(), c = random.point();
@@ -89,7 +90,7 @@ TEST_CASE("a circle through three points contains them in order") {
   }
 }
 
-TEST_CASE("collinear points give the line in their cyclic order") {
+TEST_CASE("Collinear points give the line in their cyclic order") {
   const auto line = coordinates(circle_through({1, 1, 0}, {2, 2, 0}, {4, 4, 0}));
   REQUIRE(line);
   REQUIRE(line->line);
@@ -98,7 +99,7 @@ TEST_CASE("collinear points give the line in their cyclic order") {
   REQUIRE(coordinates(circle_through({0, 0, 1}, Point::at_infinity(), {1, 0, 1}))->direction == Vector{-1, 0, 0});
 }
 
-TEST_CASE("degenerate elements are the zero element and have no coordinates") {
+TEST_CASE("Degenerate elements are the zero element and have no coordinates") {
   REQUIRE(circle_through({1, 2, 3}, {1, 2, 3}, {4, 5, 6}) == Circle{});
   REQUIRE(circle_through({1, 2, 3}, {4, 5, 6}, {4, 5, 6}) == Circle{});
   REQUIRE(line_from({1, 2, 3}, {}) == Circle{});
@@ -109,7 +110,7 @@ TEST_CASE("degenerate elements are the zero element and have no coordinates") {
   REQUIRE(rotation_generator(Circle{}) == Generator{});
 }
 
-TEST_CASE("points run counter-clockwise about the normal of a circle and along a line") {
+TEST_CASE("Points run counter-clockwise about the normal of a circle and along a line") {
   const auto circle = *coordinates(circle_from({1, 0, 0}, {0, 0, 1}, 2));
   const Vector start = to_vector(point_at(circle, 0)) - Vector{1, 0, 0};
   const Vector quarter = to_vector(point_at(circle, 0.25)) - Vector{1, 0, 0};
@@ -119,13 +120,13 @@ TEST_CASE("points run counter-clockwise about the normal of a circle and along a
   require_close(point_at(line, 0.5, 10), {5, 3, 0});
 }
 
-TEST_CASE("the rotation generator of a line turns by the right hand") {
+TEST_CASE("The rotation generator of a line turns by the right hand") {
   const Generator turn = rotation_generator(line_from({1, 0, 0}, {0, 0, 2}));
   const double quarter = 1.5707963267948966;
   require_close(*apply(exponential(-0.5 * quarter * turn), Point{2, 0, 0}), {1, 1, 0});
 }
 
-TEST_CASE("a flat point scales and a direction translates") {
+TEST_CASE("A flat point scales and a direction translates") {
   require_close(*apply(exponential(0.5 * std::log(3.0) * flat_point({1, 0, 0})), Point{2, 1, 0}), {4, 3, 0});
   require_close(*apply(exponential(0.25 * direction_generator({1, 2, 3})), Point{0, 0, 0}), {-0.5, -1, -1.5});
   require_close(*apply(scaling_versor({1, 0, 0}, -2), Point{2, 1, 0}), {-1, -2, 0});
@@ -141,4 +142,3 @@ TEST_CASE("a flat point scales and a direction translates") {
 }
 
 }  // namespace
-}  // namespace dini

@@ -8,7 +8,8 @@
 #include "tests/support/dense.h"
 #include "tests/support/random_elements.h"
 
-namespace dini {
+using namespace dini;
+
 namespace {
 
 /// Largest coefficient of the difference over the largest of the reference.
@@ -24,19 +25,19 @@ Generator rotations(double first, double second) {
          second * rotation_generator(circle_from({0, 0, 0}, {0, 0, 1}, 1));
 }
 
-TEST_CASE("exponentials of random generators are exact") {
+TEST_CASE("Exponentials of random generators are exact") {
   RandomElements random(11);
   for (const double scale : {1e-9, 1e-4, 0.01, 0.3, 1.0, 3.0}) {
     for (int i = 0; i < 100; ++i) REQUIRE(error_of(random.generator(scale)) < 1e-14 * (1 + 30 * scale));
   }
 }
 
-TEST_CASE("exponentials of sums of null pairs are exact") {
+TEST_CASE("Exponentials of sums of null pairs are exact") {
   RandomElements random(12);
   for (int i = 0; i < 200; ++i) REQUIRE(error_of(random.pair() + random.pair()) < 3e-14);
 }
 
-TEST_CASE("null generators are exactly null, even far from the origin") {
+TEST_CASE("Null generators are exactly null, even far from the origin") {
   const Generator g = null_pair({1000, -2000, 3000}, {0.3, 0.5, -0.1});
   const Versor v = exponential(g);
   REQUIRE(v.scalar == 1);
@@ -44,7 +45,7 @@ TEST_CASE("null generators are exactly null, even far from the origin") {
   REQUIRE(v.quad == Sphere{});
 }
 
-TEST_CASE("exponentials are exact where the split into commuting parts degenerates") {
+TEST_CASE("Exponentials are exact where the split into commuting parts degenerates") {
   for (const double angle : {1e-9, 1e-4, 0.1, 1.0, 3.0, 10.0}) {
     for (const double gap : {0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 0.1, 0.3, 0.5, 0.9, 1.0}) {
       for (const double sign : {1.0, -1.0}) {
@@ -55,7 +56,7 @@ TEST_CASE("exponentials are exact where the split into commuting parts degenerat
   }
 }
 
-TEST_CASE("screws, translations, scalings and direct sums are exact") {
+TEST_CASE("Screws, translations, scalings and direct sums are exact") {
   RandomElements random(13);
   for (int i = 0; i < 50; ++i) {
     const Vector u = random.vector();
@@ -68,7 +69,7 @@ TEST_CASE("screws, translations, scalings and direct sums are exact") {
   }
 }
 
-TEST_CASE("the opposite generator undoes the exponential") {
+TEST_CASE("The opposite generator undoes the exponential") {
   RandomElements random(14);
   for (int i = 0; i < 100; ++i) {
     const Generator g = i % 3 == 0   ? random.pair()
@@ -79,7 +80,7 @@ TEST_CASE("the opposite generator undoes the exponential") {
   }
 }
 
-TEST_CASE("the paper's rule is the exact exponential for simple generators and up to scale only") {
+TEST_CASE("The paper's rule is the exact exponential for simple generators and up to scale only") {
   RandomElements random(15);
   for (int i = 0; i < 100; ++i) {
     const Generator simple = split_pair(random.point(), random.vector(), random.number());
@@ -88,7 +89,7 @@ TEST_CASE("the paper's rule is the exact exponential for simple generators and u
   }
 }
 
-TEST_CASE("huge and tiny generators neither overflow nor vanish") {
+TEST_CASE("Huge and tiny generators neither overflow nor vanish") {
   RandomElements random(16);
   for (const Rule rule : {Rule::exact, Rule::paper}) {
     for (const double scale : {1e-300, 1e-200, 1e-160, 1e20, 1e77, 1e150, 1e155, 1e300, 1.7e308}) {
@@ -105,4 +106,3 @@ TEST_CASE("huge and tiny generators neither overflow nor vanish") {
 }
 
 }  // namespace
-}  // namespace dini

@@ -12,7 +12,8 @@
 #include "geometry/json.h"
 #include "tests/support/close.h"
 
-namespace dini {
+using namespace dini;
+
 namespace {
 
 constexpr double pi = 3.14159265358979311600;
@@ -47,7 +48,7 @@ void require_circle(const Circle& circle, const Json& item, bool oriented) {
   require_close(found->normal, sign * normal);
 }
 
-TEST_CASE("figure 1: the boosted circle grows into a line and turns inside out") {
+TEST_CASE("Figure 1: the boosted circle grows into a line and turns inside out") {
   const Circle circle = circle_from({0, 0, 0}, {0, 0, 1}, 1);
   for (const Json& item : reference()["a"]["items"]) {
     const double amount = item["lambda"];
@@ -64,7 +65,7 @@ TEST_CASE("figure 1: the boosted circle grows into a line and turns inside out")
   }
 }
 
-TEST_CASE("figure 1: the boosted circle becomes a line to round-off anywhere in space") {
+TEST_CASE("Figure 1: the boosted circle becomes a line to round-off anywhere in space") {
   for (const Point& center : {Point{0, 0, 0}, Point{1, 2, 3}, Point{-30, 10, 20}}) {
     for (const double radius : {0.5, 1.0, 7.0, 1.0 / 3}) {
       const Vector tangent = (1 / radius) * normalized({1, 1, 0});
@@ -76,7 +77,7 @@ TEST_CASE("figure 1: the boosted circle becomes a line to round-off anywhere in 
   }
 }
 
-TEST_CASE("points under one null generator") {
+TEST_CASE("Points under one null generator") {
   for (const Json& item : reference()["b"]["items"]) {
     const Generator tau = null_pair(point_of(item["tau_position"]), vector_of(item["tau_direction"]));
     for (const Rule rule : {Rule::exact, Rule::paper}) {
@@ -85,7 +86,7 @@ TEST_CASE("points under one null generator") {
   }
 }
 
-TEST_CASE("figure 10: blends of two null generators") {
+TEST_CASE("Figure 10: blends of two null generators") {
   for (const Json& item : reference()["c"]["items"]) {
     const double t = item["t"], s = item["s"];
     require_both_rules(s * ((1 - t) * pair_of(item["tau1"]) + t * pair_of(item["tau2"])), item);
@@ -97,7 +98,7 @@ TEST_CASE("figure 10: blends of two null generators") {
   }
 }
 
-TEST_CASE("figure 11: bilinear blends of four generators") {
+TEST_CASE("Figure 11: bilinear blends of four generators") {
   const Json& corners = reference()["d"]["corners"];
   const Generator a = pair_of(corners[0]), b = pair_of(corners[1]), d = pair_of(corners[2]), c = pair_of(corners[3]);
   for (const Json& item : reference()["d"]["items"]) {
@@ -106,7 +107,7 @@ TEST_CASE("figure 11: bilinear blends of four generators") {
   }
 }
 
-TEST_CASE("figure 9: the same generators as warps, both weights") {
+TEST_CASE("Figure 9: the same generators as warps, both weights") {
   for (const auto& [name, softening] : {std::pair{"e_bare", 0.0}, std::pair{"e_softened", 1.0}}) {
     const Json& given = reference()[name];
     std::vector<kernels::WarpSource> sources;
@@ -122,7 +123,7 @@ TEST_CASE("figure 9: the same generators as warps, both weights") {
   }
 }
 
-TEST_CASE("figure 9: one rotor of the sum and the sum of displacements") {
+TEST_CASE("Figure 9: one rotor of the sum and the sum of displacements") {
   using kernels::WarpMethod;
   std::vector<kernels::WarpSource> sources;
   for (const Json& g : reference()["l"]["generators"]) sources.push_back({pair_of(g), point_of(g["at"])});
@@ -140,7 +141,7 @@ TEST_CASE("figure 9: one rotor of the sum and the sum of displacements") {
   }
 }
 
-TEST_CASE("figure 13, eq. 17: a line bends to a circle of the given curvature") {
+TEST_CASE("Figure 13, eq. 17: a line bends to a circle of the given curvature") {
   for (const Json& item : reference()["f"]["items"]) {
     const double curvature = item["kappa"];
     const Versor bend = versor_from(1, -0.5 * curvature * null_pair({1, 2, 3}, {1, 0, 0}));
@@ -148,7 +149,7 @@ TEST_CASE("figure 13, eq. 17: a line bends to a circle of the given curvature") 
   }
 }
 
-TEST_CASE("figure 14, eq. 18: local curvature from two generators") {
+TEST_CASE("Figure 14, eq. 18: local curvature from two generators") {
   for (const Json& item : reference()["g"]["items"]) {
     const double u = item["u"], v = item["v"], ku = item["ku"], kv = item["kv"], s = item["s"];
     const Generator sum = ku * null_pair({u, 0, 0}, {0, 1, 0}) + kv * null_pair({0, 0, v}, {0, 1, 0});
@@ -158,7 +159,7 @@ TEST_CASE("figure 14, eq. 18: local curvature from two generators") {
   }
 }
 
-TEST_CASE("figure 16, eq. 20: products of weighted points carry the equator") {
+TEST_CASE("Figure 16, eq. 20: products of weighted points carry the equator") {
   const Circle equator = circle_from({0, 0, 0}, {0, 1, 0}, 1);
   for (const Json& item : reference()["h"]["items"]) {
     if (!item.contains("centre")) continue;
@@ -169,7 +170,7 @@ TEST_CASE("figure 16, eq. 20: products of weighted points carry the equator") {
   }
 }
 
-TEST_CASE("figures 6, 7: fibers by boost and motor") {
+TEST_CASE("Figures 6, 7: fibers by boost and motor") {
   const Circle base = circle_from({0, 0, 0}, {0, 1, 0}, 1), pole = line_from({0, 0, 0}, {0, -1, 0});
   for (const Json& item : reference()["i"]["items"]) {
     const double theta = item["theta"], k = item["phi"].get<double>() + 0.5;
@@ -184,14 +185,14 @@ TEST_CASE("figures 6, 7: fibers by boost and motor") {
   }
 }
 
-TEST_CASE("figures 4, 5: boosted helices") {
+TEST_CASE("Figures 4, 5: boosted helices") {
   for (const Json& item : reference()["j"]["items"]) {
     const Generator pair = null_pair(point_of(item["generator_at"]), vector_of(item["generator_dir_times_j"]));
     require_close(transformed(pair, Rule::exact, item["helix_point"]), point_of(item["result"]));
   }
 }
 
-TEST_CASE("figure 8: flat points and split pairs") {
+TEST_CASE("Figure 8: flat points and split pairs") {
   for (const Json& item : reference()["k"]["items"]) {
     if (item.contains("exp_plus")) {
       require_close(transformed(-0.5 * flat_point({1, 2, 3}), Rule::exact, item["point"]), point_of(item["exp_plus"]));
@@ -207,7 +208,7 @@ TEST_CASE("figure 8: flat points and split pairs") {
   }
 }
 
-TEST_CASE("figure 3: loxodromes") {
+TEST_CASE("Figure 3: loxodromes") {
   for (const Json& item : reference()["n"]["items"]) {
     require_both_rules({item["lambda"].get<double>() * vector_of(item["a"]),
                         {},
@@ -217,7 +218,7 @@ TEST_CASE("figure 3: loxodromes") {
   }
 }
 
-TEST_CASE("eq. 11: powers of the motor between two lines") {
+TEST_CASE("Eq. 11: powers of the motor between two lines") {
   const auto motor = motor_between(line_from({0.5, 0, 0}, {0, 1, 0}), line_from({0, 0, 0}, {0, 0, 1}));
   const auto skew = motor_between(line_from({1, 2, 3}, {1, 1, 0}), line_from({-1, 0, 0.5}, {0.2, -1, 0.7}));
   const auto parallel = motor_between(line_from({0, 0, 0}, {0, 0, 1}), line_from({2, 0, 0}, {0, 0, 1}));
@@ -231,4 +232,3 @@ TEST_CASE("eq. 11: powers of the motor between two lines") {
 }
 
 }  // namespace
-}  // namespace dini

@@ -21,7 +21,7 @@ Generator turn_about(const Point& point, const Vector& direction) {
 
 }  // namespace
 
-TEST_CASE("every simple generator is known for what it is, near the origin and far from it") {
+TEST_CASE("Every simple generator is known for what it is, near the origin and far from it") {
   for (const double away : {0.0, 1.0, 300.0}) {
     CAPTURE(away);
     const Point place{away, -0.5 * away, 0.25};
@@ -38,7 +38,7 @@ TEST_CASE("every simple generator is known for what it is, near the origin and f
   CHECK(kind_of({}) == GeneratorKind::zero);
 }
 
-TEST_CASE("a screw, a spiral and a sum of pairs are general, and their parts are what they were made of") {
+TEST_CASE("A screw, a spiral and a sum of pairs are general, and their parts are what they were made of") {
   const Generator turn = turn_about({1, 2, 0}, {0, 0, 1});
   const Generator slide = direction_generator({0, 0, 0.4}), swell = 0.3 * flat_point({1, 2, 5});
   for (const Generator& other : {slide, swell}) {
@@ -52,7 +52,7 @@ TEST_CASE("a screw, a spiral and a sum of pairs are general, and their parts are
   }
 }
 
-TEST_CASE("the parts of any generator are simple, commute, and add up") {
+TEST_CASE("The parts of any generator are simple, commute, and add up") {
   const Generator first = null_pair({1, 0, 0}, {0, 0, 1}), second = null_pair({-1, 0.5, 2}, {1, 1, 0});
   const Generator third = split_pair({0, 3, 1}, {1, 0, -1}, 0.8), turn = turn_about({0, 1, 1}, {1, 2, 3});
   for (const Generator& sum : {first + second, first + third, third + turn, first + second + turn}) {
@@ -65,7 +65,7 @@ TEST_CASE("the parts of any generator are simple, commute, and add up") {
   }
 }
 
-TEST_CASE("a simple generator is its own part, and isoclinic ones get one of their many pairs") {
+TEST_CASE("A simple generator is its own part, and isoclinic ones get one of their many pairs") {
   const Generator pair = split_pair({1, 2, 3}, {1, 0, 0}, 0.5);
   CHECK(commuting_parts(pair)[0] == pair);
   CHECK(commuting_parts(pair)[1] == Generator{});

@@ -14,7 +14,9 @@
 #include "tests/support/dense.h"
 #include "tests/support/random_elements.h"
 
-namespace dini::kernels {
+using namespace dini;
+using namespace dini::kernels;
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -68,7 +70,7 @@ double weight_at(const WarpSource& source, const Point& p, const WarpSettings& s
   return settings.strength / (std::pow(distance(p, source.position), settings.power) + settings.softening);
 }
 
-TEST_CASE("the boost kernel agrees with the exponential of a null pair") {
+TEST_CASE("The boost kernel agrees with the exponential of a null pair") {
   RandomElements random(53);
   const Point c{0.5, -1, 2};
   const Vector t{0.3, 0.1, -0.7};
@@ -82,7 +84,7 @@ TEST_CASE("the boost kernel agrees with the exponential of a null pair") {
   }
 }
 
-TEST_CASE("the versor kernel agrees with the scalar action, also for the paper's operators") {
+TEST_CASE("The versor kernel agrees with the scalar action, also for the paper's operators") {
   RandomElements random(54);
   const Cloud cloud = random_cloud(67);
   for (const Versor& v : {exponential(random.generator()), random.versor(), translation_versor({1, 2, 3})}) {
@@ -92,7 +94,7 @@ TEST_CASE("the versor kernel agrees with the scalar action, also for the paper's
   }
 }
 
-TEST_CASE("images of points far from a generator keep their digits") {
+TEST_CASE("Images of points far from a generator keep their digits") {
   using Long = dense::Multivector<long double>;
   RandomElements random(59);
   for (int i = 0; i < 300; ++i) {
@@ -126,7 +128,7 @@ TEST_CASE("images of points far from a generator keep their digits") {
   }
 }
 
-TEST_CASE("the generator and bilinear kernels agree with the scalar exponential") {
+TEST_CASE("The generator and bilinear kernels agree with the scalar exponential") {
   RandomElements random(55);
   const Cloud cloud = random_cloud(45);
   const BilinearCorners corners{random.pair(), random.generator(), random.pair(), random.pair()};
@@ -160,7 +162,7 @@ TEST_CASE("the generator and bilinear kernels agree with the scalar exponential"
   }
 }
 
-TEST_CASE("warps agree with the scalar algebra for every method, rule and falloff") {
+TEST_CASE("Warps agree with the scalar algebra for every method, rule and falloff") {
   const Cloud cloud = random_cloud(53);
   auto mixed = random_sources(3);
   mixed.push_back(warp_source(0.2 * flat_point({0.5, 1, -1})));
@@ -191,7 +193,7 @@ TEST_CASE("warps agree with the scalar algebra for every method, rule and fallof
   }
 }
 
-TEST_CASE("warps keep their digits near a generator") {
+TEST_CASE("Warps keep their digits near a generator") {
   RandomElements random(56);
   const auto sources = random_sources(4);
   for (double d = 1e-1; d > 1e-13; d *= 0.1) {
@@ -235,7 +237,7 @@ TEST_CASE("warps keep their digits near a generator") {
   }
 }
 
-TEST_CASE("a point on a generator stays, and one far away is shifted by the sum of the reflections") {
+TEST_CASE("A point on a generator stays, and one far away is shifted by the sum of the reflections") {
   for (const int count : {1, 2, 7}) {
     const auto sources = random_sources(count);
     for (const Rule rule : {Rule::exact, Rule::paper}) {
@@ -251,7 +253,7 @@ TEST_CASE("a point on a generator stays, and one far away is shifted by the sum 
   }
 }
 
-TEST_CASE("kernels know infinity") {
+TEST_CASE("Kernels know infinity") {
   const double amount = 2;
   Cloud cloud;
   cloud.add(Point::at_infinity());
@@ -313,7 +315,7 @@ std::vector<Cloud> everything(const Cloud& cloud, double scale) {
   return results;
 }
 
-TEST_CASE("every instruction set gives the same bits, tails included") {
+TEST_CASE("Every instruction set gives the same bits, tails included") {
   REQUIRE(instruction_sets().size() >= 1);
   REQUIRE_FALSE(force_instruction_set("no such thing"));
   for (const double scale : {1.0, 30.0}) {
@@ -334,7 +336,7 @@ TEST_CASE("every instruction set gives the same bits, tails included") {
   }
 }
 
-TEST_CASE("no kernel makes NaN of finite input") {
+TEST_CASE("No kernel makes NaN of finite input") {
   const double hostile[] = {0,   -0.0, 5e-324, 1e-310, -1e-160, 1e-80,  1e-8,  1,       -2,
                             1e8, 1e50, -1e99,  1e101,  1e155,   -1e200, 1e300, -1.7e308};
   Cloud cloud;
@@ -353,4 +355,3 @@ TEST_CASE("no kernel makes NaN of finite input") {
 }
 
 }  // namespace
-}  // namespace dini::kernels

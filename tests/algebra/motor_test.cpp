@@ -8,7 +8,8 @@
 #include "tests/support/close.h"
 #include "tests/support/random_elements.h"
 
-namespace dini {
+using namespace dini;
+
 namespace {
 
 constexpr double pi = 3.14159265358979311600;
@@ -18,13 +19,13 @@ void require_same_action(const Versor& a, const Versor& b, double tolerance = 1e
     require_close(*apply(a, p), *apply(b, p), tolerance);
 }
 
-TEST_CASE("a screw motor turns about its axis and slides along it") {
+TEST_CASE("A screw motor turns about its axis and slides along it") {
   const Versor motor = screw_motor(line_from({1, 0, 5}, {0, 0, 1}), pi / 2, 3);
   require_close(*apply(motor, Point{2, 0, 0}), {1, 1, 3});
   REQUIRE(screw_motor(circle_from({0, 0, 0}, {0, 0, 1}, 1), 1, 1) == Versor{});
 }
 
-TEST_CASE("the exponential undoes the logarithm of a motor") {
+TEST_CASE("The exponential undoes the logarithm of a motor") {
   RandomElements random(31);
   for (int i = 0; i < 200; ++i) {
     const Versor motor = screw_motor(line_from(random.point(), random.vector()), random.number(4), random.number(3));
@@ -36,7 +37,7 @@ TEST_CASE("the exponential undoes the logarithm of a motor") {
   }
 }
 
-TEST_CASE("logarithms of tiny turns, half turns and pure translations are exact") {
+TEST_CASE("Logarithms of tiny turns, half turns and pure translations are exact") {
   for (const double angle : {0.0, 1e-300, 1e-12, 1e-6, pi - 1e-9, pi}) {
     CAPTURE(angle);
     const Versor motor = screw_motor(line_from({1, 2, 0}, {0, 0, 1}), angle, 0.7);
@@ -55,7 +56,7 @@ void require_carries(const Versor& motor, const Circle& from, const Circle& to, 
   require_close(image->point, target->point, tolerance);
 }
 
-TEST_CASE("the motor between two lines carries one to the other") {
+TEST_CASE("The motor between two lines carries one to the other") {
   RandomElements random(32);
   for (int i = 0; i < 200; ++i) {
     const Circle from = line_from(random.point(), random.vector()), to = line_from(random.point(), random.vector());
@@ -69,7 +70,7 @@ TEST_CASE("the motor between two lines carries one to the other") {
   }
 }
 
-TEST_CASE("parallel lines are carried by a translation and opposite ones by a half turn") {
+TEST_CASE("Parallel lines are carried by a translation and opposite ones by a half turn") {
   const Circle up = line_from({0, 0, 0}, {0, 0, 1}), shifted = line_from({2, 0, 1}, {0, 0, 1});
   const auto parallel = motor_between(up, shifted);
   REQUIRE(parallel);
@@ -85,4 +86,3 @@ TEST_CASE("parallel lines are carried by a translation and opposite ones by a ha
 }
 
 }  // namespace
-}  // namespace dini

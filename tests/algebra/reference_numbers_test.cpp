@@ -12,7 +12,8 @@
 #include "geometry/json.h"
 #include "tests/support/close.h"
 
-namespace dini {
+using namespace dini;
+
 namespace {
 
 const Json& reference() {
@@ -51,7 +52,7 @@ void require_squares(const Generator& generator, const Json& item) {
   require_number(size - 2 * image.ni / image.no, item["paper_rule_radius_squared_of_result"], size);
 }
 
-TEST_CASE("squares of blends of two and of four null pairs") {
+TEST_CASE("Squares of blends of two and of four null pairs") {
   for (const Json& item : reference()["c"]["items"]) {
     const double t = item["t"];
     require_squares((1 - t) * pair_of(item["tau1"]) + t * pair_of(item["tau2"]), item);
@@ -65,7 +66,7 @@ TEST_CASE("squares of blends of two and of four null pairs") {
   }
 }
 
-TEST_CASE("weights of a warp, and the squares of what they sum up to") {
+TEST_CASE("Weights of a warp, and the squares of what they sum up to") {
   for (const auto& [name, softening] : {std::pair{"e_bare", 0.0}, std::pair{"e_softened", 1.0}}) {
     const Json& given = reference()[name];
     for (const Json& item : given["items"]) {
@@ -81,7 +82,7 @@ TEST_CASE("weights of a warp, and the squares of what they sum up to") {
   }
 }
 
-TEST_CASE("the generators of local curvature, split pairs and loxodromes have the squares of the table") {
+TEST_CASE("The generators of local curvature, split pairs and loxodromes have the squares of the table") {
   for (const Json& item : reference()["g"]["items"]) {
     const double u = item["u"], v = item["v"];
     const Generator sum = item["ku"].get<double>() * null_pair({u, 0, 0}, {0, 1, 0}) +
@@ -108,7 +109,7 @@ TEST_CASE("the generators of local curvature, split pairs and loxodromes have th
   }
 }
 
-TEST_CASE("where the product of two weighted points vanishes, and where it collapses a circle to a pole") {
+TEST_CASE("Where the product of two weighted points vanishes, and where it collapses a circle to a pole") {
   const Circle equator = circle_from({0, 0, 0}, {0, 1, 0}, 1);
   for (const Json& item : reference()["h"]["items"]) {
     if (item.contains("centre")) continue;
@@ -127,7 +128,7 @@ TEST_CASE("where the product of two weighted points vanishes, and where it colla
   }
 }
 
-TEST_CASE("the fibers of the paper lie beside those of the Hopf fibration, and by how much") {
+TEST_CASE("The fibers of the paper lie beside those of the Hopf fibration, and by how much") {
   for (const Json& item : reference()["i"]["items"]) {
     const double k = item["phi"].get<double>() + 0.5;
     const double radius = item["radius"], center = length(vector_of(item["centre"]));
@@ -139,7 +140,7 @@ TEST_CASE("the fibers of the paper lie beside those of the Hopf fibration, and b
   }
 }
 
-TEST_CASE("the helices of the table are screws of the paper's start") {
+TEST_CASE("The helices of the table are screws of the paper's start") {
   for (const Json& item : reference()["j"]["items"]) {
     const double turn = item["i"], slide = -2 * 3.14159265358979323846 * item["pitch"].get<double>() * turn;
     const Versor motor = screw_motor(line_from({0, 0, 0}, {0, 1, 0}), 2 * 3.14159265358979323846 * turn, slide);
@@ -149,4 +150,3 @@ TEST_CASE("the helices of the table are screws of the paper's start") {
 }
 
 }  // namespace
-}  // namespace dini

@@ -10,14 +10,15 @@
 #include "tests/support/dense.h"
 #include "tests/support/random_elements.h"
 
-namespace dini {
+using namespace dini;
+
 namespace {
 
 using Dense = dense::Multivector<double>;
 
 double difference(const Dense& a, const Dense& b) { return dense::largest(a + -1.0 * b); }
 
-TEST_CASE("composition and reversal agree with the dense product") {
+TEST_CASE("Composition and reversal agree with the dense product") {
   RandomElements random(1);
   for (int i = 0; i < 200; ++i) {
     const Versor a = random.versor(), b = random.versor();
@@ -26,7 +27,7 @@ TEST_CASE("composition and reversal agree with the dense product") {
   }
 }
 
-TEST_CASE("any even element moves points to the center of the dense sandwich") {
+TEST_CASE("Any even element moves points to the center of the dense sandwich") {
   RandomElements random(2);
   for (int i = 0; i < 200; ++i) {
     const Versor v = random.versor();
@@ -36,7 +37,7 @@ TEST_CASE("any even element moves points to the center of the dense sandwich") {
   }
 }
 
-TEST_CASE("rotors act on generators, circles and spheres as the dense sandwich") {
+TEST_CASE("Rotors act on generators, circles and spheres as the dense sandwich") {
   RandomElements random(3);
   for (int i = 0; i < 200; ++i) {
     const Versor v = exponential(random.generator());
@@ -51,7 +52,7 @@ TEST_CASE("rotors act on generators, circles and spheres as the dense sandwich")
   }
 }
 
-TEST_CASE("an even element that is no versor is recognized") {
+TEST_CASE("An even element that is no versor is recognized") {
   RandomElements random(4);
   REQUIRE_FALSE(is_versor(versor_from(1, null_pair({0, 0, 0}, {0, 1, 0}) + null_pair({1, 0, 0}, {0, 0, 1}))));
   REQUIRE_FALSE(is_versor(Versor{0, {}, {}}));
@@ -59,7 +60,7 @@ TEST_CASE("an even element that is no versor is recognized") {
   REQUIRE(is_versor(versor_from(1, random.pair())));
 }
 
-TEST_CASE("versors preserve the inner products of points") {
+TEST_CASE("Versors preserve the inner products of points") {
   RandomElements random(5);
   for (int i = 0; i < 100; ++i) {
     const Versor v = exponential(random.generator(0.5));
@@ -71,7 +72,7 @@ TEST_CASE("versors preserve the inner products of points") {
   }
 }
 
-TEST_CASE("composition applies the right factor first") {
+TEST_CASE("Composition applies the right factor first") {
   RandomElements random(6);
   for (int i = 0; i < 50; ++i) {
     const Versor a = exponential(random.pair(0.3)), b = exponential(random.generator(0.3));
@@ -80,7 +81,7 @@ TEST_CASE("composition applies the right factor first") {
   }
 }
 
-TEST_CASE("a boost sends its pole to infinity and infinity to its mirror pole") {
+TEST_CASE("A boost sends its pole to infinity and infinity to its mirror pole") {
   const Point c{1, 2, -1};
   const Vector a{0.5, -0.25, 1};
   const Versor boost = exponential(null_pair(c, a));
@@ -94,7 +95,7 @@ TEST_CASE("a boost sends its pole to infinity and infinity to its mirror pole") 
   REQUIRE_FALSE(apply(Versor{0, {}, {}}, Point{1, 2, 3}).has_value());
 }
 
-TEST_CASE("the differential of the action is its difference quotient") {
+TEST_CASE("The differential of the action is its difference quotient") {
   RandomElements random(7);
   for (int i = 0; i < 100; ++i) {
     const Versor v = i % 2 == 0 ? exponential(random.generator(0.5)) : exponential(random.generator(0.5), Rule::paper);
@@ -108,7 +109,7 @@ TEST_CASE("the differential of the action is its difference quotient") {
   }
 }
 
-TEST_CASE("changing the origin of a generator is a translation") {
+TEST_CASE("Changing the origin of a generator is a translation") {
   RandomElements random(8);
   for (int i = 0; i < 50; ++i) {
     const Generator g = random.generator();
@@ -118,4 +119,3 @@ TEST_CASE("changing the origin of a generator is a translation") {
 }
 
 }  // namespace
-}  // namespace dini

@@ -11,11 +11,11 @@
 #include "geometry/json.h"
 #include "tests/cli/program.h"
 
+using namespace dini;
+using namespace dini::support;
+
 namespace {
 
-using dini::Json;
-
-using dini::testing::run_dini;
 /// A toy graph with one parameter.
 std::string graph(const Json& inputs) {
   return Json{{"format", 1},

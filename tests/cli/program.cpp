@@ -8,7 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace dini::testing {
+namespace dini::support {
 namespace {
 
 std::string contents(const std::string& path) {
@@ -69,4 +69,4 @@ Outcome run_dini(const std::vector<std::string>& words, const std::string& input
   return Program(all, input).wait();
 }
 
-}  // namespace dini::testing
+}  // namespace dini::support

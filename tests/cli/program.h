@@ -4,7 +4,7 @@
 #include <sys/types.h>
 #include <vector>
 
-namespace dini::testing {
+namespace dini::support {
 
 /// What a finished program left behind.
 struct Outcome {
@@ -35,4 +35,4 @@ Outcome run_dini(const std::vector<std::string>& words, const std::string& input
 /// Where that program is.
 std::string dini_path();
 
-}  // namespace dini::testing
+}  // namespace dini::support

@@ -14,9 +14,6 @@ using namespace dini::support;
 
 namespace {
 
-using dini::testing::Outcome;
-using dini::testing::Program;
-
 Outcome run(const std::vector<std::string>& words, const std::string& input = "") {
   std::vector<std::string> all = {DINI_PROGRAM};
   all.insert(all.end(), words.begin(), words.end());
@@ -49,7 +46,7 @@ std::string graph_with(const Json& node) {
 
 }  // namespace
 
-TEST_CASE("eval writes the bytes of the engine, whatever the threads and instruction set") {
+TEST_CASE("Eval writes the bytes of the engine, whatever the threads and instruction set") {
   const TemporaryFile file;
   const std::string path = example("fig11_patch").string();
   const Json graph = examples().at("fig11_patch");
@@ -67,7 +64,7 @@ TEST_CASE("eval writes the bytes of the engine, whatever the threads and instruc
   CHECK(streamed.out == expected);
 }
 
-TEST_CASE("a report is the engine's, beside the file") {
+TEST_CASE("A report is the engine's, beside the file") {
   const Outcome outcome = run({"eval", example("fig11_patch").string(), "--quality", "draft", "--report", "-"});
   REQUIRE(outcome.code == 0);
   const Json report = Json::parse(outcome.out);
@@ -77,7 +74,7 @@ TEST_CASE("a report is the engine's, beside the file") {
   CHECK(report["model"]["sha256"].get<std::string>().size() == 64);
 }
 
-TEST_CASE("a preview is drawn instead of the model, also where nothing is exported") {
+TEST_CASE("A preview is drawn instead of the model, also where nothing is exported") {
   const std::string graph = document({{"ring", make("circle")}, {"loose", make("boost")}}).dump();
   const Outcome drawn = run({"eval", "-", "--preview", "ring", "-o", "-"}, graph);
   CHECK(drawn.code == 0);
@@ -89,7 +86,7 @@ TEST_CASE("a preview is drawn instead of the model, also where nothing is export
   CHECK(run({"eval", "-", "--preview", "ring", "--quality", "draft", "--triangle-budget", "500"}, graph).code == 0);
 }
 
-TEST_CASE("each way to fail ends with its own exit code") {
+TEST_CASE("Each way to fail ends with its own exit code") {
   const auto code = [](const Json& node, std::vector<std::string> more = {}) {
     std::vector<std::string> words = {"eval", "-"};
     words.insert(words.end(), more.begin(), more.end());
@@ -111,7 +108,7 @@ TEST_CASE("each way to fail ends with its own exit code") {
   CHECK(unknown.err.starts_with("error[unknown-parameter] /parameters/reach: "));
 }
 
-TEST_CASE("a deadline ends an evaluation with the exit code of limits") {
+TEST_CASE("A deadline ends an evaluation with the exit code of limits") {
   Json generators = Json::array();
   Json nodes = {{"sheet", make("grid", {{"count_u", 2000}, {"count_v", 2000}})}};
   for (int i = 0; i < 64; ++i) {
@@ -128,7 +125,7 @@ TEST_CASE("a deadline ends an evaluation with the exit code of limits") {
   CHECK(outcome.err.starts_with("error[deadline]"));
 }
 
-TEST_CASE("inspect prints what the engine shows") {
+TEST_CASE("Inspect prints what the engine shows") {
   const Outcome outcome =
       run({"inspect", example("fig04_boosted_ring").string(), "boosted.shape", "--set", "reach=0.5"});
   REQUIRE(outcome.code == 0);
@@ -139,7 +136,7 @@ TEST_CASE("inspect prints what the engine shows") {
   CHECK(run({"inspect", example("fig04_boosted_ring").string(), "boostd"}).code != 0);
 }
 
-TEST_CASE("validate finds every example valid and says what a wrong graph lacks") {
+TEST_CASE("Validate finds every example valid and says what a wrong graph lacks") {
   for (const auto& [id, graph] : examples()) {
     const Outcome outcome = run({"validate", example(id).string()});
     CAPTURE(id, outcome.out, outcome.err);
@@ -150,7 +147,7 @@ TEST_CASE("validate finds every example valid and says what a wrong graph lacks"
   CHECK(wrong.out.find("error[unknown-node-type] n: ") == 0);
 }
 
-TEST_CASE("validate --json prints patches that mend the file they are about") {
+TEST_CASE("Validate --json prints patches that mend the file they are about") {
   const std::vector<Json> broken = {
       Json::parse(graph_with(make("numbre"))),
       Json::parse(graph_with(make("number", {{"valeu", 1}}))),
@@ -175,7 +172,7 @@ TEST_CASE("validate --json prints patches that mend the file they are about") {
   }
 }
 
-TEST_CASE("what is wrong with --set has no patch, for it is in no file") {
+TEST_CASE("What is wrong with --set has no patch, for it is in no file") {
   const std::string graph = contents(example("fig11_patch"));
   const Outcome outcome = run({"validate", "--json", "-", "--set", "strenght=1", "--set", "rule=fast"}, graph);
   CHECK(outcome.code == 3);
@@ -187,7 +184,7 @@ TEST_CASE("what is wrong with --set has no patch, for it is in no file") {
   }
 }
 
-TEST_CASE("docs/document.md tells the limits of a document as they are") {
+TEST_CASE("Docs/document.md tells the limits of a document as they are") {
   const Limits limits;
   const std::string page = contents(DINI_DOCUMENT_PAGE);
   for (const auto& [name, value] :
@@ -202,18 +199,18 @@ TEST_CASE("docs/document.md tells the limits of a document as they are") {
   }
 }
 
-TEST_CASE("the catalogue of the page's tests is the one that the program prints") {
+TEST_CASE("The catalogue of the page's tests is the one that the program prints") {
   const Outcome outcome = run({"nodes", "--json"});
   REQUIRE(outcome.code == 0);
-  INFO("It is out of date; write it again with: build/dev/dini nodes --json > web/test/data/catalogue.json");
+  INFO("It is out of date; scripts/generate writes it again");
   const bool current = contents(DINI_WEB_CATALOGUE) == outcome.out;
   CHECK(current);
 }
 
-TEST_CASE("docs/nodes.md is what the program writes about its nodes") {
+TEST_CASE("Docs/nodes.md is what the program writes about its nodes") {
   const Outcome outcome = run({"nodes", "--markdown"});
   REQUIRE(outcome.code == 0);
-  INFO("docs/nodes.md is out of date; write it again with: build/dev/dini nodes --markdown > docs/nodes.md");
+  INFO("docs/nodes.md is out of date; scripts/generate writes it again");
   const bool current = contents(DINI_NODES_PAGE) == outcome.out;
   CHECK(current);
 }

@@ -1,17 +1,16 @@
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <signal.h>
-#include <thread>
 
 #include "server/server_limits.h"
 #include "tests/cli/program.h"
 #include "tests/server/client.h"
+#include "tests/support/eventually.h"
+
+using namespace dini::support;
 
 namespace {
-
-using namespace dini::testing;
 
 /// `dini serve` on a free port.
 class Server {
@@ -22,13 +21,8 @@ class Server {
     std::vector<std::string> words = {dini_path(), "serve", "--port", "0", "--port-file", file.string()};
     words.insert(words.end(), options.begin(), options.end());
     program_ = std::make_unique<Program>(words);
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(15);
-    while (port_ == 0 && std::chrono::steady_clock::now() < deadline) {
-      std::ifstream(file) >> port_;
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
+    REQUIRE(eventually([&] { return (std::ifstream(file) >> port_) && port_ != 0; }));
     std::filesystem::remove(file);
-    REQUIRE(port_ != 0);
   }
 
   int port() const { return port_; }
@@ -110,7 +104,8 @@ TEST_CASE("A running request is finished before the server ends") {
   Server server({"--log-level", "off"});
   Client busy(server.port());
   busy.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 500}, {"bytes", 2}})));
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  // Requests are read in the order in which they come, so this one has been read when a later one is answered.
+  REQUIRE(get(server.port(), "/healthz")->status == 200);
   server.program().signal(SIGTERM);
   const auto answer = busy.receive();
   REQUIRE(answer);

@@ -7,7 +7,7 @@
 #include "geometry/surface.h"
 #include "geometry/validate.h"
 
-namespace dini::test {
+namespace dini::support {
 
 inline const Cancel never_stopped;
 
@@ -116,4 +116,4 @@ inline std::size_t largest_tile(const Mesh& mesh) {
   return largest;
 }
 
-}  // namespace dini::test
+}  // namespace dini::support

@@ -5,7 +5,8 @@
 #include "tests/gltf/compare.h"
 #include "tests/gltf/shapes.h"
 
-namespace dini {
+using namespace dini;
+
 namespace {
 
 using namespace compare;
@@ -20,7 +21,7 @@ Scene torus_with_vertex(const Point& point) {
   return shapes::scene_of(std::move(mesh));
 }
 
-TEST_CASE("positions that are not finite are refused with part and vertex") {
+TEST_CASE("Positions that are not finite are refused with part and vertex") {
   const double bad = GENERATE(values<double>({not_a_number, infinity, -infinity}));
   const int speed = GENERATE(1, 7, 10);
   CAPTURE(bad, speed);
@@ -34,12 +35,12 @@ TEST_CASE("positions that are not finite are refused with part and vertex") {
   }
 }
 
-TEST_CASE("positions that overflow are refused") {
+TEST_CASE("Positions that overflow are refused") {
   const double bad = GENERATE(1e300, -1e300, 1e39, 1e18, std::numeric_limits<double>::max());
   CHECK(failure(torus_with_vertex({0, bad, 0})).code == Code::too_large);
 }
 
-TEST_CASE("extreme but allowed extents are written") {
+TEST_CASE("Extreme but allowed extents are written") {
   const double large = GENERATE(9.9e17, 1e10, 1e-10, 1e-38, 1e-45, 1e-320, 0.0);
   const int speed = GENERATE(0, 3, 7, 10);
   CAPTURE(large, speed);
@@ -54,7 +55,7 @@ TEST_CASE("extreme but allowed extents are written") {
   CHECK(same_positions(rounded_triangles(mesh_of(scene), grid_of(scene, 14)), stored_triangles(mesh_of(decoded))));
 }
 
-TEST_CASE("vertices that no triangle uses neither fail nor widen the grid") {
+TEST_CASE("Vertices that no triangle uses neither fail nor widen the grid") {
   Mesh mesh = shapes::single_triangle();
   mesh.positions = Column<Point>(5);
   mesh.positions.set(1, {1, 0, 0});
@@ -68,7 +69,7 @@ TEST_CASE("vertices that no triangle uses neither fail nor widen the grid") {
   CHECK(encoded.position_error < 1e-4);
 }
 
-TEST_CASE("an index out of range is refused") {
+TEST_CASE("An index out of range is refused") {
   Mesh mesh = shapes::torus(20, 10);
   mesh.triangles[8][1] = 200;
   CHECK(failure(shapes::scene_of(mesh)).code == Code::invalid_input);
@@ -76,7 +77,7 @@ TEST_CASE("an index out of range is refused") {
   CHECK(failure(shapes::scene_of(mesh)).code == Code::invalid_input);
 }
 
-TEST_CASE("meshes that break their contract are refused") {
+TEST_CASE("Meshes that break their contract are refused") {
   Mesh mesh = shapes::torus(20, 10);
   SECTION("normals") { mesh.normals = Column<Vector>(199); }
   SECTION("texture coordinates") { mesh.uvs.resize(201); }
@@ -86,7 +87,7 @@ TEST_CASE("meshes that break their contract are refused") {
   CHECK(failure(shapes::scene_of(mesh)).code == Code::invalid_input);
 }
 
-TEST_CASE("options out of range are refused") {
+TEST_CASE("Options out of range are refused") {
   EncodeOptions options;
   SECTION("coarse") { options.position_bits = 7; }
   SECTION("fine") { options.position_bits = 21; }
@@ -95,7 +96,7 @@ TEST_CASE("options out of range are refused") {
   CHECK(failure(shapes::scene_of(shapes::torus(20, 10)), options).code == Code::invalid_input);
 }
 
-TEST_CASE("a scene with nothing to draw is the error empty") {
+TEST_CASE("A scene with nothing to draw is the error empty") {
   Mesh degenerate = shapes::single_triangle();
   degenerate.triangles = {{0, 0, 1}, {1, 2, 1}, {2, 2, 2}};
   CHECK(failure(Scene{}).code == Code::empty);
@@ -108,7 +109,7 @@ TEST_CASE("a scene with nothing to draw is the error empty") {
   CHECK(failure(scene).code == Code::empty);
 }
 
-TEST_CASE("an empty part is left out and named") {
+TEST_CASE("An empty part is left out and named") {
   Scene scene = shapes::scene_of(shapes::torus(20, 10));
   scene.parts.push_back({"gone", std::make_shared<const Mesh>(), {}});
   const EncodedScene encoded = encode(scene);
@@ -116,7 +117,7 @@ TEST_CASE("an empty part is left out and named") {
   CHECK(decode(encoded.file).parts.size() == 1);
 }
 
-TEST_CASE("normals without a direction become a unit vector") {
+TEST_CASE("Normals without a direction become a unit vector") {
   Mesh mesh = shapes::torus(20, 10);
   const Vector bad = GENERATE(Vector{0, 0, 0}, Vector{not_a_number, 0, 1}, Vector{infinity, 0, 0}, Vector{1e-300, 0, 0},
                               Vector{1e300, 1e300, -1e300});
@@ -127,7 +128,7 @@ TEST_CASE("normals without a direction become a unit vector") {
   }
 }
 
-TEST_CASE("texture coordinates that are not finite are refused, colors are clamped") {
+TEST_CASE("Texture coordinates that are not finite are refused, colors are clamped") {
   Mesh mesh = shapes::random_soup(5, 30, 60, 1, 0);
   for (auto& color : mesh.colors) color = {-5, std::numeric_limits<float>::quiet_NaN(), 1e30f, 1};
   const Scene decoded = decode(encode(shapes::scene_of(mesh)).file);
@@ -136,7 +137,7 @@ TEST_CASE("texture coordinates that are not finite are refused, colors are clamp
   CHECK(failure(shapes::scene_of(mesh)).code == Code::non_finite);
 }
 
-TEST_CASE("the smallest and the strangest meshes are written") {
+TEST_CASE("The smallest and the strangest meshes are written") {
   const int speed = GENERATE(0, 5, 7, 9, 10);
   CAPTURE(speed);
   EncodeOptions options;
@@ -160,7 +161,7 @@ TEST_CASE("the smallest and the strangest meshes are written") {
   CHECK(same_positions(rounded_triangles(mesh, grid_of(scene, 14)), stored_triangles(mesh_of(decoded))));
 }
 
-TEST_CASE("thousands of small random meshes come back at every speed") {
+TEST_CASE("Thousands of small random meshes come back at every speed") {
   const int speed = GENERATE(range(0, 11));
   CAPTURE(speed);
   EncodeOptions options;
@@ -182,7 +183,7 @@ TEST_CASE("thousands of small random meshes come back at every speed") {
   }
 }
 
-TEST_CASE("an encoder that fails becomes an error with the name of the part") {
+TEST_CASE("An encoder that fails becomes an error with the name of the part") {
   class Broken final : public MeshEncoder {
    public:
     EncodeResult<EncodedTile> encode(const Tile&, const TileGrids&, const EncodeOptions&) const override {
@@ -197,11 +198,10 @@ TEST_CASE("an encoder that fails becomes an error with the name of the part") {
   CHECK(empty.error().code == Code::empty);
 }
 
-TEST_CASE("a part name that is not UTF-8 is an error, not a crash") {
+TEST_CASE("A part name that is not UTF-8 is an error, not a crash") {
   Scene scene = shapes::scene_of(shapes::torus(20, 10));
   scene.parts[0].name = "\xff\xfe";
   CHECK(failure(scene).code == Code::encoder_failed);
 }
 
 }  // namespace
-}  // namespace dini

@@ -7,7 +7,8 @@
 #include "tests/gltf/compare.h"
 #include "tests/gltf/shapes.h"
 
-namespace dini {
+using namespace dini;
+
 namespace {
 
 std::string torus(EncodeOptions options = {}) {
@@ -31,7 +32,9 @@ std::optional<std::string> from_base64(std::string_view text) {
   return bytes;
 }
 
-TEST_CASE("what a file says about itself changes nothing else of it") {
+}  // namespace
+
+TEST_CASE("What a file says about itself changes nothing else of it") {
   const std::string plain = torus();
   for (std::size_t length = 0; length < 8; ++length) {
     const Json extras = {{"hash", std::string(length, 'a')}, {"engine", "0.1.0"}, {"parameters", {{"width", 0.1}}}};
@@ -49,13 +52,13 @@ TEST_CASE("what a file says about itself changes nothing else of it") {
   }
 }
 
-TEST_CASE("extras with text that is not UTF-8 are written with replacement characters") {
+TEST_CASE("Extras with text that is not UTF-8 are written with replacement characters") {
   const auto chunks = split_glb(torus({.extras = {{"name", "\xff"}}}));
   REQUIRE(chunks);
   CHECK(Json::parse(chunks->json)["asset"]["extras"]["name"] == "\xEF\xBF\xBD");
 }
 
-TEST_CASE("glTF with its data inside holds what the GLB holds") {
+TEST_CASE("GlTF with its data inside holds what the GLB holds") {
   const std::string glb = torus();
   Json embedded = Json::parse(torus({.container = GltfContainer::embedded}));
   const std::string uri = embedded["buffers"][0]["uri"];
@@ -68,7 +71,7 @@ TEST_CASE("glTF with its data inside holds what the GLB holds") {
   CHECK(embedded == Json::parse(chunks->json));
 }
 
-TEST_CASE("base64 is that of its standard, whatever the length") {
+TEST_CASE("Base64 is that of its standard, whatever the length") {
   CHECK(to_base64("") == "");
   CHECK(to_base64("f") == "Zg==");
   CHECK(to_base64("fo") == "Zm8=");
@@ -81,7 +84,7 @@ TEST_CASE("base64 is that of its standard, whatever the length") {
   }
 }
 
-TEST_CASE("what is no file of ours is not read") {
+TEST_CASE("What is no file of ours is not read") {
   const std::string glb = torus();
   for (std::size_t size = 0; size < glb.size(); size += 7) {
     CHECK_FALSE(split_glb(glb.substr(0, size)));
@@ -89,6 +92,3 @@ TEST_CASE("what is no file of ours is not read") {
   }
   CHECK_FALSE(split_glb(std::string(100, 'x')));
 }
-
-}  // namespace
-}  // namespace dini

@@ -8,7 +8,8 @@
 #include "tests/gltf/shapes.h"
 #include "tests/support/picture_value.h"
 
-namespace dini {
+using namespace dini;
+
 namespace {
 
 using namespace compare;
@@ -26,7 +27,7 @@ double largest_error(const Mesh& mesh, const QuantizationGrid& grid) {
   return largest;
 }
 
-TEST_CASE("random meshes come back on the grid and within the announced bound") {
+TEST_CASE("Random meshes come back on the grid and within the announced bound") {
   const double extent = GENERATE(1e-6, 1.0, 3000.0, 1e14);
   const double offset = GENERATE(0.0, 0.3, 1e3);
   const int bits = GENERATE(8, 14, 20);
@@ -42,7 +43,7 @@ TEST_CASE("random meshes come back on the grid and within the announced bound") 
   CHECK(same_positions(rounded_triangles(mesh_of(scene), grid), stored_triangles(mesh_of(decoded))));
 }
 
-TEST_CASE("every speed keeps triangles, winding, normals and counts") {
+TEST_CASE("Every speed keeps triangles, winding, normals and counts") {
   const int speed = GENERATE(range(0, 11));
   const bool manifold = GENERATE(true, false);
   CAPTURE(speed, manifold);
@@ -59,7 +60,7 @@ TEST_CASE("every speed keeps triangles, winding, normals and counts") {
   CHECK(largest_normal_angle(expected, actual) <= encoded.normal_error);
 }
 
-TEST_CASE("normals stay within the announced angle") {
+TEST_CASE("Normals stay within the announced angle") {
   const int bits = GENERATE(6, 8, 10, 12, 16);
   CAPTURE(bits);
   const Scene scene = shapes::scene_of(shapes::random_soup(11, 20000, 30000, 2.0, 0.0));
@@ -73,7 +74,7 @@ TEST_CASE("normals stay within the announced angle") {
   CHECK(angle > encoded.normal_error / 2);
 }
 
-TEST_CASE("accessor bounds are those of the decoded positions, bit for bit") {
+TEST_CASE("Accessor bounds are those of the decoded positions, bit for bit") {
   const double offset = GENERATE(0.0, -0.37, 12.5);
   const int bits = GENERATE(8, 11, 14, 17, 20);
   CAPTURE(offset, bits);
@@ -101,7 +102,7 @@ TEST_CASE("accessor bounds are those of the decoded positions, bit for bit") {
   }
 }
 
-TEST_CASE("texture coordinates and colors come back") {
+TEST_CASE("Texture coordinates and colors come back") {
   Mesh mesh = shapes::wavy_field(20, 30);
   for (const auto& [u, v] : mesh.uvs) mesh.colors.push_back({static_cast<float>(u), static_cast<float>(v), 1, 1});
   const int speed = GENERATE(1, 3, 5, 7, 9, 10);
@@ -121,7 +122,7 @@ TEST_CASE("texture coordinates and colors come back") {
   }
 }
 
-TEST_CASE("every color of a picture comes back, the darkest ones too") {
+TEST_CASE("Every color of a picture comes back, the darkest ones too") {
   Mesh mesh = shapes::wavy_field(16, 16);
   REQUIRE(mesh.positions.size() == 256);
   for (int value = 0; value < 256; ++value) {
@@ -143,7 +144,7 @@ TEST_CASE("every color of a picture comes back, the darkest ones too") {
   CHECK(*found.rbegin() == 255);
 }
 
-TEST_CASE("texture coordinates that reach far are reported with what rounding costs them") {
+TEST_CASE("Texture coordinates that reach far are reported with what rounding costs them") {
   Mesh mesh = shapes::wavy_field(20, 30);
   CHECK(encode(shapes::scene_of(mesh), {}).rough_uvs.empty());
   mesh.uvs[5] = {-1000, 2};
@@ -164,7 +165,7 @@ TEST_CASE("texture coordinates that reach far are reported with what rounding co
   CHECK(worst > rough.error / 10);
 }
 
-TEST_CASE("attributes that were not asked for are not written") {
+TEST_CASE("Attributes that were not asked for are not written") {
   EncodeOptions options;
   options.normals = options.uvs = options.colors = false;
   const EncodedScene encoded = encode(shapes::scene_of(shapes::random_soup(1, 30, 60, 1, 0)), options);
@@ -175,7 +176,7 @@ TEST_CASE("attributes that were not asked for are not written") {
   CHECK(encoded.normal_error == 0);
 }
 
-TEST_CASE("parts keep their names, colors and order") {
+TEST_CASE("Parts keep their names, colors and order") {
   Scene scene;
   for (const char* name : {"hull", "deck"}) {
     Mesh mesh = shapes::torus(12, 8);
@@ -193,7 +194,7 @@ TEST_CASE("parts keep their names, colors and order") {
   CHECK(decoded.parts[2].color == Color{1, 0, 0, 1});
 }
 
-TEST_CASE("one root node turns Z up into Y up") {
+TEST_CASE("One root node turns Z up into Y up") {
   const auto document = dini::Json::parse(split_glb(encode(shapes::scene_of(shapes::torus(8, 6))).file)->json);
   CHECK(document["scenes"][0]["nodes"] == dini::Json::array({0}));
   const auto rotation = document["nodes"][0]["rotation"].get<std::array<double, 4>>();
@@ -203,4 +204,3 @@ TEST_CASE("one root node turns Z up into Y up") {
 }
 
 }  // namespace
-}  // namespace dini

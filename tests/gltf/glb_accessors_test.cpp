@@ -3,7 +3,8 @@
 #include "geometry/json.h"
 #include "tests/support/glb_parts.h"
 
-namespace dini {
+using namespace dini;
+
 namespace {
 
 using namespace support;
@@ -11,7 +12,7 @@ using json = dini::Json;
 using Places = std::vector<std::array<double, 3>>;
 using Colors = std::vector<std::array<float, 4>>;
 
-TEST_CASE("an accessor without a view is zeros, some of which sparse values replace") {
+TEST_CASE("An accessor without a view is zeros, some of which sparse values replace") {
   GlbParts parts = triangle_parts();
   parts.document["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = parts.accessor("VEC2", gltf_f32, 3);
   CHECK(read(parts).mesh.uvs == std::vector<std::array<double, 2>>(3, {0, 0}));
@@ -32,7 +33,7 @@ TEST_CASE("an accessor without a view is zeros, some of which sparse values repl
   CHECK(read(parts).positions() == Places{{0, 0, 0}, {1, 0, 0}, {5, 6, 7}});
 }
 
-TEST_CASE("sparse values that are wrong are refused") {
+TEST_CASE("Sparse values that are wrong are refused") {
   const json good = {
       {"count", 2}, {"indices", {{"bufferView", 2}, {"componentType", gltf_u8}}}, {"values", {{"bufferView", 3}}}};
   const auto said = [&](const std::string& pointer, const json& value, std::uint32_t first = 0,
@@ -65,7 +66,7 @@ TEST_CASE("sparse values that are wrong are refused") {
   }
 }
 
-TEST_CASE("whole numbers of every type stand for shares of 1 where they say so, and colors always") {
+TEST_CASE("Whole numbers of every type stand for shares of 1 where they say so, and colors always") {
   GlbParts parts;
   parts.document["nodes"][0]["scale"] = {2, 2, 2};
   const std::size_t positions = parts.accessor(
@@ -88,7 +89,7 @@ TEST_CASE("whole numbers of every type stand for shares of 1 where they say so, 
   CHECK(read(parts).positions() == Places{{0, 0, 0}, {65534, 0, 0}, {0, -65536, 0}});
 }
 
-TEST_CASE("a few bytes cannot ask for the memory or the time of millions of values") {
+TEST_CASE("A few bytes cannot ask for the memory or the time of millions of values") {
   // Three hundred bytes ask for thousands of millions of vertices, corners and sparse values.
   const std::size_t many = 4'000'000'000;
   GlbParts zeros;
@@ -111,4 +112,3 @@ TEST_CASE("a few bytes cannot ask for the memory or the time of millions of valu
 }
 
 }  // namespace
-}  // namespace dini

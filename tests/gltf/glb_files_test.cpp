@@ -5,7 +5,8 @@
 #include "geometry/json.h"
 #include "tests/support/glb_parts.h"
 
-namespace dini {
+using namespace dini;
+
 namespace {
 
 using namespace support;
@@ -15,7 +16,7 @@ using Sentences = std::vector<std::string>;
 
 const Places triangle_places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
-TEST_CASE("vertices count once they are used") {
+TEST_CASE("Vertices count once they are used") {
   GlbParts parts;
   std::vector<float> many;
   for (int i = 0; i < 50'000; ++i) many.insert(many.end(), {static_cast<float>(i), 0, static_cast<float>(i % 2)});
@@ -33,7 +34,7 @@ TEST_CASE("vertices count once they are used") {
   CHECK(refusal_of(parts, {75, 24}).starts_with("too large: "));
 }
 
-TEST_CASE("extensions that change no triangle are no reason to refuse, others are") {
+TEST_CASE("Extensions that change no triangle are no reason to refuse, others are") {
   for (const char* name : {"KHR_texture_transform",
                            "KHR_texture_basisu",
                            "EXT_texture_webp",
@@ -98,7 +99,7 @@ TEST_CASE("Draco and meshopt are passed over where plain values stand beside the
   CHECK(refusal_of(meshopt).find("compressed with EXT_meshopt_compression") != std::string::npos);
 }
 
-TEST_CASE("buffers that nothing needs may be anywhere, those that are read may not") {
+TEST_CASE("Buffers that nothing needs may be anywhere, those that are read may not") {
   for (const char* uri : {"data:application/octet-stream;base64,AAAA", "https://example.org/far.bin", ""}) {
     CAPTURE(uri);
     GlbParts parts = triangle_parts();
@@ -112,7 +113,7 @@ TEST_CASE("buffers that nothing needs may be anywhere, those that are read may n
   }
 }
 
-TEST_CASE("bytes behind the end, other chunks and padding do no harm; what is cut short is refused") {
+TEST_CASE("Bytes behind the end, other chunks and padding do no harm; what is cut short is refused") {
   const std::string glb = triangle_parts().glb();
   for (const std::string& behind : {std::string("\n"), std::string(1000, '\0'), std::string("glTF")}) {
     const ReadFile file(read_glb_mesh(glb + behind, {}));
@@ -131,7 +132,7 @@ TEST_CASE("bytes behind the end, other chunks and padding do no harm; what is cu
   CHECK_FALSE(refusal(read_glb_mesh, glb.substr(0, 8) + Bytes().u32(11).text + glb.substr(12)).empty());
 }
 
-TEST_CASE("points and lines are left out and counted, strips and fans are read") {
+TEST_CASE("Points and lines are left out and counted, strips and fans are read") {
   GlbParts parts = triangle_parts();
   for (const int mode : {0, 1, 2, 3}) parts.primitive({{"POSITION", 0}})["mode"] = mode;
   const ReadFile file = read(parts);
@@ -152,7 +153,7 @@ TEST_CASE("points and lines are left out and counted, strips and fans are read")
   CHECK(joined()[2] == std::array<std::array<double, 3>, 3>{{{0, 0, 0}, {1, 1, 0}, {0, 2, 0}}});
 }
 
-TEST_CASE("triangles with a vertex that is not finite are left out, and the place is told") {
+TEST_CASE("Triangles with a vertex that is not finite are left out, and the place is told") {
   GlbParts parts;
   const std::size_t positions =
       parts.positions({0, 0, 0, 1, 0, 0, 0, 1, 0, std::numeric_limits<float>::quiet_NaN(), 0, 0, 1e30f, 0, 0});
@@ -166,7 +167,7 @@ TEST_CASE("triangles with a vertex that is not finite are left out, and the plac
                   "1 triangle uses a vertex twice and is left out"});
 }
 
-TEST_CASE("what no mesh can hold is counted") {
+TEST_CASE("What no mesh can hold is counted") {
   GlbParts parts = triangle_parts();
   parts.document["textures"] = json(2, json::object());
   parts.document["animations"] = json(1, json::object());
@@ -188,4 +189,3 @@ TEST_CASE("what no mesh can hold is counted") {
 }
 
 }  // namespace
-}  // namespace dini

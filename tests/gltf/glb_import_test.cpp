@@ -9,7 +9,8 @@
 #include "tests/support/damage.h"
 #include "tests/support/import_bytes.h"
 
-namespace dini {
+using namespace dini;
+
 namespace {
 
 using namespace support;
@@ -34,7 +35,7 @@ json changed(const std::string& pointer, json value) {
   return document;
 }
 
-TEST_CASE("a GLB keeps its texture coordinates and colors, and gets the normals it lacks") {
+TEST_CASE("A GLB keeps its texture coordinates and colors, and gets the normals it lacks") {
   const Mesh mesh = mesh_of(quad_document());
   REQUIRE(mesh.positions.size() == 4);
   CHECK(mesh.positions[2] == Point{1, 0, -1});
@@ -45,7 +46,7 @@ TEST_CASE("a GLB keeps its texture coordinates and colors, and gets the normals 
   CHECK(mesh.triangles == std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}});
 }
 
-TEST_CASE("nodes move, turn and mirror what they hold, and meshes are repeated") {
+TEST_CASE("Nodes move, turn and mirror what they hold, and meshes are repeated") {
   json document = quad_document();
   document["scenes"][0]["nodes"] = {0, 2};
   document["nodes"] = {{{"mesh", 0}, {"translation", {10, 0, 0}}, {"children", {1}}},
@@ -61,7 +62,7 @@ TEST_CASE("nodes move, turn and mirror what they hold, and meshes are repeated")
   CHECK(mesh.triangles[4] == std::array<std::uint32_t, 3>{8, 10, 9});
 }
 
-TEST_CASE("strips, fans, triangles without indices, and the material's color are understood") {
+TEST_CASE("Strips, fans, triangles without indices, and the material's color are understood") {
   const std::string primitive = "/meshes/0/primitives/0";
   CHECK(mesh_of(changed(primitive + "/mode", 6)).triangles.size() == 2);  // two of the four use a vertex twice
   json document = changed(primitive + "/mode", 5);
@@ -77,7 +78,7 @@ TEST_CASE("strips, fans, triangles without indices, and the material's color are
   CHECK(refusal_of(document) == "invalid: the file has no triangles; 1 primitive of points or lines is left out");
 }
 
-TEST_CASE("what leads out of the file, or needs a decoder, is refused") {
+TEST_CASE("What leads out of the file, or needs a decoder, is refused") {
   for (const char* uri :
        {"data:application/octet-stream;base64,AAAA", "/etc/passwd", "http://localhost/", "$(id)", ""}) {
     CAPTURE(uri);
@@ -94,7 +95,7 @@ TEST_CASE("what leads out of the file, or needs a decoder, is refused") {
         "invalid: mesh 0, primitive 0: accessor 0: \"count\" is missing");
 }
 
-TEST_CASE("documents that are wrong anywhere are refused") {
+TEST_CASE("Documents that are wrong anywhere are refused") {
   const double large = 1e300;
   for (const auto& [pointer, value] : std::vector<std::pair<std::string, json>>{
            {"/accessors/0/count", 5},
@@ -148,7 +149,7 @@ TEST_CASE("documents that are wrong anywhere are refused") {
   }
 }
 
-TEST_CASE("indices out of range are refused, and so are files of nothing but numbers that are not finite") {
+TEST_CASE("Indices out of range are refused, and so are files of nothing but numbers that are not finite") {
   std::string binary = quad_binary();
   binary[96] = 4;
   CHECK(refusal_of(quad_document(), binary) == "invalid: mesh 0, primitive 0: an index is 4, but there are 4 vertices");
@@ -178,7 +179,7 @@ TEST_CASE("JSON that is deep, large or none is refused before it is built") {
   }
 }
 
-TEST_CASE("a small file cannot ask for endless work") {
+TEST_CASE("A small file cannot ask for endless work") {
   json document = quad_document();
   document["scenes"][0].erase("nodes");
   document["meshes"][0]["primitives"] = json(2000, {{"mode", 0}});
@@ -194,13 +195,13 @@ TEST_CASE("a small file cannot ask for endless work") {
   CHECK(refusal(read_glb_mesh, glb, {4000, 1999}).starts_with("too large: "));
 }
 
-TEST_CASE("a GLB is left when the work is to stop") {
+TEST_CASE("A GLB is left when the work is to stop") {
   Cancel told;
   told.stop(StopReason::deadline);
   CHECK(refusal(read_glb_mesh, quad_glb(), {}, told) == "stopped");
 }
 
-TEST_CASE("triangles that use a vertex twice are counted, and not against the limit") {
+TEST_CASE("Triangles that use a vertex twice are counted, and not against the limit") {
   json document = quad_document();
   document["accessors"][3] = {{"bufferView", 3}, {"componentType", 5121}, {"count", 3000}, {"type", "SCALAR"}};
   document["bufferViews"][3]["byteLength"] = 3000;
@@ -210,7 +211,7 @@ TEST_CASE("triangles that use a vertex twice are counted, and not against the li
         "invalid: the file has no triangles; 1000 triangles use a vertex twice and are left out");
 }
 
-TEST_CASE("a GLB cut short at any byte, or with any byte changed, is read or refused and nothing worse") {
+TEST_CASE("A GLB cut short at any byte, or with any byte changed, is read or refused and nothing worse") {
   const std::string good = quad_glb();
   CHECK(refusal(read_glb_mesh, good).empty());
   for (std::size_t size = 0; size < good.size(); ++size) {
@@ -225,7 +226,7 @@ TEST_CASE("a GLB cut short at any byte, or with any byte changed, is read or ref
   }
 }
 
-TEST_CASE("a GLB with damage of any kind is read or refused, and nothing worse") {
+TEST_CASE("A GLB with damage of any kind is read or refused, and nothing worse") {
   std::mt19937 random(11);
   const std::string text = quad_document().dump();
   for (int i = 0; i < 6000; ++i) {
@@ -242,7 +243,7 @@ void collect(json& place, std::vector<json*>& places) {
   for (json& child : place) collect(child, places);
 }
 
-TEST_CASE("a GLB whose members have changed places or values is read or refused, and nothing worse") {
+TEST_CASE("A GLB whose members have changed places or values is read or refused, and nothing worse") {
   std::mt19937 random(13);
   const std::vector<json> values = {0,
                                     1,
@@ -279,4 +280,3 @@ TEST_CASE("a GLB whose members have changed places or values is read or refused,
 }
 
 }  // namespace
-}  // namespace dini

@@ -3,7 +3,8 @@
 #include "geometry/json.h"
 #include "tests/support/glb_parts.h"
 
-namespace dini {
+using namespace dini;
+
 namespace {
 
 using namespace support;
@@ -18,7 +19,7 @@ GlbParts triangle_with_material(const json& material) {
   return parts;
 }
 
-TEST_CASE("alpha counts under BLEND, is compared under MASK, and does not count otherwise") {
+TEST_CASE("Alpha counts under BLEND, is compared under MASK, and does not count otherwise") {
   struct Case {
     json material;
     float vertex_alpha, alpha;
@@ -79,7 +80,7 @@ void check_flat(const Mesh& mesh) {
   }
 }
 
-TEST_CASE("a primitive without normals comes out flat, its neighbors with normals as they are") {
+TEST_CASE("A primitive without normals comes out flat, its neighbors with normals as they are") {
   const ReadFile alone = read(cube_parts());
   CHECK(alone.mesh.positions.size() == 24);
   CHECK(alone.mesh.triangles.size() == 12);
@@ -98,7 +99,7 @@ TEST_CASE("a primitive without normals comes out flat, its neighbors with normal
   check_flat(flat);
 }
 
-TEST_CASE("where flat normals need more vertices than the limit, they are smooth, and that is told") {
+TEST_CASE("Where flat normals need more vertices than the limit, they are smooth, and that is told") {
   const ImportResult result = read_glb_mesh(cube_parts().glb(), {23, 12});
   const ReadFile file(result);
   CHECK(file.mesh.positions.size() == 8);
@@ -108,4 +109,3 @@ TEST_CASE("where flat normals need more vertices than the limit, they are smooth
 }
 
 }  // namespace
-}  // namespace dini

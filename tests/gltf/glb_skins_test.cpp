@@ -5,7 +5,8 @@
 #include "geometry/json.h"
 #include "tests/support/glb_parts.h"
 
-namespace dini {
+using namespace dini;
+
 namespace {
 
 using namespace support;
@@ -55,7 +56,7 @@ void bind(GlbParts& parts, const std::vector<std::array<float, 16>>& matrices) {
 
 Places places(const GlbParts& parts) { return read(parts).positions(); }
 
-TEST_CASE("a skinned mesh does not stand where its own node is") {
+TEST_CASE("A skinned mesh does not stand where its own node is") {
   CHECK(places(skinned({{{1, 0}, {1, 0}, {1, 0}}})) == Places{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   // Only where both the node has a skin and the primitive has joints.
   GlbParts bare = skinned({{{1, 0}, {1, 0}, {1, 0}}});
@@ -63,7 +64,7 @@ TEST_CASE("a skinned mesh does not stand where its own node is") {
   CHECK(places(bare)[0] == std::array<double, 3>{100, 0, 0});
 }
 
-TEST_CASE("a vertex follows its joints from where they were bound, by its weights") {
+TEST_CASE("A vertex follows its joints from where they were bound, by its weights") {
   GlbParts parts = skinned({{{1, 0}, {0, 1}, {0.5, 0.5}}});
   parts.document["nodes"][1] = {{"translation", {0, 5, 0}}, {"children", {2}}};
   parts.document["nodes"][2] = {{"translation", {0, 0, 7}}};
@@ -77,7 +78,7 @@ TEST_CASE("a vertex follows its joints from where they were bound, by its weight
   CHECK(places(loose) == Places{{0, 0, 2}, {1, 0, 0}, {0, 1, 4}});
 }
 
-TEST_CASE("joints turn and mirror the normals and triangles that follow them") {
+TEST_CASE("Joints turn and mirror the normals and triangles that follow them") {
   GlbParts parts = skinned({{{1, 0}, {1, 0}, {1, 0}}});
   parts.document["nodes"][1] = {{"rotation", {std::sqrt(0.5), 0, 0, std::sqrt(0.5)}}};
   const ReadFile turned = read(parts);
@@ -89,7 +90,7 @@ TEST_CASE("joints turn and mirror the normals and triangles that follow them") {
   CHECK(mirrored.mesh.triangles[0] == std::array<std::uint32_t, 3>{0, 2, 1});
 }
 
-TEST_CASE("skins that are wrong are refused") {
+TEST_CASE("Skins that are wrong are refused") {
   const auto said = [](const std::string& pointer, const json& value) {
     GlbParts parts = skinned({{{1, 0}, {1, 0}, {0, 1}}});
     bind(parts, {identity, identity});
@@ -126,4 +127,3 @@ TEST_CASE("skins that are wrong are refused") {
 }
 
 }  // namespace
-}  // namespace dini

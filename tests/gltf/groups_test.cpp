@@ -7,6 +7,7 @@
 #include "gltf/glb_groups.h"
 
 using namespace dini;
+
 namespace {
 
 Json json_of(const EncodeResult<std::string>& encoded) {
@@ -37,7 +38,7 @@ std::vector<GlbGroup> sample() {
 
 }  // namespace
 
-TEST_CASE("groups are nodes with a child for everything that can be drawn") {
+TEST_CASE("Groups are nodes with a child for everything that can be drawn") {
   const Json json = json_of(encode_groups(sample(), {}, Cancel()));
   const Json& nodes = json["nodes"];
   REQUIRE(nodes.size() == 4);
@@ -54,7 +55,7 @@ TEST_CASE("groups are nodes with a child for everything that can be drawn") {
   CHECK(json["meshes"][0]["primitives"][1]["mode"] == 0);
 }
 
-TEST_CASE("the same groups give the same bytes, and nothing to draw is a file too") {
+TEST_CASE("The same groups give the same bytes, and nothing to draw is a file too") {
   CHECK(*encode_groups(sample(), {}, Cancel()) == *encode_groups(sample(), {}, Cancel()));
   const Json json = json_of(encode_groups({{"a", {{"id", "a"}}, {}}}, {}, Cancel()));
   CHECK(json["nodes"].size() == 2);
@@ -63,7 +64,7 @@ TEST_CASE("the same groups give the same bytes, and nothing to draw is a file to
   CHECK_FALSE(json.contains("buffers"));
 }
 
-TEST_CASE("an error names the group, and a stopped one says so") {
+TEST_CASE("An error names the group, and a stopped one says so") {
   auto broken = std::make_shared<Mesh>(*std::get<SharedMesh>(mesh_part().shape));
   broken->positions.set(0, {std::numeric_limits<double>::quiet_NaN(), 0, 0});
   std::vector<GlbGroup> groups = sample();

@@ -6,7 +6,8 @@
 #include "tests/gltf/compare.h"
 #include "tests/gltf/shapes.h"
 
-namespace dini {
+using namespace dini;
+
 namespace {
 
 using namespace compare;
@@ -32,7 +33,7 @@ std::vector<std::vector<float>> runs_of(const std::vector<double>& xs, bool clos
   return result;
 }
 
-TEST_CASE("points that cannot be drawn split a polyline") {
+TEST_CASE("Points that cannot be drawn split a polyline") {
   constexpr double gap = std::numeric_limits<double>::infinity();
   using Runs = std::vector<std::vector<float>>;
   CHECK(runs_of({1, 2, 3}, false) == Runs{{1, 2, 3}});
@@ -47,7 +48,7 @@ TEST_CASE("points that cannot be drawn split a polyline") {
   CHECK(runs_of({1, 2}, true) == Runs{{1, 2, 1}});
 }
 
-TEST_CASE("polylines come back, few as strips and many as segments") {
+TEST_CASE("Polylines come back, few as strips and many as segments") {
   const std::size_t count = GENERATE(1, 64, 65, 500);
   std::vector<Polyline> polylines;
   for (std::size_t i = 0; i < count; ++i) {
@@ -74,7 +75,7 @@ TEST_CASE("polylines come back, few as strips and many as segments") {
   }
 }
 
-TEST_CASE("points come back without those that cannot be drawn") {
+TEST_CASE("Points come back without those that cannot be drawn") {
   Column<Point> points(4);
   points.set(0, {1, 2, 3});
   points.set(1, Point::at_infinity());
@@ -92,4 +93,3 @@ TEST_CASE("points come back without those that cannot be drawn") {
 }
 
 }  // namespace
-}  // namespace dini

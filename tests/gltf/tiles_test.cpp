@@ -10,7 +10,8 @@
 #include "tests/gltf/compare.h"
 #include "tests/gltf/shapes.h"
 
-namespace dini {
+using namespace dini;
+
 namespace {
 
 using namespace compare;
@@ -24,12 +25,12 @@ Mesh mesh_with_runs(std::size_t triangles, std::vector<std::size_t> ends) {
 
 const TileSizes sizes;
 
-TEST_CASE("where compressing is slow tiles are half as large") {
+TEST_CASE("Where compressing is slow tiles are half as large") {
   CHECK(tile_sizes({.speed = 4}).largest == sizes.largest);
   CHECK(2 * tile_sizes({.speed = 3}).largest == sizes.largest);
 }
 
-TEST_CASE("small meshes stay in one piece and large ones are cut evenly") {
+TEST_CASE("Small meshes stay in one piece and large ones are cut evenly") {
   CHECK(plan_tiles(mesh_with_runs(0, {}), sizes).empty());
   CHECK(plan_tiles(mesh_with_runs(1, {}), sizes) == std::vector<std::size_t>{1});
   CHECK(plan_tiles(mesh_with_runs(sizes.largest, {}), sizes).size() == 1);
@@ -37,7 +38,7 @@ TEST_CASE("small meshes stay in one piece and large ones are cut evenly") {
   CHECK(plan_tiles(mesh_with_runs(100 * sizes.usual, {}), sizes).size() == 100);
 }
 
-TEST_CASE("small neighboring runs are joined and long ones cut") {
+TEST_CASE("Small neighboring runs are joined and long ones cut") {
   CHECK(plan_tiles(mesh_with_runs(40, {10, 20, 30, 40}), sizes) == std::vector<std::size_t>{40});
   CHECK(plan_tiles(mesh_with_runs(80000, {32768, 65536, 80000}), sizes) == std::vector<std::size_t>{65536, 80000});
   const auto ends = plan_tiles(mesh_with_runs(200100, {100, 200100}), sizes);
@@ -50,7 +51,7 @@ TEST_CASE("small neighboring runs are joined and long ones cut") {
   }
 }
 
-TEST_CASE("a tile keeps its triangles, in a numbering by first use, without unused vertices") {
+TEST_CASE("A tile keeps its triangles, in a numbering by first use, without unused vertices") {
   Mesh mesh = shapes::wavy_field(5, 5);
   mesh.triangles[9] = {3, 3, 4};
   const auto built = build_tile(mesh, 8, 12, {});
@@ -66,7 +67,7 @@ TEST_CASE("a tile keeps its triangles, in a numbering by first use, without unus
   CHECK(tile.positions[0][0] == static_cast<float>(first.x));
 }
 
-TEST_CASE("tiles together hold every triangle, and no crack opens between them") {
+TEST_CASE("Tiles together hold every triangle, and no crack opens between them") {
   const bool squares = GENERATE(true, false);
   Mesh mesh = shapes::torus(320, 300);
   if (squares) shapes::cut_into_square_tiles(mesh, 320, 300, 64);
@@ -91,7 +92,7 @@ TEST_CASE("tiles together hold every triangle, and no crack opens between them")
   CHECK(std::all_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second == 0; }));
 }
 
-TEST_CASE("parts share one grid, so equal vertices of two parts stay equal") {
+TEST_CASE("Parts share one grid, so equal vertices of two parts stay equal") {
   Mesh small = shapes::wavy_field(9, 9);
   Mesh large = shapes::wavy_field(9, 9);
   for (std::size_t i = 9; i < 81; ++i) large.positions.set(i, {large.positions[i].x, large.positions[i].y, 7.7});
@@ -104,7 +105,7 @@ TEST_CASE("parts share one grid, so equal vertices of two parts stay equal") {
   }
 }
 
-TEST_CASE("the bytes do not depend on the number of threads") {
+TEST_CASE("The bytes do not depend on the number of threads") {
   Mesh mesh = shapes::wavy_field(400, 400);
   const Scene scene = shapes::scene_of(std::move(mesh));
   std::vector<std::string> files;
@@ -116,7 +117,7 @@ TEST_CASE("the bytes do not depend on the number of threads") {
   for (const std::string& file : files) CHECK(file == files[0]);
 }
 
-TEST_CASE("a stopped encoding says so") {
+TEST_CASE("A stopped encoding says so") {
   const Scene scene = shapes::scene_of(shapes::wavy_field(50, 50));
   const Cancel cancel;
   cancel.stop(StopReason::client_gone);
@@ -126,4 +127,3 @@ TEST_CASE("a stopped encoding says so") {
 }
 
 }  // namespace
-}  // namespace dini

@@ -20,25 +20,25 @@ Json sum(Json a, Json b) { return {{"type", "sum"}, {"inputs", {{"a", std::move(
 
 }  // namespace
 
-TEST_CASE("one value is a family over no axes") {
+TEST_CASE("One value is a family over no axes") {
   const Json graph = document({{"s", sum(1, 2)}});
   CHECK(support::numbers(registry, graph, "s") == std::vector<double>{3});
   CHECK(support::checked(registry, graph).plan.nodes[0].outputs[0].axes.empty());
 }
 
-TEST_CASE("an input without an axis is constant along it") {
+TEST_CASE("An input without an axis is constant along it") {
   CHECK(support::numbers(registry, document({{"r", ramp(3)}, {"s", sum(from("r"), 10)}}), "s") ==
         std::vector<double>{10, 11, 12});
 }
 
-TEST_CASE("different axes make all combinations, in order of first appearance") {
+TEST_CASE("Different axes make all combinations, in order of first appearance") {
   const Json graph = document({{"r", ramp(2)}, {"t", ramp(3)}, {"s", sum(from("r"), from("t"))}});
   CHECK(support::numbers(registry, graph, "s") == std::vector<double>{0, 1, 2, 1, 2, 3});
   const Axes axes = support::checked(registry, graph).plan.nodes[2].outputs[0].axes;
   CHECK(axes == Axes{{"r", 2, false}, {"t", 3, false}});
 }
 
-TEST_CASE("equal axis names pair up, whatever their order") {
+TEST_CASE("Equal axis names pair up, whatever their order") {
   const Json graph = document({{"r", ramp(2)},
                                {"t", ramp(3)},
                                {"rt", sum(from("r"), from("t"))},
@@ -47,7 +47,7 @@ TEST_CASE("equal axis names pair up, whatever their order") {
   CHECK(support::numbers(registry, graph, "s") == std::vector<double>{0, 2, 4, 2, 4, 6});
 }
 
-TEST_CASE("an axis of the same name with another size or closure is an error that names both ports") {
+TEST_CASE("An axis of the same name with another size or closure is an error that names both ports") {
   const auto problem = [&](const Json& second) {
     const CheckReport report =
         support::checked(registry, document({{"r", ramp(2, "k")}, {"t", second}, {"s", sum(from("r"), from("t"))}}));
@@ -63,7 +63,7 @@ TEST_CASE("an axis of the same name with another size or closure is an error tha
   CHECK(closure.detail.find("axis k is 2 closed at b but 2 open at a") != std::string::npos);
 }
 
-TEST_CASE("a list makes an axis called after its node, or as it says") {
+TEST_CASE("A list makes an axis called after its node, or as it says") {
   const Json items = {{"items", {5, {{"from", "r"}}, 7}}};
   const Json graph = document({{"r", ramp(2)}, {"l", {{"type", "list"}, {"inputs", items}}}});
   CHECK(support::numbers(registry, graph, "l") == std::vector<double>{5, 0, 7, 5, 1, 7});
@@ -71,7 +71,7 @@ TEST_CASE("a list makes an axis called after its node, or as it says") {
   CHECK(report.plan.nodes[report.plan.index.at("l")].outputs[0].axes == Axes{{"r", 2, false}, {"l", 3, false}});
 }
 
-TEST_CASE("lists of one node share their axis and pair up") {
+TEST_CASE("Lists of one node share their axis and pair up") {
   const Json graph =
       document({{"t", {{"type", "total"}, {"inputs", {{"values", {1, 2, 3}}, {"weights", {1, 10, 100}}}}}}});
   CHECK(support::numbers(registry, graph, "t") == std::vector<double>{321});
@@ -80,13 +80,13 @@ TEST_CASE("lists of one node share their axis and pair up") {
         std::multiset<std::string>{"axis-mismatch t.weights"});
 }
 
-TEST_CASE("weights in a list pair up with the axis of a wired family") {
+TEST_CASE("Weights in a list pair up with the axis of a wired family") {
   const Json graph = document(
       {{"r", ramp(3)}, {"t", {{"type", "total"}, {"inputs", {{"values", from("r")}, {"weights", {1, 10, 100}}}}}}});
   CHECK(support::numbers(registry, graph, "t") == std::vector<double>{210});
 }
 
-TEST_CASE("a consumed axis is the last one, or the one that is named") {
+TEST_CASE("A consumed axis is the last one, or the one that is named") {
   const auto total = [&](Json inputs) {
     inputs["values"] = from("s");
     const Json node = {{"type", "total"}, {"inputs", inputs}};
@@ -97,7 +97,7 @@ TEST_CASE("a consumed axis is the last one, or the one that is named") {
   CHECK(total({{"over", "r"}}) == std::vector<double>{1, 3, 5});
 }
 
-TEST_CASE("consuming an axis that is not there is an error that lists those that are") {
+TEST_CASE("Consuming an axis that is not there is an error that lists those that are") {
   const auto problem = [&](Json inputs) {
     const CheckReport report = support::checked(
         registry, document({{"r", ramp(2)}, {"x", {{"type", "total"}, {"inputs", std::move(inputs)}}}}));
@@ -107,7 +107,7 @@ TEST_CASE("consuming an axis that is not there is an error that lists those that
   CHECK(problem({{"values", from("r")}, {"over", "q"}}).find("it has the axis r") != std::string::npos);
 }
 
-TEST_CASE("one value where several may stand is a list of one") {
+TEST_CASE("One value where several may stand is a list of one") {
   const auto total = [&](Json inputs) {
     const Json node = {{"type", "total"}, {"inputs", std::move(inputs)}};
     return support::numbers(registry,
@@ -117,7 +117,7 @@ TEST_CASE("one value where several may stand is a list of one") {
   CHECK(total({{"values", from("one")}, {"weights", {3}}}) == std::vector<double>{12});
 }
 
-TEST_CASE("batched functions see the same values as single ones") {
+TEST_CASE("Batched functions see the same values as single ones") {
   const Json graph =
       document({{"r", ramp(5000)},
                 {"t", ramp(3)},
@@ -131,7 +131,7 @@ TEST_CASE("batched functions see the same values as single ones") {
   }
 }
 
-TEST_CASE("a batched parameter may run along an inner axis") {
+TEST_CASE("A batched parameter may run along an inner axis") {
   const Json graph =
       document({{"r", ramp(3)},
                 {"t", ramp(2)},

@@ -18,7 +18,7 @@ Json toy_node(const char* type, Json inputs) { return {{"type", type}, {"inputs"
 
 }  // namespace
 
-TEST_CASE("a check reports every root problem at once and blocks what stands behind") {
+TEST_CASE("A check reports every root problem at once and blocks what stands behind") {
   const Json graph = document({{"a", toy_node("constan", {{"value", 1}})},
                                {"b", toy_node("constant", {{"valeu", 1}})},
                                {"c", toy_node("constant", {{"value", "one"}})},
@@ -40,7 +40,7 @@ TEST_CASE("a check reports every root problem at once and blocks what stands beh
   CHECK(report.blocked == std::vector<std::string>{"h"});
 }
 
-TEST_CASE("problems say what would be accepted and carry a fix where one is known") {
+TEST_CASE("Problems say what would be accepted and carry a fix where one is known") {
   const auto only = [&](const Json& node) {
     const CheckReport report = checked(registry, document({{"n", node}}));
     REQUIRE(report.problems.size() == 1);
@@ -59,7 +59,7 @@ TEST_CASE("problems say what would be accepted and carry a fix where one is know
   CHECK(link.code == "graph-has-cycle");
 }
 
-TEST_CASE("a cycle is named in order and everything behind it is blocked") {
+TEST_CASE("A cycle is named in order and everything behind it is blocked") {
   const CheckReport report = checked(registry, document({{"a", toy_node("sum", {{"a", from("c")}})},
                                                          {"b", toy_node("sum", {{"a", from("a")}})},
                                                          {"c", toy_node("sum", {{"a", from("b")}})},
@@ -70,14 +70,14 @@ TEST_CASE("a cycle is named in order and everything behind it is blocked") {
   CHECK(report.blocked == std::vector<std::string>{"a", "c", "d"});
 }
 
-TEST_CASE("a wire cannot carry a literal-only value") {
+TEST_CASE("A wire cannot carry a literal-only value") {
   const CheckReport report =
       checked(registry,
               document({{"n", toy_node("constant", {{"value", 3}})}, {"r", toy_node("ramp", {{"count", from("n")}})}}));
   CHECK(codes(report.problems) == std::multiset<std::string>{"type-mismatch r.count"});
 }
 
-TEST_CASE("too many samples are refused before anything is computed, at the node to blame") {
+TEST_CASE("Too many samples are refused before anything is computed, at the node to blame") {
   const Json graph = document({{"a", toy_node("ramp", {{"count", 100000}})},
                                {"b", toy_node("ramp", {{"count", 100000}})},
                                {"s", toy_node("sum", {{"a", from("a")}, {"b", from("b")}})}});
@@ -88,7 +88,7 @@ TEST_CASE("too many samples are refused before anything is computed, at the node
         std::multiset<std::string>{"limit-exceeded a"});
 }
 
-TEST_CASE("parameters stand for literals of their type") {
+TEST_CASE("Parameters stand for literals of their type") {
   Json graph = document({{"s", toy_node("sum", {{"a", {{"parameter", "p"}}}})},
                          {"r", toy_node("ramp", {{"count", {{"parameter", "n"}}}})}});
   graph["parameters"] = {{"p", {{"type", "number"}, {"default", 2.5}, {"max", 3}}},
@@ -108,7 +108,7 @@ TEST_CASE("parameters stand for literals of their type") {
   CHECK(codes(checked(registry, graph).problems) == std::multiset<std::string>{"type-mismatch r.count"});
 }
 
-TEST_CASE("a bypassed node passes its first input on") {
+TEST_CASE("A bypassed node passes its first input on") {
   Json graph = document({{"r", toy_node("ramp", Json::object())},
                          {"s", toy_node("sum", {{"a", from("r")}, {"b", 100}})},
                          {"t", toy_node("sum", {{"a", from("s")}, {"b", 1}})}});
@@ -118,7 +118,7 @@ TEST_CASE("a bypassed node passes its first input on") {
   CHECK(support::numbers(registry, graph, "s") == std::vector<double>{0, 1, 2});
 }
 
-TEST_CASE("all parameters before a node can change it, also through nodes that are bypassed") {
+TEST_CASE("All parameters before a node can change it, also through nodes that are bypassed") {
   Json graph = document({{"a", toy_node("sum", {{"a", {{"parameter", "p"}}}})},
                          {"b", toy_node("sum", {{"a", from("a")}, {"b", {{"parameter", "q"}}}})},
                          {"c", toy_node("sum", {{"a", from("b")}})},
@@ -132,7 +132,7 @@ TEST_CASE("all parameters before a node can change it, also through nodes that a
   CHECK(parameters_behind(whole.plan, whole.plan.index.at("c")) == std::set<std::string>{"p", "q"});
 }
 
-TEST_CASE("a list of problems is bounded and says how many there are besides") {
+TEST_CASE("A list of problems is bounded and says how many there are besides") {
   Json inputs = Json::object();
   for (int i = 0; i < 5000; ++i) inputs["m" + std::to_string(i)] = 0;
   const CheckReport report = checked(registry, document({{"s", toy_node("sum", inputs)}}));
@@ -142,7 +142,7 @@ TEST_CASE("a list of problems is bounded and says how many there are besides") {
   CHECK(report.problems.back().detail == "there are 4900 more problems of this graph");
 }
 
-TEST_CASE("a link to a node that is not there is mended with the nearest name that is") {
+TEST_CASE("A link to a node that is not there is mended with the nearest name that is") {
   const CheckReport report = checked(
       registry, document({{"ring", toy_node("sum", {{"a", 1}})}, {"s", toy_node("sum", {{"a", from("rong.value")}})}}));
   REQUIRE(report.problems.size() == 1);
@@ -150,7 +150,7 @@ TEST_CASE("a link to a node that is not there is mended with the nearest name th
         Json{{{"op", "replace"}, {"path", "/nodes/s/inputs/a/from"}, {"value", "ring.value"}}});
 }
 
-TEST_CASE("a check that is stopped ends at once") {
+TEST_CASE("A check that is stopped ends at once") {
   const Cancel cancel;
   cancel.stop(StopReason::client_gone);
   Json nodes = Json::object();

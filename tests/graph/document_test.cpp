@@ -21,7 +21,7 @@ std::multiset<std::string> pointers(const Json& json) {
 
 }  // namespace
 
-TEST_CASE("writing what was read gives the same document") {
+TEST_CASE("Writing what was read gives the same document") {
   const Json json = Json::parse(R"({
     "format": 1,
     "meta": {"title": "Everything", "anything": [1, {"goes": null}]},
@@ -48,7 +48,7 @@ TEST_CASE("writing what was read gives the same document") {
   CHECK(*again == *read);
 }
 
-TEST_CASE("a document may say where its schema is, and keeps it") {
+TEST_CASE("A document may say where its schema is, and keeps it") {
   const Json json = {{"$schema", "/schema/graph-1.json"}, {"format", 1}, {"nodes", Json::object()}};
   const Result<Document> read = read_document(json, limits);
   REQUIRE(read);
@@ -57,7 +57,7 @@ TEST_CASE("a document may say where its schema is, and keeps it") {
         std::multiset<std::string>{"type-mismatch /$schema"});
 }
 
-TEST_CASE("unknown members anywhere are errors with the nearest known name") {
+TEST_CASE("Unknown members anywhere are errors with the nearest known name") {
   CHECK(pointers(Json::parse(R"({"format": 1, "nods": {}, "nodes": {}})")) ==
         std::multiset<std::string>{"unknown-member /nods"});
   CHECK(pointers(Json::parse(R"({"format": 1, "nodes": {"a": {"type": "number", "input": {}}}})")) ==
@@ -73,7 +73,7 @@ TEST_CASE("unknown members anywhere are errors with the nearest known name") {
         std::multiset<std::string>{"type-mismatch /nodes/a/inputs/value"});
 }
 
-TEST_CASE("ids, formats and parameter defaults are checked") {
+TEST_CASE("Ids, formats and parameter defaults are checked") {
   CHECK(pointers(Json::parse(
             R"({"format": 2, "nodes": {"1a": {"type": "number"}, "a.b": {"type": "number"}, "": {"type": "x"}}})")) ==
         std::multiset<std::string>{"invalid-id /nodes/", "invalid-id /nodes/1a", "invalid-id /nodes/a.b",
@@ -96,13 +96,13 @@ TEST_CASE("ids, formats and parameter defaults are checked") {
   CHECK(pointers(Json(3)) == std::multiset<std::string>{"type-mismatch "});
 }
 
-TEST_CASE("a graph with too many nodes is refused as a whole") {
+TEST_CASE("A graph with too many nodes is refused as a whole") {
   Json json = {{"format", 1}, {"nodes", Json::object()}};
   for (std::size_t i = 0; i <= limits.nodes; ++i) json["nodes"]["n" + std::to_string(i)] = {{"type", "number"}};
   CHECK(pointers(json) == std::multiset<std::string>{"limit-exceeded /nodes"});
 }
 
-TEST_CASE("the reader refuses what is not strict JSON") {
+TEST_CASE("The reader refuses what is not strict JSON") {
   const auto code = [](std::string_view text) {
     const Result<Json> read = parse_json(text, limits);
     return read ? std::string("read") : read.problems().front().code;

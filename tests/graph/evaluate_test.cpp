@@ -29,7 +29,7 @@ Problems failures(const Json& graph, const std::vector<std::string>& targets) {
 
 }  // namespace
 
-TEST_CASE("a node runs once however many need it, and not at all when its result is cached") {
+TEST_CASE("A node runs once however many need it, and not at all when its result is cached") {
   const Json graph = document({{"a", value_node("count_runs", 4)},
                                {"b", {{"type", "sum"}, {"inputs", {{"a", from("a")}, {"b", from("a")}}}}},
                                {"c", {{"type", "sum"}, {"inputs", {{"a", from("a")}, {"b", from("b")}}}}}});
@@ -50,7 +50,7 @@ TEST_CASE("64 diamonds in a chain take time proportional to their number") {
   CHECK(support::numbers(registry, document(nodes), "n64") == std::vector<double>{18446744073709551616.0});
 }
 
-TEST_CASE("a chain as long as a graph may be does not exhaust the stack") {
+TEST_CASE("A chain as long as a graph may be does not exhaust the stack") {
   Json nodes = {{"n0", value_node("constant", 0)}};
   for (int i = 1; i < 2000; ++i) {
     nodes["n" + std::to_string(i)] = {{"type", "sum"},
@@ -59,7 +59,7 @@ TEST_CASE("a chain as long as a graph may be does not exhaust the stack") {
   CHECK(support::numbers(registry, document(nodes), "n1999") == std::vector<double>{1999});
 }
 
-TEST_CASE("failures name the node, the port and the sample; independent failures are all reported") {
+TEST_CASE("Failures name the node, the port and the sample; independent failures are all reported") {
   const Problems problems = failures(document({{"r", {{"type", "ramp"}, {"inputs", {{"count", 5}}}}},
                                                {"m", {{"type", "sum"}, {"inputs", {{"a", from("r")}, {"b", -4}}}}},
                                                {"root", value_node("root", from("m"))},
@@ -73,7 +73,7 @@ TEST_CASE("failures name the node, the port and the sample; independent failures
                     [](const Problem& p) { return p.detail.ends_with("number at index 4 of axis r"); }));
 }
 
-TEST_CASE("hard ranges hold for wired numbers too") {
+TEST_CASE("Hard ranges hold for wired numbers too") {
   const Problems problems = failures(document({{"s", {{"type", "sum"}, {"inputs", {{"a", -90}, {"b", -90}}}}},
                                                {"c", value_node("constant", from("s"))}}),
                                      {"c"});
@@ -81,7 +81,7 @@ TEST_CASE("hard ranges hold for wired numbers too") {
   CHECK(problems[0].detail == "value of c (Toy): got -180, accepted is -100 to 1000000");
 }
 
-TEST_CASE("a cancelled evaluation ends with the reason") {
+TEST_CASE("A cancelled evaluation ends with the reason") {
   const CheckReport report = support::checked(registry, document({{"e", value_node("endless", 1)}}));
   for (const auto& [reason, code] :
        {std::pair{StopReason::superseded, "superseded"}, {StopReason::client_gone, "client-gone"}}) {
@@ -99,7 +99,7 @@ TEST_CASE("a cancelled evaluation ends with the reason") {
   CHECK(evaluate(report.plan, {0}, cache, late).problems().front().code == "deadline");
 }
 
-TEST_CASE("a node that fails by an exception spoils nobody else's result") {
+TEST_CASE("A node that fails by an exception spoils nobody else's result") {
   // The ramps are large, so that they are in the middle of their loops when the other node throws.
   Json nodes = Json::object();
   for (int i = 0; i < 8; ++i) {
@@ -131,7 +131,7 @@ TEST_CASE("a node that fails by an exception spoils nobody else's result") {
   }
 }
 
-TEST_CASE("warnings of the nodes before it stay with a result that comes from the cache") {
+TEST_CASE("Warnings of the nodes before it stay with a result that comes from the cache") {
   const Json graph = document({{"w", value_node("warns", 3)}, {"c", value_node("constant", from("w"))}});
   const CheckReport report = support::checked(registry, graph);
   const std::size_t last = report.plan.index.at("c");
@@ -150,7 +150,7 @@ TEST_CASE("warnings of the nodes before it stay with a result that comes from th
   CHECK(run->result->warnings[0]->warnings[0].code == "toy");
 }
 
-TEST_CASE("equal nodes of one graph are computed once") {
+TEST_CASE("Equal nodes of one graph are computed once") {
   const Json graph = document({{"a", value_node("count_runs", 5)},
                                {"b", value_node("count_runs", 5)},
                                {"c", {{"type", "sum"}, {"inputs", {{"a", from("a")}, {"b", from("b")}}}}}});
@@ -159,7 +159,7 @@ TEST_CASE("equal nodes of one graph are computed once") {
   CHECK(toy::runs == before + 1);
 }
 
-TEST_CASE("the cache forgets the least recently used results first and stays within its budget") {
+TEST_CASE("The cache forgets the least recently used results first and stays within its budget") {
   Cache cache(1500);
   const auto insert = [&](std::uint8_t key, std::size_t bytes) {
     cache.insert<int>({key}, std::make_shared<const int>(key), bytes);

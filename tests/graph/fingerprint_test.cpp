@@ -24,7 +24,7 @@ Json two_ramps(const char* a, const char* b, int size_b, const char* axis_b) {
 
 }  // namespace
 
-TEST_CASE("ids, names of axes and ui do not count") {
+TEST_CASE("Ids, names of axes and ui do not count") {
   Json graph = two_ramps("a", "b", 3, "");
   const Digest plain = key(graph, "s");
   CHECK(key(two_ramps("x", "y", 3, "other"), "s") == plain);
@@ -33,7 +33,7 @@ TEST_CASE("ids, names of axes and ui do not count") {
   CHECK(key(graph, "s") == plain);
 }
 
-TEST_CASE("literals, defaults written out, and how axes pair up do count as they should") {
+TEST_CASE("Literals, defaults written out, and how axes pair up do count as they should") {
   const Digest plain = key(two_ramps("a", "b", 3, ""), "s");
   CHECK(key(two_ramps("a", "b", 4, ""), "s") != plain);
   CHECK(key(two_ramps("a", "b", 3, "a"), "s") != plain);  // paired instead of combined
@@ -45,7 +45,7 @@ TEST_CASE("literals, defaults written out, and how axes pair up do count as they
   CHECK(key(constant({{"value", 2}}), "c") != key(constant({{"value", 1}}), "c"));
 }
 
-TEST_CASE("a change reaches every node behind it and no other") {
+TEST_CASE("A change reaches every node behind it and no other") {
   const auto chain = [](double value) {
     return document({{"a", {{"type", "constant"}, {"inputs", {{"value", value}}}}},
                      {"b", {{"type", "count_runs"}, {"inputs", {{"value", {{"from", "a"}}}}}}},
@@ -55,7 +55,7 @@ TEST_CASE("a change reaches every node behind it and no other") {
   CHECK(key(chain(1), "c") == key(chain(2), "c"));
 }
 
-TEST_CASE("two equal ranges of different nodes share one result but stay different axes") {
+TEST_CASE("Two equal ranges of different nodes share one result but stay different axes") {
   Cache cache(1 << 20);
   const Json graph = two_ramps("a", "b", 3, "");
   CHECK(support::numbers(registry, graph, "s", cache) == std::vector<double>{0, 1, 2, 1, 2, 3, 2, 3, 4});

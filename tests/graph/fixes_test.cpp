@@ -33,7 +33,7 @@ std::string only_path(const Problem& problem) {
 
 }  // namespace
 
-TEST_CASE("a missing input gets a neutral literal, also in a node without inputs") {
+TEST_CASE("A missing input gets a neutral literal, also in a node without inputs") {
   const Problem bare = mended_problem({{"s", make("sum")}});
   CHECK(bare.code == "required-input-missing");
   CHECK(bare.fix == Json::parse(R"([{"op": "add", "path": "/nodes/s/inputs", "value": {"a": 0}}])"));
@@ -42,7 +42,7 @@ TEST_CASE("a missing input gets a neutral literal, also in a node without inputs
   CHECK(mended_problem({{"t", make("total", {{"values", Json::array()}})}}).fix[0]["value"] == Json::array({0}));
 }
 
-TEST_CASE("literals out of range or no choice go to the nearest that is accepted, in lists too") {
+TEST_CASE("Literals out of range or no choice go to the nearest that is accepted, in lists too") {
   CHECK(mended_problem({{"c", make("constant", {{"value", 1e9}})}}).fix[0]["value"] == 1e6);
   CHECK(mended_problem({{"r", make("ramp", {{"count", -7}})}}).fix[0]["value"] == 1);
   const Problem word = mended_problem({{"c", make("chooser", {{"word", "secnd"}})}});
@@ -51,7 +51,7 @@ TEST_CASE("literals out of range or no choice go to the nearest that is accepted
   CHECK(mended_problem({{"c", make("chooser", {{"word", "elephant"}})}}).fix[0]["value"] == "first");
 }
 
-TEST_CASE("links that lead nowhere are taken out, wrong outputs and names go to the nearest") {
+TEST_CASE("Links that lead nowhere are taken out, wrong outputs and names go to the nearest") {
   const Json a = make("constant");
   CHECK(only_path(mended_problem({{"s", make("sum", {{"a", 1}, {"b", from("gone")}})}})) == "remove /nodes/s/inputs/b");
   CHECK(only_path(mended_problem({{"a", a}, {"t", make("total", {{"values", {from("a"), from("gone")}}})}})) ==
@@ -66,7 +66,7 @@ TEST_CASE("links that lead nowhere are taken out, wrong outputs and names go to 
   CHECK(only_path(mended_problem({{"s", make("sum", {{"a", 1}, {"qqqqq", 2}})}})) == "remove /nodes/s/inputs/qqqqq");
 }
 
-TEST_CASE("one link less breaks a cycle, and every cycle is reported") {
+TEST_CASE("One link less breaks a cycle, and every cycle is reported") {
   mended_problem({{"a", make("sum", {{"a", from("b")}})}, {"b", make("sum", {{"a", from("a")}})}});
   const Problem both = mended_problem({{"a", make("sum", {{"a", from("a")}, {"b", from("a")}})}});
   CHECK(both.fix.size() == 2);
@@ -82,7 +82,7 @@ TEST_CASE("one link less breaks a cycle, and every cycle is reported") {
   CHECK(report.blocked == std::vector<std::string>{"b", "d"});
 }
 
-TEST_CASE("values of parameters are mended where the request gives them") {
+TEST_CASE("Values of parameters are mended where the request gives them") {
   Json graph = document({{"c", make("constant")}});
   graph["parameters"] = {{"reach", {{"type", "number"}, {"default", 1}, {"max", 3}}}};
   const Result<Document> read = read_document(graph, {});
@@ -97,7 +97,7 @@ TEST_CASE("values of parameters are mended where the request gives them") {
   CHECK(mended(graph, wrong.problems().front().fix)["parameters"]["reach"]["default"] == 3);
 }
 
-TEST_CASE("wires are told as far as they follow, also of broken nodes and behind them") {
+TEST_CASE("Wires are told as far as they follow, also of broken nodes and behind them") {
   const CheckReport report = checked(registry, document({{"r", make("ramp", {{"count", 4}})},
                                                          {"bad", make("sum", {{"a", from("r")}, {"b", "x"}})},
                                                          {"behind", make("sum", {{"a", from("bad")}})},
@@ -116,7 +116,7 @@ TEST_CASE("wires are told as far as they follow, also of broken nodes and behind
                                                              "unknown-node-type unknown"});
 }
 
-TEST_CASE("what is not asked for is checked apart") {
+TEST_CASE("What is not asked for is checked apart") {
   const Json graph = document({{"a", make("constant")},
                                {"b", make("sum", {{"a", from("a")}})},
                                {"c", make("sum", {{"a", from("gone")}})},

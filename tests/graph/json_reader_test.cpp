@@ -14,7 +14,7 @@ Json read(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a number is the same however it is spelled") {
+TEST_CASE("A number is the same however it is spelled") {
   for (const auto* text : {"16", "16.0", "1.6e1", "160e-1", "16.000", "0.16E+2"}) {
     CAPTURE(text);
     CHECK(read(text).is_number_integer());
@@ -31,7 +31,7 @@ TEST_CASE("a number is the same however it is spelled") {
   CHECK(read("-123456789012345678901234567890").is_number_float());
 }
 
-TEST_CASE("what is no JSON is named by its line and column") {
+TEST_CASE("What is no JSON is named by its line and column") {
   const auto said = [](const std::string& text) { return parse_json(text, {}).problems().front().detail; };
   CHECK(said("{\"a\": 1,\n  \"b\": x}") == "the text is not JSON, at line 2, column 8");
   CHECK(said("[1, 1e999]") == "a number is too large, at line 1, column 9");
@@ -40,7 +40,7 @@ TEST_CASE("what is no JSON is named by its line and column") {
   CHECK(said("") == "the text is not JSON, at line 1, column 1");
 }
 
-TEST_CASE("a byte order mark is passed over, once and at the beginning only") {
+TEST_CASE("A byte order mark is passed over, once and at the beginning only") {
   const std::string mark = "\xEF\xBB\xBF";
   CHECK(read(mark + R"({"a": 1})")["a"] == 1);
   CHECK_FALSE(parse_json(mark + mark + "{}", {}));

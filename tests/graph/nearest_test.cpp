@@ -39,7 +39,7 @@ std::string slow_nearest(const std::string& given, const std::vector<std::string
 
 }  // namespace
 
-TEST_CASE("the nearest name is that of the definition, for names of every length") {
+TEST_CASE("The nearest name is that of the definition, for names of every length") {
   std::mt19937 random(7);
   const auto word = [&](std::size_t longest) {
     std::string text(1 + random() % longest, 'a');

@@ -4,7 +4,7 @@
 
 using namespace dini;
 
-TEST_CASE("the color of a wire type is the one that pages show, made linear") {
+TEST_CASE("The color of a wire type is the one that pages show, made linear") {
   CHECK(info(WireType::circle).color == "#F3AF20");
   const Color circle = linear_color(WireType::circle);
   // 243, 175 and 32 of 255 in sRGB.

@@ -9,9 +9,9 @@
 
 using namespace dini::jobs;
 using namespace std::chrono_literals;
-using dini::testing::eventually;
+using dini::support::eventually;
 
-TEST_CASE("alarms ring in the order of their times") {
+TEST_CASE("Alarms ring in the order of their times") {
   Alarms alarms;
   const auto now = Alarms::Clock::now();
   std::mutex mutex;
@@ -31,7 +31,7 @@ TEST_CASE("alarms ring in the order of their times") {
   }));
 }
 
-TEST_CASE("an alarm that is taken back does not ring, and has rung to its end when that returns") {
+TEST_CASE("An alarm that is taken back does not ring, and has rung to its end when that returns") {
   Alarms alarms;
   std::atomic<bool> rung = false;
   {
@@ -39,19 +39,20 @@ TEST_CASE("an alarm that is taken back does not ring, and has rung to its end wh
   }
   CHECK_FALSE(rung);
 
-  std::atomic<bool> begun = false, ended = false;
+  std::atomic<bool> begun = false, taken_back = false, ended = false;
   {
     const auto ringing = alarms.at(Alarms::Clock::now(), [&] {
       begun = true;
-      std::this_thread::sleep_for(30ms);
+      eventually([&] { return taken_back.load(); });
       ended = true;
     });
     REQUIRE(eventually([&] { return begun.load(); }));
+    taken_back = true;
   }
   CHECK(ended);
 }
 
-TEST_CASE("what rings may destroy its own alarm") {
+TEST_CASE("What rings may destroy its own alarm") {
   Alarms alarms;
   std::atomic<bool> done = false;
   std::mutex mutex;

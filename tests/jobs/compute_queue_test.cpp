@@ -7,7 +7,7 @@
 #include "tests/support/eventually.h"
 
 using namespace dini::jobs;
-using dini::testing::eventually;
+using dini::support::eventually;
 
 namespace {
 
@@ -17,7 +17,7 @@ std::shared_ptr<ComputeQueue::Task> task(std::function<void()> run, std::size_t 
 
 }  // namespace
 
-TEST_CASE("a queue gives its places, then lets a number wait, then refuses") {
+TEST_CASE("A queue gives its places, then lets a number wait, then refuses") {
   std::latch go(1);
   std::atomic<int> ran = 0;
   {
@@ -36,7 +36,7 @@ TEST_CASE("a queue gives its places, then lets a number wait, then refuses") {
   CHECK(ran == 5);
 }
 
-TEST_CASE("a free place is never refused, however quickly tasks follow each other") {
+TEST_CASE("A free place is never refused, however quickly tasks follow each other") {
   ComputeQueue queue({.places = 1, .waiting = 0, .bytes = 100});
   std::atomic<int> ran = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -46,7 +46,7 @@ TEST_CASE("a free place is never refused, however quickly tasks follow each othe
   CHECK(ran == 2000);
 }
 
-TEST_CASE("what waits can be taken back and then never runs; what runs cannot") {
+TEST_CASE("What waits can be taken back and then never runs; what runs cannot") {
   std::latch go(1);
   std::atomic<bool> ran = false;
   {
@@ -65,7 +65,7 @@ TEST_CASE("what waits can be taken back and then never runs; what runs cannot") 
   CHECK_FALSE(ran);
 }
 
-TEST_CASE("nothing starts before there is room for its memory, but what needs more than all runs alone") {
+TEST_CASE("Nothing starts before there is room for its memory, but what needs more than all runs alone") {
   std::mutex mutex;
   std::size_t held = 0, most = 0, alone = 0;
   {
@@ -79,7 +79,7 @@ TEST_CASE("nothing starts before there is room for its memory, but what needs mo
               if (bytes == 500) alone = held;
               if (bytes != 500) most = std::max(most, held);
             }
-            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            for (int turn = 0; turn < 1000; ++turn) std::this_thread::yield();
             const std::lock_guard lock(mutex);
             held -= bytes;
           },

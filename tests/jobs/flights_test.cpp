@@ -12,7 +12,7 @@
 using namespace dini;
 using namespace dini::jobs;
 using namespace std::chrono_literals;
-using dini::testing::eventually;
+using dini::support::eventually;
 
 namespace {
 
@@ -56,7 +56,7 @@ struct Field {
 std::function<Answer(const Cancel&)> until(std::atomic<bool>& go, std::atomic<int>& runs, std::atomic<int>& stopped) {
   return [&](const Cancel& cancel) -> Answer {
     ++runs;
-    while (!go && !cancel.stopped()) std::this_thread::sleep_for(1ms);
+    eventually([&] { return go || cancel.stopped(); });
     if (cancel.stopped()) ++stopped;
     return value(7);
   };
@@ -64,7 +64,7 @@ std::function<Answer(const Cancel&)> until(std::atomic<bool>& go, std::atomic<in
 
 }  // namespace
 
-TEST_CASE("a hundred who ask for the same are told the same, after one computation in one place") {
+TEST_CASE("A hundred who ask for the same are told the same, after one computation in one place") {
   Field field(1, 0);
   std::atomic<bool> go = false;
   std::atomic<int> runs = 0, stopped = 0;
@@ -81,7 +81,7 @@ TEST_CASE("a hundred who ask for the same are told the same, after one computati
   CHECK(field.flights.count().joined == 99);
 }
 
-TEST_CASE("who is not let in is not told") {
+TEST_CASE("Who is not let in is not told") {
   Field field(1, 0);
   std::atomic<bool> go = false;
   std::atomic<int> runs = 0, stopped = 0;
@@ -90,7 +90,9 @@ TEST_CASE("who is not let in is not told") {
   CHECK(field.ask(2, until(go, runs, stopped), second, Flights::Clock::now() + 10ms) == nullptr);
   go = true;
   REQUIRE(first.wait());
-  std::this_thread::sleep_for(20ms);
+  std::atomic<bool> past_its_deadline = false;
+  const auto later = field.alarms.at(Flights::Clock::now() + 20ms, [&] { past_its_deadline = true; });
+  REQUIRE(eventually([&] { return past_its_deadline.load(); }));
   CHECK(second.times == 0);
   Told third;
   REQUIRE(eventually([&] { return field.queue.load().running == 0; }));
@@ -98,7 +100,7 @@ TEST_CASE("who is not let in is not told") {
   CHECK(third.wait());
 }
 
-TEST_CASE("one who leaves is told why at once; the work goes on for the others and ends with the last") {
+TEST_CASE("One who leaves is told why at once; the work goes on for the others and ends with the last") {
   Field field;
   std::atomic<bool> go = false;
   std::atomic<int> runs = 0, stopped = 0;
@@ -125,7 +127,7 @@ TEST_CASE("one who leaves is told why at once; the work goes on for the others a
   CHECK(second.times == 1);
 }
 
-TEST_CASE("deadlines hold for those who wait in the queue, and take back their work") {
+TEST_CASE("Deadlines hold for those who wait in the queue, and take back their work") {
   Field field(1, 2);
   std::atomic<bool> go = false;
   std::atomic<int> runs = 0, stopped = 0;
@@ -142,7 +144,7 @@ TEST_CASE("deadlines hold for those who wait in the queue, and take back their w
   CHECK(runs == 1);
 }
 
-TEST_CASE("a deadline that has passed already is told like any other") {
+TEST_CASE("A deadline that has passed already is told like any other") {
   Field field;
   std::atomic<bool> go = true;
   std::atomic<int> runs = 0, stopped = 0;
@@ -152,7 +154,7 @@ TEST_CASE("a deadline that has passed already is told like any other") {
   CHECK(late.times == 1);
 }
 
-TEST_CASE("exceptions become problems and tell nothing of the inside") {
+TEST_CASE("Exceptions become problems and tell nothing of the inside") {
   Field field;
   Told memory, bug;
   field.ask(
@@ -165,7 +167,7 @@ TEST_CASE("exceptions become problems and tell nothing of the inside") {
   CHECK(bug.code == "internal");
 }
 
-TEST_CASE("a teller that throws is destroyed and hurts nobody else") {
+TEST_CASE("A teller that throws is destroyed and hurts nobody else") {
   Field field;
   const auto held = std::make_shared<int>(1);
   const std::weak_ptr<int> watch = held;
@@ -182,7 +184,7 @@ TEST_CASE("a teller that throws is destroyed and hurts nobody else") {
   CHECK(eventually([&] { return held.use_count() == 1; }));
 }
 
-TEST_CASE("everybody can be told that the server is shutting down") {
+TEST_CASE("Everybody can be told that the server is shutting down") {
   Field field(2, 8);
   std::atomic<bool> go = false;
   std::atomic<int> runs = 0, stopped = 0;
@@ -197,7 +199,7 @@ TEST_CASE("everybody can be told that the server is shutting down") {
   }
 }
 
-TEST_CASE("asking, leaving and landing at the same time tell everybody exactly once") {
+TEST_CASE("Asking, leaving and landing at the same time tell everybody exactly once") {
   Field field(2, 1000);
   constexpr int askers = 4, rounds = 500;
   std::vector<Told> told(askers * rounds);

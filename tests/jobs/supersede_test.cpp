@@ -7,7 +7,7 @@
 using namespace dini;
 using namespace dini::jobs;
 using namespace std::chrono_literals;
-using dini::testing::eventually;
+using dini::support::eventually;
 
 namespace {
 
@@ -28,7 +28,7 @@ struct Field {
     return flights.ask<int>(
         {.key = {++keys}},
         [this](const Cancel& cancel) -> Answer {
-          while (!go && !cancel.stopped()) std::this_thread::sleep_for(1ms);
+          eventually([&] { return go || cancel.stopped(); });
           return std::make_shared<const int>(1);
         },
         [&code](const Answer& answer, Flights::Begun) { code = answer ? "done" : answer.problems().front().code; });
@@ -37,7 +37,7 @@ struct Field {
 
 }  // namespace
 
-TEST_CASE("only the same key supersedes, and only what arrived before") {
+TEST_CASE("Only the same key supersedes, and only what arrived before") {
   std::string a, b, c, d;
   Field field;
   const auto first = field.ask(a), other = field.ask(b), anonymous = field.ask(c), second = field.ask(d);
@@ -55,7 +55,7 @@ TEST_CASE("only the same key supersedes, and only what arrived before") {
   CHECK(d == "superseded");
 }
 
-TEST_CASE("a request that took longer to be read than a newer one is the superseded one") {
+TEST_CASE("A request that took longer to be read than a newer one is the superseded one") {
   std::string newer, older;
   Field field;
   const auto quick = field.ask(newer), slow = field.ask(older);
@@ -65,7 +65,7 @@ TEST_CASE("a request that took longer to be read than a newer one is the superse
   CHECK(older == "superseded");
 }
 
-TEST_CASE("many keys are not remembered for ever") {
+TEST_CASE("Many keys are not remembered for ever") {
   std::string last;
   Field field;
   for (int i = 0; i < 5000; ++i) field.registry.take_over(std::to_string(i), field.start, nullptr);

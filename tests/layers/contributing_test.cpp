@@ -3,7 +3,9 @@
 
 #include "tests/layers/source_tree.h"
 
-namespace dini::tests {
+using namespace dini;
+using namespace dini::support;
+
 namespace {
 
 /// A text without what indents its lines, and without empty ones.
@@ -45,4 +47,3 @@ TEST_CASE("The node that newcomers are shown is one of the program's, word by wo
 }
 
 }  // namespace
-}  // namespace dini::tests

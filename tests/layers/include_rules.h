@@ -10,7 +10,7 @@
 
 #include "tests/layers/source_tree.h"
 
-namespace dini::tests {
+namespace dini::support {
 
 /// One layer and what it may include besides itself: whole folders (`graph/`) or single headers (`graph/problem.h`).
 struct LayerRule {
@@ -26,4 +26,4 @@ std::span<const LayerRule> layer_rules();
 /// at.
 std::vector<std::string> wrong_includes(const SourceFile& file, const LayerRule& rule);
 
-}  // namespace dini::tests
+}  // namespace dini::support

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-namespace dini::tests {
+using namespace dini;
+using namespace dini::support;
+
 namespace {
 
 const LayerRule& rule_of(std::string_view layer) {
@@ -62,4 +64,3 @@ TEST_CASE("A path that does not start at the root is found") {
 }
 
 }  // namespace
-}  // namespace dini::tests

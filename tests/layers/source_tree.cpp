@@ -6,7 +6,7 @@
 #include <iterator>
 #include <string_view>
 
-namespace dini::tests {
+namespace dini::support {
 namespace {
 
 namespace fs = std::filesystem;
@@ -40,4 +40,4 @@ std::vector<SourceFile> read_source_files(const fs::path& root, const std::strin
   return files;
 }
 
-}  // namespace dini::tests
+}  // namespace dini::support

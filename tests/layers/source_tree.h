@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace dini::tests {
+namespace dini::support {
 
 /// One file: its path from the root of the project, with forward slashes, and its text.
 struct SourceFile {
@@ -18,4 +18,4 @@ struct SourceFile {
 /// builds, installed packages, lock files, pictures, and everything that git keeps.
 std::vector<SourceFile> read_source_files(const std::filesystem::path& root, const std::string& folder);
 
-}  // namespace dini::tests
+}  // namespace dini::support

@@ -4,7 +4,9 @@
 
 #include "tests/layers/source_tree.h"
 
-namespace dini::tests {
+using namespace dini;
+using namespace dini::support;
+
 namespace {
 
 /// True when `word` stands in `text` with no letter, digit or underscore beside it.
@@ -35,4 +37,3 @@ TEST_CASE("A word is found only when it stands alone") {
 }
 
 }  // namespace
-}  // namespace dini::tests

@@ -89,7 +89,7 @@ std::string add_random_mesh(Json& nodes, const std::string& prefix, std::mt19937
 
 }  // namespace
 
-TEST_CASE("the memory of every node is within what is predicted, and not far below") {
+TEST_CASE("The memory of every node is within what is predicted, and not far below") {
   // What would take long for much is given little: some seconds of work are enough for one node.
   constexpr std::size_t most_work = 2'000'000'000;
   for (const Subject& subject : all_subjects()) {
@@ -102,7 +102,7 @@ TEST_CASE("the memory of every node is within what is predicted, and not far bel
   }
 }
 
-TEST_CASE("the memory of random graphs with an export is within what is predicted, and not far below") {
+TEST_CASE("The memory of random graphs with an export is within what is predicted, and not far below") {
   std::mt19937 random(1717);
   for (int graph = 0; graph < 25; ++graph) {
     Json nodes = {{"pair", make("point_pair", {{"position", {3, 1, 0}}})}};
@@ -116,7 +116,7 @@ TEST_CASE("the memory of random graphs with an export is within what is predicte
   }
 }
 
-TEST_CASE("an export of very many circles is predicted, and takes a fraction of a gigabyte") {
+TEST_CASE("An export of very many circles is predicted, and takes a fraction of a gigabyte") {
   const Json nodes = {{"places", make("random", {{"count", 400'000}})},
                       {"rings", make("circle", {{"center", from("places.points")}})},
                       {"out", make("export", {{"model", from("rings")}})}};

@@ -24,7 +24,7 @@ std::size_t triangles_of(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("measure knows spheres and tori") {
+TEST_CASE("Measure knows spheres and tori") {
   CatalogueGraph graph = graph_of({{"ball", ball},
                                    {"ring", ring},
                                    {"b", make("measure", {{"model", from("ball")}})},
@@ -41,7 +41,7 @@ TEST_CASE("measure knows spheres and tori") {
   CHECK(graph.one<double>("r.triangles") == static_cast<double>(mesh->triangles.size()));
 }
 
-TEST_CASE("merge joins all links and all values of their axes") {
+TEST_CASE("Merge joins all links and all values of their axes") {
   CatalogueGraph graph = graph_of({{"ball", ball},
                                    {"ring", ring},
                                    {"k", make("range", {{"from", 10}, {"to", 20}, {"count", 3}})},
@@ -56,7 +56,7 @@ TEST_CASE("merge joins all links and all values of their axes") {
   CHECK(all->triangles.size() == 3 * one->triangles.size() + other->triangles.size());
 }
 
-TEST_CASE("color paints a mesh and leaves its shape alone") {
+TEST_CASE("Color paints a mesh and leaves its shape alone") {
   CatalogueGraph graph =
       graph_of({{"ball", ball}, {"red", make("color", {{"shape", from("ball")}, {"color", {1, 0.25, 0}}})}});
   const auto before = graph.one<SharedMesh>("ball"), after = graph.one<SharedMesh>("red");
@@ -65,7 +65,7 @@ TEST_CASE("color paints a mesh and leaves its shape alone") {
   CHECK(after->triangles == before->triangles);
 }
 
-TEST_CASE("check passes a number on within its bounds and fails beyond, with its message") {
+TEST_CASE("Check passes a number on within its bounds and fails beyond, with its message") {
   const auto checked_number = [](double value) {
     return graph_of(
         {{"c", make("check", {{"value", value}, {"minimum", 1}, {"maximum", 2}, {"message", "too thick"}})}});
@@ -80,7 +80,7 @@ TEST_CASE("check passes a number on within its bounds and fails beyond, with its
   CHECK(graph_of({{"c", make("check", {{"value", -1e300}})}}).one<double>("c") == -1e300);
 }
 
-TEST_CASE("an exported file holds what was exported, within the announced bound") {
+TEST_CASE("An exported file holds what was exported, within the announced bound") {
   CatalogueGraph graph = graph_of({{"ball", ball},
                                    {"red", make("color", {{"shape", from("ball")}, {"color", {1, 0, 0}}})},
                                    {"circle", make("circle", {{"radius", 2}})},
@@ -106,7 +106,7 @@ TEST_CASE("an exported file holds what was exported, within the announced bound"
   }
 }
 
-TEST_CASE("what an export leaves out is a warning, and nothing at all is an error that says why") {
+TEST_CASE("What an export leaves out is a warning, and nothing at all is an error that says why") {
   const Json nodes = {{"far", make("list", {{"items", {{0, 0, 0}, {1e300, 0, 0}, {0, 2e18, 0}}}})},
                       {"spots", make("translate", {{"shape", from("far")}})},
                       {"lost", make("point", {{"position", {0, 0, 1e19}}})},
@@ -124,7 +124,7 @@ TEST_CASE("what an export leaves out is a warning, and nothing at all is an erro
   CHECK(problems.front().detail.find("ball (Sphere mesh), has no triangles") != std::string::npos);
 }
 
-TEST_CASE("a draft is coarser and a final answer is not bounded") {
+TEST_CASE("A draft is coarser and a final answer is not bounded") {
   const Json nodes = {{"k", make("range", {{"to", 6.25}, {"count", 300}})},
                       {"aside", make("vector", {{"z", from("k")}})},
                       {"ring", make("circle")},

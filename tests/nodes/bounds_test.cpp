@@ -130,7 +130,7 @@ std::vector<Json> extreme_literals(const InputPort& port) {
 
 }  // namespace
 
-TEST_CASE("every node runs at every hard bound") {
+TEST_CASE("Every node runs at every hard bound") {
   for_every_bound([](const Subject& subject, const InputPort& port, double bound, double) {
     CAPTURE(bound);
     Json literals = least_counts(subject);
@@ -146,7 +146,7 @@ TEST_CASE("every node runs at every hard bound") {
   });
 }
 
-TEST_CASE("every node refuses a literal just outside a hard bound, and says what it takes") {
+TEST_CASE("Every node refuses a literal just outside a hard bound, and says what it takes") {
   for_every_bound([](const Subject& subject, const InputPort& port, double bound, double direction) {
     const CatalogueGraph graph =
         graph_of(wired_nodes(subject, {.literals = {{port.name, beyond(port, bound, direction)}}}));
@@ -157,7 +157,7 @@ TEST_CASE("every node refuses a literal just outside a hard bound, and says what
   });
 }
 
-TEST_CASE("every node refuses a wired number just outside a hard bound") {
+TEST_CASE("Every node refuses a wired number just outside a hard bound") {
   for_every_bound([](const Subject& subject, const InputPort& port, double bound, double direction) {
     if (is_integer(port)) return;
     Json nodes = wired_nodes(subject, {});
@@ -168,7 +168,7 @@ TEST_CASE("every node refuses a wired number just outside a hard bound") {
   });
 }
 
-TEST_CASE("every node makes whole values of extreme literals, or says why not") {
+TEST_CASE("Every node makes whole values of extreme literals, or says why not") {
   for (const Subject& subject : all_subjects()) {
     for (const InputPort& port : subject.type->inputs) {
       if (port.required()) continue;
@@ -180,7 +180,7 @@ TEST_CASE("every node makes whole values of extreme literals, or says why not") 
   }
 }
 
-TEST_CASE("every node makes whole values of elements with extreme numbers, or says why not") {
+TEST_CASE("Every node makes whole values of elements with extreme numbers, or says why not") {
   for (const Subject& subject : all_subjects()) {
     for (std::size_t port = 0; port < subject.type->inputs.size(); ++port) {
       if (!can_be_lifted(subject, port)) continue;
@@ -194,7 +194,7 @@ TEST_CASE("every node makes whole values of elements with extreme numbers, or sa
   }
 }
 
-TEST_CASE("a color by number of the ends of all numbers is a color") {
+TEST_CASE("A color by number of the ends of all numbers is a color") {
   for (const double value : {-1e308, 0.0, 1e308, 1.7e308}) {
     for (const char* palette : {"cyclic", "diverging", "sequential"}) {
       for (const auto& [least, most] :

@@ -27,7 +27,7 @@ void require_degenerate(const Json& nodes, const std::string& port) {
 
 }  // namespace
 
-TEST_CASE("numbers, vectors and points are shown as they were given, to the last bit") {
+TEST_CASE("Numbers, vectors and points are shown as they were given, to the last bit") {
   CHECK(only("number", {{"value", 0.1}}).dump() == "0.1");
   CHECK(only("vector", {{"x", 0.1}, {"y", -2}, {"z", 1e-300}}) == Json{0.1, -2.0, 1e-300});
   CHECK(only("point", {{"position", {1, 2, 1.0 / 3}}}) == Json{1.0, 2.0, 1.0 / 3});
@@ -35,7 +35,7 @@ TEST_CASE("numbers, vectors and points are shown as they were given, to the last
   CHECK(graph.json("n") == Json{{"type", "number"}, {"axes", Json::array()}, {"values", {0.0}}});
 }
 
-TEST_CASE("a circle is shown by center, radius and unit normal, a line by point and direction") {
+TEST_CASE("A circle is shown by center, radius and unit normal, a line by point and direction") {
   const Json circle = only("circle", {{"center", {1, -2, 0.5}}, {"normal", {0, 3, 4}}, {"radius", 2.5}});
   CHECK(circle.size() == 3);
   require_close(triple(circle["center"]), {1, -2, 0.5});
@@ -48,13 +48,13 @@ TEST_CASE("a circle is shown by center, radius and unit normal, a line by point 
   require_close(triple(line["direction"]), {0, -1, 0});
 }
 
-TEST_CASE("circles without a normal, lines without a direction and turns about a circle are degenerate") {
+TEST_CASE("Circles without a normal, lines without a direction and turns about a circle are degenerate") {
   require_degenerate({{"n", make("circle", {{"normal", {0, 0, 0}}})}}, "normal");
   require_degenerate({{"n", make("line", {{"direction", {0, 0, 0}}})}}, "direction");
   require_degenerate({{"c", make("circle")}, {"n", make("rotation", {{"axis", from("c")}})}}, "axis");
 }
 
-TEST_CASE("a radius that its distance from the origin drowns is an error, never another radius") {
+TEST_CASE("A radius that its distance from the origin drowns is an error, never another radius") {
   for (const char* type : {"circle", "sphere"}) {
     for (const double distance : {1e3, 1e6, 1e9, 1e12, 1e17, 1e200}) {
       for (const double share : {1e-9, 1e-7, 1e-6, 1e-5, 1e-3}) {
@@ -84,7 +84,7 @@ TEST_CASE("a radius that its distance from the origin drowns is an error, never 
   }
 }
 
-TEST_CASE("axes have names that can be shown, and no two of a node the same") {
+TEST_CASE("Axes have names that can be shown, and no two of a node the same") {
   const auto problems = [](const Json& inputs) {
     return codes(graph_of({{"n", make("grid", inputs)}}).static_problems());
   };
@@ -99,7 +99,7 @@ TEST_CASE("axes have names that can be shown, and no two of a node the same") {
   CHECK(codes(graph_of(twice).static_problems()) == std::multiset<std::string>{"axis-mismatch n.axis"});
 }
 
-TEST_CASE("a point pair is shown by the coefficients of its formula") {
+TEST_CASE("A point pair is shown by the coefficients of its formula") {
   // T(c, t) = no^t + (c.t) no^ni + c^t + ((c.t) c - c^2/2 t)^ni, less split t^ni.
   const Vector c = {0.5, -1, 2}, t = {0.25, 3, -0.5};
   for (const double split : {0.0, 0.75, -0.5}) {
@@ -113,7 +113,7 @@ TEST_CASE("a point pair is shown by the coefficients of its formula") {
   }
 }
 
-TEST_CASE("the split of a point pair decides the sign of its square") {
+TEST_CASE("The split of a point pair decides the sign of its square") {
   // B^2 = 2 split |t|^2 for these simple bivectors: (no_ni)^2 - |e_e|^2 - 2 no_e . e_ni.
   for (const double split : {-1.5, -0.01, 0.0, 0.01, 0.8}) {
     CatalogueGraph graph = graph_of(
@@ -124,7 +124,7 @@ TEST_CASE("the split of a point pair decides the sign of its square") {
   }
 }
 
-TEST_CASE("a point pair through two points has the scalar and the bivector of their product") {
+TEST_CASE("A point pair through two points has the scalar and the bivector of their product") {
   CatalogueGraph graph = graph_of(
       {{"n", make("point_pair_through", {{"a", {0, 0, 1}}, {"weight_a", 0.5}, {"b", {1, 0, -1}}, {"weight_b", 2}})}});
   const PointProduct product = point_product({0, 0, 1}, 0.5, {1, 0, -1}, 2);
@@ -135,7 +135,7 @@ TEST_CASE("a point pair through two points has the scalar and the bivector of th
   CHECK(unit.one<double>("n.scalar") == Approx(-2));
 }
 
-TEST_CASE("flat points scale, directions move and rotations turn, by what their pages say") {
+TEST_CASE("Flat points scale, directions move and rotations turn, by what their pages say") {
   CatalogueGraph graph = graph_of(
       {{"p", make("point", {{"position", {2, 1, 0}}})},
        {"axis", make("line", {{"point", {1, 0, 0}}, {"direction", {0, 0, 5}}})},

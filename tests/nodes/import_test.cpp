@@ -5,7 +5,7 @@
 using namespace dini;
 using namespace dini::support;
 
-TEST_CASE("an imported mesh keeps its texture coordinates and colors through a warp") {
+TEST_CASE("An imported mesh keeps its texture coordinates and colors through a warp") {
   CatalogueGraph graph =
       graph_of({{"file", make("import", {{"asset", "square"}})},
                 {"pair", make("point_pair", {{"position", {0.5, 0.5, 1}}, {"direction", {0, 0, 0.3}}})},
@@ -20,7 +20,7 @@ TEST_CASE("an imported mesh keeps its texture coordinates and colors through a w
   CHECK(graph.one<SharedMesh>("file")->colors[1] == std::array<float, 4>{0, 1, 0, 1});
 }
 
-TEST_CASE("an import turns, scales and centers what the file holds") {
+TEST_CASE("An import turns, scales and centers what the file holds") {
   CatalogueGraph graph =
       graph_of({{"plain", make("import", {{"asset", "triangle"}})},
                 {"upright", make("import", {{"asset", "triangle"}, {"up", "y"}})},
@@ -32,7 +32,7 @@ TEST_CASE("an import turns, scales and centers what the file holds") {
   CHECK(length(up - Vector{plain.x, -plain.z, plain.y}) < 1e-15);
 }
 
-TEST_CASE("what of a file is not in its mesh is a warning of the node") {
+TEST_CASE("What of a file is not in its mesh is a warning of the node") {
   CatalogueGraph graph = graph_of({{"file", make("import", {{"asset", "short"}})}});
   CHECK(graph.one<SharedMesh>("file")->triangles.size() == 1);
   CHECK(graph.warnings() ==
@@ -41,7 +41,7 @@ TEST_CASE("what of a file is not in its mesh is a warning of the node") {
             {"left-out", "1 line (l) is left out", "asset"}});
 }
 
-TEST_CASE("the colors of a file come out of an export as they were") {
+TEST_CASE("The colors of a file come out of an export as they were") {
   CatalogueGraph graph =
       graph_of({{"file", make("import", {{"asset", "gray"}})}, {"out", make("export", {{"model", from("file")}})}});
   const auto scene = read_glb(*graph.one<SharedFile>("out")->bytes);
@@ -54,7 +54,7 @@ TEST_CASE("the colors of a file come out of an export as they were") {
   }
 }
 
-TEST_CASE("an export tells when texture coordinates lose much by rounding") {
+TEST_CASE("An export tells when texture coordinates lose much by rounding") {
   CatalogueGraph graph = graph_of({{"file", make("import", {{"asset", "far"}})},
                                    {"near", make("import", {{"asset", "square"}})},
                                    {"out", make("export", {{"model", {from("near"), from("file")}}})},
@@ -71,7 +71,7 @@ TEST_CASE("an export tells when texture coordinates lose much by rounding") {
   CHECK(graph.warnings().empty());
 }
 
-TEST_CASE("a file that is not known is a problem of the node that names it") {
+TEST_CASE("A file that is not known is a problem of the node that names it") {
   const CatalogueGraph graph = graph_of({{"file", make("import", {{"asset", "nobody"}})}});
   CHECK(codes(graph.static_problems()) == std::multiset<std::string>{"unknown-asset file.asset"});
   CHECK(graph.static_problems().front().pointer == "/nodes/file/inputs/asset");
@@ -79,7 +79,7 @@ TEST_CASE("a file that is not known is a problem of the node that names it") {
         std::multiset<std::string>{"required-input-missing file.asset"});
 }
 
-TEST_CASE("the size of an imported mesh is known before anything is computed") {
+TEST_CASE("The size of an imported mesh is known before anything is computed") {
   const CatalogueGraph graph = graph_of({{"file", make("import", {{"asset", "square"}})}});
   CHECK(graph.planned("file").outputs.front().vertices == 4);
 }

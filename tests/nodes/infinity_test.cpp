@@ -19,7 +19,7 @@ Json boost(const std::string& shape, Json amount = 1) {
 
 }  // namespace
 
-TEST_CASE("the point at the pole of a boost is shown as null, and comes back") {
+TEST_CASE("The point at the pole of a boost is shown as null, and comes back") {
   CatalogueGraph graph = graph_of({{"pair", pair},
                                    {"p", make("list", {{"items", {{-1, 0, 0}, {1, 0, 0}}}})},
                                    {"gone", boost("p")},
@@ -32,14 +32,14 @@ TEST_CASE("the point at the pole of a boost is shown as null, and comes back") {
   require_close(graph.all<Point>("back")[0], Point{-1, 0, 0});
 }
 
-TEST_CASE("a circle through the pole of a boost becomes a line") {
+TEST_CASE("A circle through the pole of a boost becomes a line") {
   CatalogueGraph graph = graph_of({{"pair", pair}, {"ring", make("circle")}, {"moved", boost("ring")}});
   const Json line = graph.json("moved")["values"][0];
   REQUIRE(line.value("line", false));
   CHECK(line["point"][0].get<double>() == Approx(0.5));
 }
 
-TEST_CASE("triangles of a mesh that reach infinity are left out with a warning") {
+TEST_CASE("Triangles of a mesh that reach infinity are left out with a warning") {
   // The segments start at (radius, 0, 0), so with an even number of them one vertex is the pole itself.
   CatalogueGraph graph = graph_of({{"pair", pair},
                                    {"ball", make("sphere_mesh", {{"segments", 8}, {"rings", 4}})},
@@ -63,7 +63,7 @@ TEST_CASE("triangles of a mesh that reach infinity are left out with a warning")
   CHECK(graph.warnings().empty());
 }
 
-TEST_CASE("a surface through infinity is clipped inside the clip radius with a warning, or fails as asked") {
+TEST_CASE("A surface through infinity is clipped inside the clip radius with a warning, or fails as asked") {
   const auto graph_with = [](const char* at_infinity) {
     return graph_of(
         {{"pair", pair},
@@ -86,7 +86,7 @@ TEST_CASE("a surface through infinity is clipped inside the clip radius with a w
   CHECK(codes(graph_with("fail").problems("skin")) == std::multiset<std::string>{"at-infinity skin.at_infinity"});
 }
 
-TEST_CASE("a tube along a line ends inside the clip radius") {
+TEST_CASE("A tube along a line ends inside the clip radius") {
   CatalogueGraph graph =
       graph_of({{"axis", make("line", {{"point", {0, 1, 0}}, {"direction", {1, 1, 0}}})},
                 {"pipe", make("tube", {{"shape", from("axis")}, {"radius", 0.1}, {"clip_radius", 5}})}});
@@ -95,7 +95,7 @@ TEST_CASE("a tube along a line ends inside the clip radius") {
   for (std::size_t i = 0; i < mesh->positions.size(); ++i) CHECK(length(to_vector(mesh->positions[i])) <= 5.2);
 }
 
-TEST_CASE("a point at infinity survives being measured for a surface and never reaches a file") {
+TEST_CASE("A point at infinity survives being measured for a surface and never reaches a file") {
   CatalogueGraph graph = graph_of({{"pair", pair},
                                    {"sheet", make("grid", {{"center", {-1, 0, 0}}, {"count_u", 9}, {"count_v", 9}})},
                                    {"moved", boost("sheet")},

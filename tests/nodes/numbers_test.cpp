@@ -31,7 +31,7 @@ Problem wrong(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("an open range holds both ends exactly, whatever the step rounds to") {
+TEST_CASE("An open range holds both ends exactly, whatever the step rounds to") {
   for (const int count : {2, 3, 7, 11, 96, 1000}) {
     for (const auto& [first, last] : {std::pair{0.1, 0.7}, {-3.0, 1.0 / 3}, {1e-3, 1e9}, {5.0, -5.0}, {2.0, 2.0}}) {
       const std::vector<double> values = range(first, last, count, false);
@@ -46,12 +46,12 @@ TEST_CASE("an open range holds both ends exactly, whatever the step rounds to") 
   CHECK(range(3, 4, 1, false) == std::vector<double>{3});
 }
 
-TEST_CASE("a closed range leaves its end out") {
+TEST_CASE("A closed range leaves its end out") {
   CHECK(range(0, 1, 4, true) == std::vector<double>{0, 0.25, 0.5, 0.75});
   CHECK(range(3, 4, 1, true) == std::vector<double>{3});
 }
 
-TEST_CASE("a range's axis is called after its node unless it is named") {
+TEST_CASE("A range's axis is called after its node unless it is named") {
   CatalogueGraph graph =
       graph_of({{"k", make("range", {{"count", 3}, {"closed", true}})},
                 {"j", make("range", {{"count", 2}, {"axis", "t"}})},
@@ -61,7 +61,7 @@ TEST_CASE("a range's axis is called after its node unless it is named") {
   CHECK(graph.all<double>("sum")[5] == 2.0 / 3 + 10);
 }
 
-TEST_CASE("a list joins literals and links of one type along a new axis") {
+TEST_CASE("A list joins literals and links of one type along a new axis") {
   CatalogueGraph graph = graph_of({{"n", make("number", {{"value", 2.5}})},
                                    {"numbers", make("list", {{"items", {1, from("n"), -4}}})},
                                    {"points", make("list", {{"items", {{1, 2, 3}, {4, 5, 6}}}, {"axis", "p"}})},
@@ -72,7 +72,7 @@ TEST_CASE("a list joins literals and links of one type along a new axis") {
   CHECK(graph.all<Vector>("v") == std::vector<Vector>{{1, 0, 1}, {2.5, 0, 1}, {-4, 0, 1}});
 }
 
-TEST_CASE("formulas follow the usual order of operators") {
+TEST_CASE("Formulas follow the usual order of operators") {
   CHECK(value("1 + 2 * 3 ^ 2") == 19);
   CHECK(value("2 ^ 3 ^ 2") == 512);
   CHECK(value("-x ^ 2", 3) == -9);
@@ -83,7 +83,7 @@ TEST_CASE("formulas follow the usual order of operators") {
   CHECK(value("1.5e3 + .5") == 1500.5);
 }
 
-TEST_CASE("functions of formulas have their usual values") {
+TEST_CASE("Functions of formulas have their usual values") {
   for (const double x : {-1.7, -0.5, 0.0, 0.3, 0.9, 2.0, 30.0}) {
     CAPTURE(x);
     const auto agrees = [&](const std::string& text, double expected) {
@@ -121,7 +121,7 @@ TEST_CASE("functions of formulas have their usual values") {
   CHECK(value("pi") == 3.14159265358979323846);
 }
 
-TEST_CASE("a formula that cannot be read is a problem with its place") {
+TEST_CASE("A formula that cannot be read is a problem with its place") {
   for (const auto& [text, reason] : {std::pair{"1 + * 2", "at character 5: unexpected token \"* 2\""},
                                      {"sin(x", "at character 6: missing parenthesis"},
                                      {"x + q", "at character 5: unexpected token \"q\""},
@@ -145,12 +145,12 @@ TEST_CASE("a formula that cannot be read is a problem with its place") {
   CHECK(wrong("system(1)").code == "invalid-formula");
 }
 
-TEST_CASE("a formula that cannot be read is found when the graph is checked, by whatever way it is given") {
+TEST_CASE("A formula that cannot be read is found when the graph is checked, by whatever way it is given") {
   CHECK(codes(formula("x +").static_problems()) == std::multiset<std::string>{"invalid-formula f.formula"});
   CHECK(formula("x + 1").static_problems().empty());
 }
 
-TEST_CASE("a formula without a value for its variables is a problem with their place") {
+TEST_CASE("A formula without a value for its variables is a problem with their place") {
   CatalogueGraph graph = graph_of({{"k", make("range", {{"from", 2}, {"to", -1}, {"count", 4}})},
                                    {"f", make("expression", {{"formula", "sqrt(x)"}, {"x", from("k")}})}});
   const Problems problems = graph.problems("f");

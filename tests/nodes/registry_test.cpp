@@ -37,7 +37,7 @@ std::vector<double> drives_of(const Subject& subject, const std::string& port) {
 
 }  // namespace
 
-TEST_CASE("every card is complete") {
+TEST_CASE("Every card is complete") {
   for (const auto& [id, type] : catalogue().types()) {
     CAPTURE(id);
     CHECK(std::isupper(static_cast<unsigned char>(type.title.front())));
@@ -68,7 +68,7 @@ TEST_CASE("every card is complete") {
   }
 }
 
-TEST_CASE("every card tells in JSON what the declaration says") {
+TEST_CASE("Every card tells in JSON what the declaration says") {
   for (const auto& [id, type] : catalogue().types()) {
     CAPTURE(id);
     const Json shown = card(type);
@@ -85,7 +85,7 @@ TEST_CASE("every card tells in JSON what the declaration says") {
   }
 }
 
-TEST_CASE("a card tells which text names an axis that the node makes, and what an empty one means") {
+TEST_CASE("A card tells which text names an axis that the node makes, and what an empty one means") {
   const auto input = [](const std::string& id, const std::string& name) {
     const NodeType& type = *catalogue().find(id);
     return card(type)["inputs"][type.input_index(name)];
@@ -106,7 +106,7 @@ TEST_CASE("a card tells which text names an axis that the node makes, and what a
   }
 }
 
-TEST_CASE("every handle sets a point, a vector or a number and stands at inputs of the same node") {
+TEST_CASE("Every handle sets a point, a vector or a number and stands at inputs of the same node") {
   std::size_t handles = 0;
   for (const auto& [id, type] : catalogue().types()) {
     for (const InputPort& port : type.inputs) {
@@ -158,7 +158,7 @@ auto toy(Functions... functions) {
 
 }  // namespace
 
-TEST_CASE("a card whose handle stands at no place is refused") {
+TEST_CASE("A card whose handle stands at no place is refused") {
   const auto add = [](InputSpec spec) {
     Registry registry;
     registry.add(toy(moved).input("a", &MoveInputs::a, "P.").input("b", &MoveInputs::b, "V.", std::move(spec)));
@@ -170,7 +170,7 @@ TEST_CASE("a card whose handle stands at no place is refused") {
   CHECK_THROWS_AS(add(required().radius_handle("a")), std::logic_error);
 }
 
-TEST_CASE("a card that leaves out what a function takes, or gives it twice, is refused") {
+TEST_CASE("A card that leaves out what a function takes, or gives it twice, is refused") {
   const auto refusal = [](auto builder) {
     try {
       Registry registry;
@@ -204,7 +204,7 @@ TEST_CASE("a card that leaves out what a function takes, or gives it twice, is r
   CHECK_THROWS_AS(carry().input("again", "P."), std::logic_error);
 }
 
-TEST_CASE("every function of every node runs with its defaults, and with everything wired") {
+TEST_CASE("Every function of every node runs with its defaults, and with everything wired") {
   for (const Subject& subject : all_subjects()) {
     for (const bool everything : {false, true}) {
       CAPTURE(subject.name(), everything);
@@ -215,7 +215,7 @@ TEST_CASE("every function of every node runs with its defaults, and with everyth
   }
 }
 
-TEST_CASE("every node in draft quality runs too") {
+TEST_CASE("Every node in draft quality runs too") {
   for (const Subject& subject : all_subjects()) {
     CAPTURE(subject.name());
     CatalogueGraph graph = graph_of(wired_nodes(subject, {}), Quality::draft);
@@ -223,7 +223,7 @@ TEST_CASE("every node in draft quality runs too") {
   }
 }
 
-TEST_CASE("every node gives the same result twice") {
+TEST_CASE("Every node gives the same result twice") {
   for (const Subject& subject : all_subjects()) {
     CAPTURE(subject.name());
     const Json nodes = wired_nodes(subject, {.everything = true});
@@ -233,7 +233,7 @@ TEST_CASE("every node gives the same result twice") {
   }
 }
 
-TEST_CASE("every node lifted over one more axis equals the loop of single calls") {
+TEST_CASE("Every node lifted over one more axis equals the loop of single calls") {
   for (const Subject& subject : all_subjects()) {
     for (std::size_t port = 0; port < subject.type->inputs.size(); ++port) {
       if (!can_be_lifted(subject, port) || subject.overload->inputs[port].is_mixed())
@@ -264,7 +264,7 @@ TEST_CASE("every node lifted over one more axis equals the loop of single calls"
   }
 }
 
-TEST_CASE("every node's fingerprint depends on every literal, but not on the names of axes") {
+TEST_CASE("Every node's fingerprint depends on every literal, but not on the names of axes") {
   for (const Subject& subject : all_subjects()) {
     const CatalogueGraph usual = graph_of(wired_nodes(subject, {}));
     for (const InputPort& port : subject.type->inputs) {

@@ -20,7 +20,7 @@ const Json isoclinic = {
 
 }  // namespace
 
-TEST_CASE("singular inputs: a point at a generator") {
+TEST_CASE("Singular inputs: a point at a generator") {
   const Json tau = {{"tau", make("point_pair", {{"position", {1, 2, 3}}})},
                     {"far", make("point_pair", {{"position", {0, 0, 1}}})},
                     {"real", make("point_pair", {{"position", {1, 2, 3}}, {"split", 0.5}})},
@@ -78,7 +78,7 @@ TEST_CASE("singular inputs: a point at a generator") {
          }}});
 }
 
-TEST_CASE("singular inputs: coincident points") {
+TEST_CASE("Singular inputs: coincident points") {
   const Json at = {1, 2, 3};
   const Json others = {{"spot", spot}, {"same", make("list", {{"items", {at, at, at}}})}};
   hold("coincident points",
@@ -125,7 +125,7 @@ TEST_CASE("singular inputs: coincident points") {
          }}});
 }
 
-TEST_CASE("singular inputs: both weights -1") {
+TEST_CASE("Singular inputs: both weights -1") {
   const Json poles = {{"a", {0, 0, 1}}, {"b", {0, 0, -1}}, {"weight_a", -1}, {"weight_b", -1}};
   hold("w = -1",
        {{"point_pair_through",
@@ -143,7 +143,7 @@ TEST_CASE("singular inputs: both weights -1") {
          }}});
 }
 
-TEST_CASE("singular inputs: parallel and opposite lines") {
+TEST_CASE("Singular inputs: parallel and opposite lines") {
   const auto line = [](Json at, Json along) {
     return make("line", {{"point", std::move(at)}, {"direction", std::move(along)}});
   };
@@ -186,7 +186,7 @@ TEST_CASE("singular inputs: parallel and opposite lines") {
          }}});
 }
 
-TEST_CASE("singular inputs: isoclinic generators") {
+TEST_CASE("Singular inputs: isoclinic generators") {
   const Point wanted = point(isoclinic, "wanted");
   const auto moves = [&](const char* type) {
     return [&, type] {

@@ -19,7 +19,7 @@ const Json opened = {{"unit", make("circle")},
 
 }  // namespace
 
-TEST_CASE("cards speak of singular inputs in the same words, in sentences") {
+TEST_CASE("Cards speak of singular inputs in the same words, in sentences") {
   for (const auto& [id, type] : catalogue().types()) {
     for (const Degenerate& one : type.degenerate) {
       CAPTURE(id, one.input);
@@ -29,7 +29,7 @@ TEST_CASE("cards speak of singular inputs in the same words, in sentences") {
   }
 }
 
-TEST_CASE("singular inputs: a circle becomes a line") {
+TEST_CASE("Singular inputs: a circle becomes a line") {
   const auto opens = [](const char* type) {
     return [type] {
       require_line(value(with(type, {{"shape", from("unit")}, {"generator", from("tau")}}, opened)), {0.5, 0, 0},
@@ -106,7 +106,7 @@ TEST_CASE("singular inputs: a circle becomes a line") {
          }}});
 }
 
-TEST_CASE("singular inputs: a zero radius") {
+TEST_CASE("Singular inputs: a zero radius") {
   const Json c = {
       {"c", shrunk}, {"s", make("sphere", {{"center", {1, 2, 3}}, {"radius", 0}})}, {"unit", make("sphere")}};
   const auto shape = [&](const char* type, const std::string& place = "n") {
@@ -181,7 +181,7 @@ TEST_CASE("singular inputs: a zero radius") {
          }}});
 }
 
-TEST_CASE("singular inputs: a zero direction") {
+TEST_CASE("Singular inputs: a zero direction") {
   const Json zero = {0, 0, 0};
   const Json others = {
       {"spot", spot}, {"none", make("point_pair", {{"direction", zero}})}, {"tau", make("point_pair")}};

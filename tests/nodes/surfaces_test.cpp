@@ -30,7 +30,7 @@ Json torus_points(bool closed_rows, bool closed_columns) {
 
 }  // namespace
 
-TEST_CASE("a boosted ring lies on a horn torus") {
+TEST_CASE("A boosted ring lies on a horn torus") {
   for (const auto& [radius, height] : {std::pair{1.0, 1.5}, {1.0, 0.5}, {2.0, 2.0}}) {
     CatalogueGraph graph = graph_of(
         {{"ring", make("circle", {{"radius", radius}})},
@@ -49,7 +49,7 @@ TEST_CASE("a boosted ring lies on a horn torus") {
   }
 }
 
-TEST_CASE("surfaces have the Euler number that the closure of their axes promises") {
+TEST_CASE("Surfaces have the Euler number that the closure of their axes promises") {
   CHECK(measured(torus_points(true, true)).one<double>("m.euler") == 0);
   CHECK(measured(torus_points(false, true)).one<double>("m.euler") == 0);
   Json sheet = torus_points(false, false);
@@ -69,7 +69,7 @@ TEST_CASE("surfaces have the Euler number that the closure of their axes promise
   CHECK(std::abs(sphere.one<double>("m.volume")) == Approx(4 * 3.14159265 / 3).epsilon(0.02));
 }
 
-TEST_CASE("the order of a surface's axes is chosen by over and along") {
+TEST_CASE("The order of a surface's axes is chosen by over and along") {
   Json nodes = torus_points(true, true);
   const double volume = measured(nodes).one<double>("m.volume");
   nodes["skin"]["inputs"] = {{"shape", from("points")}, {"over", "v"}, {"along", "u"}};
@@ -77,7 +77,7 @@ TEST_CASE("the order of a surface's axes is chosen by over and along") {
   CHECK(std::abs(volume) == Approx(2 * 9.8696 * 2 * 0.25).epsilon(0.02));
 }
 
-TEST_CASE("tubes are closed around closed curves and capped at the ends of open ones") {
+TEST_CASE("Tubes are closed around closed curves and capped at the ends of open ones") {
   const auto tube = [](bool closed) {
     return measured({{"ring", make("circle", {{"radius", 2}})},
                      {"arc", make("sample", {{"shape", from("ring")}, {"count", 64}, {"closed", closed}})},
@@ -97,7 +97,7 @@ TEST_CASE("tubes are closed around closed curves and capped at the ends of open 
   CHECK(straight.one<double>("m.volume") == Approx(4 * 3.14159265 * 0.01).epsilon(0.02));
 }
 
-TEST_CASE("a patch is the surface of its grid under the blend of its generators") {
+TEST_CASE("A patch is the surface of its grid under the blend of its generators") {
   Json nodes = {{"a", make("point_pair", {{"position", {-1, -1, 0}}, {"direction", {0.3, 0, 1}}})},
                 {"b", make("point_pair", {{"position", {1, -1, 0}}, {"direction", {0, 0.4, -0.8}}})},
                 {"c", make("point_pair", {{"position", {-1, 1, 0}}, {"direction", {0.1, -0.3, -0.5}}})},
@@ -120,7 +120,7 @@ TEST_CASE("a patch is the surface of its grid under the blend of its generators"
   }
 }
 
-TEST_CASE("surfaces need two axes of points, and say so") {
+TEST_CASE("Surfaces need two axes of points, and say so") {
   CatalogueGraph graph = graph_of({{"ring", make("circle")},
                                    {"arc", make("sample", {{"shape", from("ring")}})},
                                    {"skin", make("surface", {{"shape", from("arc")}})}});

@@ -63,7 +63,7 @@ double distance_to(const CircleCoordinates& circle, const Point& p) {
 
 }  // namespace
 
-TEST_CASE("a transformed circle holds the transformed points, in the same order") {
+TEST_CASE("A transformed circle holds the transformed points, in the same order") {
   for (const Case& one : cases()) {
     CAPTURE(one.type);
     Json nodes = scene();
@@ -80,7 +80,7 @@ TEST_CASE("a transformed circle holds the transformed points, in the same order"
   }
 }
 
-TEST_CASE("a transformed mesh has the transformed points as vertices") {
+TEST_CASE("A transformed mesh has the transformed points as vertices") {
   for (const Case& one : cases()) {
     CAPTURE(one.type);
     CatalogueGraph graph = graph_of(moving(one, "ball"));
@@ -94,7 +94,7 @@ TEST_CASE("a transformed mesh has the transformed points as vertices") {
   }
 }
 
-TEST_CASE("normals follow a transformed mesh: a sphere stays a sphere with normals from its center") {
+TEST_CASE("Normals follow a transformed mesh: a sphere stays a sphere with normals from its center") {
   for (const Case& one : cases()) {
     CAPTURE(one.type);
     const auto mesh = graph_of(moving(one, "ball")).one<SharedMesh>("moved");
@@ -111,7 +111,7 @@ TEST_CASE("normals follow a transformed mesh: a sphere stays a sphere with norma
   }
 }
 
-TEST_CASE("a transformed generator does to transformed points what it did before") {
+TEST_CASE("A transformed generator does to transformed points what it did before") {
   for (const Case& one : cases()) {
     CAPTURE(one.type);
     Json nodes = moving(one, "lone");
@@ -125,7 +125,7 @@ TEST_CASE("a transformed generator does to transformed points what it did before
   }
 }
 
-TEST_CASE("transforms do what their names say") {
+TEST_CASE("Transforms do what their names say") {
   const Point p = {2, 1, 3};
   CHECK(image({"translate", {{"vector", {1, 2, 3}}}}, p) == Point{3, 3, 6});
   require_close(image({"scale", {{"center", {1, 1, 1}}, {"factor", 3}}}, p), Point{4, 1, 7});
@@ -138,7 +138,7 @@ TEST_CASE("transforms do what their names say") {
   require_close(about({"twist", {{"axis", from("axis")}, {"angle", 720}, {"slide", 1}}}), Point{2, 1, 4});
 }
 
-TEST_CASE("powers of a twist between lines compose, and the whole power takes one line to the other") {
+TEST_CASE("Powers of a twist between lines compose, and the whole power takes one line to the other") {
   Json nodes = scene();
   const auto power = [](const std::string& shape, double amount) {
     return make("twist_between",
@@ -161,7 +161,7 @@ TEST_CASE("powers of a twist between lines compose, and the whole power takes on
   require_close(moved->direction, wanted->direction);
 }
 
-TEST_CASE("axes that are no lines are degenerate") {
+TEST_CASE("Axes that are no lines are degenerate") {
   for (const auto& [type, port] : {std::pair{"twist", "axis"}, {"rotate", "axis"}}) {
     Json nodes = scene();
     nodes["n"] = make(type, {{"shape", from("pair")}, {port, from("ring")}});

@@ -31,7 +31,7 @@ void require_same(const std::vector<Point>& values, const std::vector<Point>& ex
 
 }  // namespace
 
-TEST_CASE("a point at a generator of a warp stays, whatever the rule, the method and the softening") {
+TEST_CASE("A point at a generator of a warp stays, whatever the rule, the method and the softening") {
   Json nodes = scene();
   nodes["points"] = make("list", {{"items", {{1, 0.5, 0}, {-1, 0, 0.5}}}});
   for (const char* rule : {"exact", "paper"}) {
@@ -54,7 +54,7 @@ TEST_CASE("a point at a generator of a warp stays, whatever the rule, the method
   }
 }
 
-TEST_CASE("a warp by one generator is a boost with the weight of its distance") {
+TEST_CASE("A warp by one generator is a boost with the weight of its distance") {
   Json nodes = scene();
   for (const double power : {0.0, 1.0, 2.0, 3.0}) {
     nodes["offset"] = make("expression", {{"formula", "hypot(hypot(0.8, 0.4), 0.3) ^ x"}, {"x", power}});
@@ -68,7 +68,7 @@ TEST_CASE("a warp by one generator is a boost with the weight of its distance") 
   }
 }
 
-TEST_CASE("summed displacements are those of each generator alone, added up") {
+TEST_CASE("Summed displacements are those of each generator alone, added up") {
   const std::vector<Point> still = graph_of(scene()).all<Point>("points");
   const std::vector<Point> together =
       warped({{"generators", three}, {"softening", 0.3}, {"method", "sum_displacements"}});
@@ -82,7 +82,7 @@ TEST_CASE("summed displacements are those of each generator alone, added up") {
   require_same(together, expected);
 }
 
-TEST_CASE("generators as links and as one family over any axis warp alike") {
+TEST_CASE("Generators as links and as one family over any axis warp alike") {
   Json nodes = scene();
   nodes["family"] = make("list", {{"items", three}, {"axis", "g"}});
   nodes["k"] = make("range", {{"from", 0.5}, {"to", 1}, {"count", 2}});
@@ -93,7 +93,7 @@ TEST_CASE("generators as links and as one family over any axis warp alike") {
   CHECK(warped({{"generators", from("stronger")}, {"over", "g"}, {"softening", 0.3}}, nodes).size() == 6);
 }
 
-TEST_CASE("a mesh is warped vertex by vertex, with normals made anew") {
+TEST_CASE("A mesh is warped vertex by vertex, with normals made anew") {
   Json nodes = scene();
   nodes["ball"] = make("sphere_mesh", {{"radius", 0.5}, {"segments", 16}, {"rings", 8}});
   nodes["moved"] = make("warp", {{"shape", from("ball")}, {"generators", three}, {"softening", 0.4}});
@@ -108,7 +108,7 @@ TEST_CASE("a mesh is warped vertex by vertex, with normals made anew") {
   require_close(after->positions[40], warped({{"generators", three}, {"softening", 0.4}}, single)[0]);
 }
 
-TEST_CASE("a zero generator does nothing and a pure direction has no place to warp from") {
+TEST_CASE("A zero generator does nothing and a pure direction has no place to warp from") {
   Json nodes = scene();
   nodes["zero"] = make("point_pair", {{"direction", {0, 0, 0}}});
   nodes["direction"] = make("direction");

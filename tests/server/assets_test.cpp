@@ -2,7 +2,7 @@
 
 namespace {
 
-using namespace dini::testing;
+using namespace dini::support;
 
 std::string upload(const std::string& bytes, const std::string& type = "application/octet-stream") {
   return "POST /v1/assets HTTP/1.1\r\nHost: localhost\r\nContent-Type: " + type +

@@ -10,7 +10,7 @@
 
 #include "server/text.h"
 
-namespace dini::testing {
+namespace dini::support {
 namespace {
 
 constexpr std::chrono::seconds patience{15};
@@ -131,4 +131,4 @@ std::string toy_body(const Json& inputs) {
   return Json{{"graph", graph}}.dump();
 }
 
-}  // namespace dini::testing
+}  // namespace dini::support

@@ -8,7 +8,7 @@
 
 #include "graph/problem.h"
 
-namespace dini::testing {
+namespace dini::support {
 
 /// An HTTP answer taken apart. Header names are in lower case.
 struct Answer {
@@ -72,4 +72,4 @@ std::string post_text(const std::string& path, const std::string& body, const st
 /// A body for /v1/evaluate with these inputs for the toy's one node.
 std::string toy_body(const Json& inputs);
 
-}  // namespace dini::testing
+}  // namespace dini::support

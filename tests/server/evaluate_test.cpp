@@ -5,7 +5,7 @@
 
 namespace {
 
-using namespace dini::testing;
+using namespace dini::support;
 using dini::Json;
 
 dini::toy::Counters& counters() { return dini::toy::counters(); }

@@ -13,7 +13,7 @@
 #include "tests/support/eventually.h"
 #include "tests/support/toy_engine.h"
 
-namespace dini::testing {
+namespace dini::support {
 
 /// Settings whose deadlines are short enough to be waited for.
 inline server::Settings quick_settings() {
@@ -117,4 +117,4 @@ inline long resident_kib() { return process_status("VmRSS"); }
 
 inline std::size_t thread_count() { return static_cast<std::size_t>(process_status("Threads")); }
 
-}  // namespace dini::testing
+}  // namespace dini::support

@@ -5,7 +5,7 @@
 
 namespace {
 
-using namespace dini::testing;
+using namespace dini::support;
 using namespace dini::support;
 using dini::Json;
 

@@ -5,10 +5,9 @@
 
 #include "server/addresses.h"
 
-namespace {
+using namespace dini::server;
 
-using dini::server::parse_head;
-using dini::server::Settings;
+namespace {
 
 std::string code_of(const std::string& head) {
   const auto parsed = parse_head(head, Settings());

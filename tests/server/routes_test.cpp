@@ -2,7 +2,7 @@
 
 namespace {
 
-using namespace dini::testing;
+using namespace dini::support;
 using dini::Json;
 
 std::optional<Answer> get_as(int port, const std::string& path, const std::string& host) {

@@ -42,7 +42,7 @@ Vector tangent(const Round& circle, const Vector& point) {
 
 }  // namespace
 
-TEST_CASE("every line of the cyclidic patch is an arc of a circle, and the two families meet at right angles") {
+TEST_CASE("Every line of the cyclidic patch is an arc of a circle, and the two families meet at right angles") {
   const Json graph = example("cyclidic_patch");
   for (const Json& parameters : {Json::object(), Json{{"bend_u", 0.3}, {"turn", -1.0}, {"reach", 1.0}}}) {
     const Json patch = looked_up(graph, "patch", parameters, true);

@@ -40,7 +40,7 @@ Json small_graph() {
 
 }  // namespace
 
-TEST_CASE("files are the same with one thread and with several") {
+TEST_CASE("Files are the same with one thread and with several") {
   for (const auto& [id, graph] : examples()) {
     CAPTURE(id);
     std::set<std::string> files;
@@ -52,7 +52,7 @@ TEST_CASE("files are the same with one thread and with several") {
   }
 }
 
-TEST_CASE("files are the same with the lowest and the highest instruction set") {
+TEST_CASE("Files are the same with the lowest and the highest instruction set") {
   const RestoreInstructionSet restore;
   for (const auto& [id, graph] : examples()) {
     CAPTURE(id);
@@ -65,7 +65,7 @@ TEST_CASE("files are the same with the lowest and the highest instruction set") 
   }
 }
 
-TEST_CASE("previews of every node of the examples can be drawn and are the same everywhere") {
+TEST_CASE("Previews of every node of the examples can be drawn and are the same everywhere") {
   const RestoreInstructionSet restore;
   const auto lowest = kernels::instruction_sets().back();
   for (const auto& [id, graph] : examples()) {
@@ -86,7 +86,7 @@ TEST_CASE("previews of every node of the examples can be drawn and are the same 
   }
 }
 
-TEST_CASE("files are the same from a cold cache, a warm one, and one that knows only parts") {
+TEST_CASE("Files are the same from a cold cache, a warm one, and one that knows only parts") {
   for (const auto& [id, graph] : examples()) {
     CAPTURE(id);
     const std::unique_ptr<Engine> engine_owner = example_engine();
@@ -101,7 +101,7 @@ TEST_CASE("files are the same from a cold cache, a warm one, and one that knows 
   }
 }
 
-TEST_CASE("a warm cache is used") {
+TEST_CASE("A warm cache is used") {
   const std::unique_ptr<Engine> engine_owner = example_engine();
   const Engine& engine = *engine_owner;
   const Json graph = small_graph();
@@ -120,7 +120,7 @@ TEST_CASE("a warm cache is used") {
   CHECK(cached(0.2) == std::set<std::string>{"ball", "pair"});
 }
 
-TEST_CASE("different requests at once do not disturb one another") {
+TEST_CASE("Different requests at once do not disturb one another") {
   const std::unique_ptr<Engine> engine_owner = example_engine();
   const Engine& engine = *engine_owner;
   const Json graph = small_graph();

@@ -49,7 +49,7 @@ std::size_t triangles_of(const EvaluateRequest& request) {
 
 }  // namespace
 
-TEST_CASE("a draft has about as many triangles as its budget, whatever meshes share it") {
+TEST_CASE("A draft has about as many triangles as its budget, whatever meshes share it") {
   for (const std::int64_t budget : {1000, 5000, 20'000, 200'000}) {
     CAPTURE(budget);
     const auto triangles = static_cast<double>(triangles_of(draft_of(large_graph(), budget)));
@@ -59,7 +59,7 @@ TEST_CASE("a draft has about as many triangles as its budget, whatever meshes sh
   CHECK(triangles_of(draft_of(large_graph(), std::nullopt)) == triangles_of(draft_of(large_graph(), 20'000)));
 }
 
-TEST_CASE("every example keeps to the budget of its draft, or says by how much it does not") {
+TEST_CASE("Every example keeps to the budget of its draft, or says by how much it does not") {
   std::map<std::string, Json> all = examples();
   all.merge(examples(std::string(DINI_EXAMPLES) + "/nodes"));
   for (const auto& [id, graph] : all) {
@@ -84,7 +84,7 @@ TEST_CASE("every example keeps to the budget of its draft, or says by how much i
   }
 }
 
-TEST_CASE("imported meshes, tubes and finer meshes are thinned to the least budget too") {
+TEST_CASE("Imported meshes, tubes and finer meshes are thinned to the least budget too") {
   for (const char* id : {"fig12_imported_mesh", "nodes/import", "nodes/tube", "nodes/subdivide"}) {
     CAPTURE(id);
     const Json graph = Json::parse(std::ifstream(std::string(DINI_EXAMPLES) + "/" + id + ".json"));
@@ -93,7 +93,7 @@ TEST_CASE("imported meshes, tubes and finer meshes are thinned to the least budg
   }
 }
 
-TEST_CASE("a mesh that a family uses counts as often as it is used") {
+TEST_CASE("A mesh that a family uses counts as often as it is used") {
   const Json graph = document({{"ball", make("sphere_mesh", {{"segments", 64}, {"rings", 32}})},
                                {"k", make("range", {{"to", 9}, {"count", 10}})},
                                {"by", make("vector", {{"x", from("k")}})},
@@ -104,7 +104,7 @@ TEST_CASE("a mesh that a family uses counts as often as it is used") {
   CHECK(triangles > 6'000);
 }
 
-TEST_CASE("a draft that fits its budget is as fine as the final answer") {
+TEST_CASE("A draft that fits its budget is as fine as the final answer") {
   Json graph = document({{"ball", make("sphere_mesh")}, {"out", make("export", {{"model", from("ball")}})}});
   EvaluateRequest final_request = draft_of(graph, std::nullopt);
   final_request.quality = Quality::final;
@@ -112,7 +112,7 @@ TEST_CASE("a draft that fits its budget is as fine as the final answer") {
   CHECK(triangles_of(draft_of(graph, 1000)) < 1100);
 }
 
-TEST_CASE("a budget outside its bounds, or for a final answer, is refused") {
+TEST_CASE("A budget outside its bounds, or for a final answer, is refused") {
   const auto refused = [](const EvaluateRequest& request) {
     const auto prepared = engine().prepare(request, Cancel());
     REQUIRE_FALSE(prepared);
@@ -128,7 +128,7 @@ TEST_CASE("a budget outside its bounds, or for a final answer, is refused") {
   CHECK(refused(request).detail == "a triangle_budget goes with quality draft only; a final answer is never thinned");
 }
 
-TEST_CASE("the tag of a draft depends on its budget where that thins something") {
+TEST_CASE("The tag of a draft depends on its budget where that thins something") {
   const auto tag = [](const EvaluateRequest& request) { return (*engine().prepare(request, Cancel()))->model_tag; };
   CHECK(tag(draft_of(large_graph(), 1000)) != tag(draft_of(large_graph(), 2000)));
   CHECK(tag(draft_of(large_graph(), 1000)) == tag(draft_of(large_graph(), 1000)));

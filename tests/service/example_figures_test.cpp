@@ -41,7 +41,7 @@ std::vector<Vector> polygon(const Json& circle) {
 
 }  // namespace
 
-TEST_CASE("every example graph evaluates, and says for which figure it stands") {
+TEST_CASE("Every example graph evaluates, and says for which figure it stands") {
   for (const auto& file : std::filesystem::directory_iterator(DINI_EXAMPLES)) {
     if (file.path().extension() != ".json") continue;
     CAPTURE(file.path().string());

@@ -80,7 +80,7 @@ Json extras_of(const std::string& file) {
 
 }  // namespace
 
-TEST_CASE("every example is titled, has parameters with labels and bounds, and is valid") {
+TEST_CASE("Every example is titled, has parameters with labels and bounds, and is valid") {
   const std::map<std::string, Json> all = examples();
   CHECK(all.size() >= 6);
   for (const auto& [id, graph] : all) {
@@ -104,7 +104,7 @@ TEST_CASE("every example is titled, has parameters with labels and bounds, and i
   }
 }
 
-TEST_CASE("every example is drawn, the draft no finer than the final answer, without warnings") {
+TEST_CASE("Every example is drawn, the draft no finer than the final answer, without warnings") {
   for (const auto& [id, graph] : examples()) {
     CAPTURE(id);
     std::size_t triangles[2] = {0, 0};
@@ -122,7 +122,7 @@ TEST_CASE("every example is drawn, the draft no finer than the final answer, wit
   }
 }
 
-TEST_CASE("every parameter of every example works at its bounds and says so beyond them") {
+TEST_CASE("Every parameter of every example works at its bounds and says so beyond them") {
   for (const auto& [id, graph] : examples()) {
     for (const auto& [name, parameter] : graph["parameters"].items()) {
       for (const Json& value : extremes(parameter)) {
@@ -141,7 +141,7 @@ TEST_CASE("every parameter of every example works at its bounds and says so beyo
   }
 }
 
-TEST_CASE("every example works with its sliders at every combination of ends, and at thirty settings between them") {
+TEST_CASE("Every example works with its sliders at every combination of ends, and at thirty settings between them") {
   for (const auto& [id, graph] : examples()) {
     std::vector<Json> settings = corners(graph["parameters"]);
     std::mt19937 random(2017);
@@ -157,7 +157,7 @@ TEST_CASE("every example works with its sliders at every combination of ends, an
   }
 }
 
-TEST_CASE("an entity tag is the same for the same request and another for any other parameter") {
+TEST_CASE("An entity tag is the same for the same request and another for any other parameter") {
   const std::unique_ptr<Engine> other_owner = example_engine();
   const Engine& other = *other_owner;
   for (const auto& [id, graph] : examples()) {
@@ -187,7 +187,7 @@ TEST_CASE("an entity tag is the same for the same request and another for any ot
   }
 }
 
-TEST_CASE("where its schema is, its title and its drawing are in no tag of a report") {
+TEST_CASE("Where its schema is, its title and its drawing are in no tag of a report") {
   const Json graph = examples().at("fig11_patch");
   Json moved = graph;
   moved["$schema"] = "/schema/graph-1.json";
@@ -203,7 +203,7 @@ TEST_CASE("where its schema is, its title and its drawing are in no tag of a rep
   CHECK(report_tag(moved) != report_tag(graph));
 }
 
-TEST_CASE("every parameter of every example changes the file, and the file tells its value") {
+TEST_CASE("Every parameter of every example changes the file, and the file tells its value") {
   for (const auto& [id, graph] : examples()) {
     const std::string usual =
         file_of(engine(), {.graph = graph, .parameters = Json::object(), .output = "", .quality = Quality::draft});
@@ -223,7 +223,7 @@ TEST_CASE("every parameter of every example changes the file, and the file tells
   }
 }
 
-TEST_CASE("the boosted ring of figure 4 lies on its horn torus within the announced bound") {
+TEST_CASE("The boosted ring of figure 4 lies on its horn torus within the announced bound") {
   const Json graph = examples().at("fig04_boosted_ring");
   for (const double height : {0.5, 1.5}) {
     const Result<Answered> answer = answered(

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <new>
 
-namespace dini::testing {
+namespace dini::support {
 
 std::atomic<long> allocations_left = -1;
 std::atomic<long> live_allocations = 0;
@@ -27,10 +27,10 @@ void release(void* memory) {
 }
 
 }  // namespace
-}  // namespace dini::testing
+}  // namespace dini::support
 
-using dini::testing::allocate;
-using dini::testing::release;
+using dini::support::allocate;
+using dini::support::release;
 
 void* operator new(std::size_t size) { return allocate(size, 0); }
 void* operator new[](std::size_t size) { return allocate(size, 0); }

@@ -4,7 +4,7 @@
 
 #include <atomic>
 
-namespace dini::testing {
+namespace dini::support {
 
 /// How many allocations succeed from now on before one fails; negative for all. Counts those of all threads.
 extern std::atomic<long> allocations_left;
@@ -12,4 +12,4 @@ extern std::atomic<long> allocations_left;
 /// Allocations that have not been freed.
 extern std::atomic<long> live_allocations;
 
-}  // namespace dini::testing
+}  // namespace dini::support

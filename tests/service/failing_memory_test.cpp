@@ -10,8 +10,8 @@
 
 using namespace dini;
 using namespace dini::support;
-using dini::testing::allocations_left;
-using dini::testing::live_allocations;
+using dini::support::allocations_left;
+using dini::support::live_allocations;
 
 namespace {
 
@@ -61,7 +61,7 @@ std::string outcome(const Engine& engine, const EvaluateRequest& request) {
 
 }  // namespace
 
-TEST_CASE("wherever memory runs out, the answer says so, nothing leaks, and the next answer is right") {
+TEST_CASE("Wherever memory runs out, the answer says so, nothing leaks, and the next answer is right") {
   const std::vector<Json> all = graphs();
   // The cache holds a few results of this size and no more, so that each round computes anew.
   Limits limits;
@@ -91,7 +91,7 @@ TEST_CASE("wherever memory runs out, the answer says so, nothing leaks, and the 
   }
 }
 
-TEST_CASE("wherever memory runs out while computations are shared, everybody is told something, once") {
+TEST_CASE("Wherever memory runs out while computations are shared, everybody is told something, once") {
   using Answer = Result<std::shared_ptr<const int>>;
   jobs::Alarms alarms;
   for (long place = 0; place < 60; ++place) {
@@ -111,7 +111,7 @@ TEST_CASE("wherever memory runs out while computations are shared, everybody is 
         ++refused;
       }
     }
-    const bool all = dini::testing::eventually([&] { return told + refused == 3; });
+    const bool all = dini::support::eventually([&] { return told + refused == 3; });
     allocations_left = -1;
     CHECK(all);
   }

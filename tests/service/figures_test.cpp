@@ -54,7 +54,7 @@ void require_circle(const Json& value, const Json& item, bool oriented) {
 
 }  // namespace
 
-TEST_CASE("figure 1 in a graph: the boosted circle grows into a line and turns inside out") {
+TEST_CASE("Figure 1 in a graph: the boosted circle grows into a line and turns inside out") {
   for (const Json& item : reference()["a"]["items"]) {
     const Json nodes = {
         {"shape", make("circle")}, {"generator", pair({0, 0, 0}, {1, 0, 0})}, {"image", boost(item["lambda"])}};
@@ -69,7 +69,7 @@ TEST_CASE("figure 1 in a graph: the boosted circle grows into a line and turns i
   }
 }
 
-TEST_CASE("points under one null pair in a graph") {
+TEST_CASE("Points under one null pair in a graph") {
   for (const Json& item : reference()["b"]["items"]) {
     for (const std::string rule : {"exact", "paper"}) {
       const Json nodes = {{"shape", point(item["point"])},
@@ -80,7 +80,7 @@ TEST_CASE("points under one null pair in a graph") {
   }
 }
 
-TEST_CASE("figure 10 in a graph: blends of two null pairs") {
+TEST_CASE("Figure 10 in a graph: blends of two null pairs") {
   for (const Json& item : reference()["c"]["items"]) {
     const Json nodes = {{"a", pair(item["tau1"])},
                         {"b", pair(item["tau2"])},
@@ -97,7 +97,7 @@ TEST_CASE("figure 10 in a graph: blends of two null pairs") {
   }
 }
 
-TEST_CASE("figure 11 in a graph: bilinear blends of four point pairs") {
+TEST_CASE("Figure 11 in a graph: bilinear blends of four point pairs") {
   const Json& corners = reference()["d"]["corners"];  // around the square: (0,0) (1,0) (1,1) (0,1)
   Json nodes = {{"a", pair(corners[0])}, {"b", pair(corners[1])}, {"c", pair(corners[3])}, {"d", pair(corners[2])}};
   for (const Json& item : reference()["d"]["items"]) {
@@ -108,7 +108,7 @@ TEST_CASE("figure 11 in a graph: bilinear blends of four point pairs") {
   }
 }
 
-TEST_CASE("figure 9 in a graph: warps by several point pairs, with both weights, rules and methods") {
+TEST_CASE("Figure 9 in a graph: warps by several point pairs, with both weights, rules and methods") {
   const auto warped = [](const Json& generators, const Json& item, double softening, const std::string& rule,
                          const std::string& method) {
     Json nodes = {{"p", point(item["point"])}};
@@ -142,7 +142,7 @@ TEST_CASE("figure 9 in a graph: warps by several point pairs, with both weights,
   }
 }
 
-TEST_CASE("figure 13 in a graph: a line bends to a circle of the given curvature") {
+TEST_CASE("Figure 13 in a graph: a line bends to a circle of the given curvature") {
   for (const Json& item : reference()["f"]["items"]) {
     const Json nodes = {{"shape", make("line", {{"point", {1, 2, 3}}, {"direction", {0, 0, 1}}})},
                         {"generator", pair({1, 2, 3}, {1, 0, 0})},
@@ -151,7 +151,7 @@ TEST_CASE("figure 13 in a graph: a line bends to a circle of the given curvature
   }
 }
 
-TEST_CASE("figure 14 in a graph: local curvature from two point pairs") {
+TEST_CASE("Figure 14 in a graph: local curvature from two point pairs") {
   for (const Json& item : reference()["g"]["items"]) {
     for (const std::string rule : {"exact", "paper"}) {
       const Json nodes = {
@@ -165,7 +165,7 @@ TEST_CASE("figure 14 in a graph: local curvature from two point pairs") {
   }
 }
 
-TEST_CASE("figures 6 and 7 in a graph: fibers by boost and twist between lines") {
+TEST_CASE("Figures 6 and 7 in a graph: fibers by boost and twist between lines") {
   for (const Json& item : reference()["i"]["items"]) {
     const double k = item["phi"].get<double>() + 0.5;
     const Json nodes = {
@@ -183,7 +183,7 @@ TEST_CASE("figures 6 and 7 in a graph: fibers by boost and twist between lines")
   }
 }
 
-TEST_CASE("figure 7 in a graph: the true fibers of the same tilt") {
+TEST_CASE("Figure 7 in a graph: the true fibers of the same tilt") {
   for (const Json& item : reference()["i"]["items"]) {
     const Json& exact = item["true_hopf_fibre_same_tilt"];
     if (!exact.contains("centre")) continue;
@@ -201,7 +201,7 @@ TEST_CASE("figure 7 in a graph: the true fibers of the same tilt") {
   }
 }
 
-TEST_CASE("figure 16 in a graph: products of weighted points carry the equator, collapse it, or vanish") {
+TEST_CASE("Figure 16 in a graph: products of weighted points carry the equator, collapse it, or vanish") {
   for (const Json& item : reference()["h"]["items"]) {
     const Json nodes = {{"shape", make("circle", {{"normal", {0, 1, 0}}})},
                         {"image", make("product", {{"shape", from("shape")},
@@ -226,7 +226,7 @@ TEST_CASE("figure 16 in a graph: products of weighted points carry the equator, 
   }
 }
 
-TEST_CASE("figures 4 and 5 in a graph: boosted helices") {
+TEST_CASE("Figures 4 and 5 in a graph: boosted helices") {
   for (const Json& item : reference()["j"]["items"]) {
     const Json nodes = {{"shape", point(item["helix_point"])},
                         {"generator", pair(item["generator_at"], item["generator_dir_times_j"])},
@@ -235,7 +235,7 @@ TEST_CASE("figures 4 and 5 in a graph: boosted helices") {
   }
 }
 
-TEST_CASE("figure 8 in a graph: flat points and split pairs") {
+TEST_CASE("Figure 8 in a graph: flat points and split pairs") {
   for (const Json& item : reference()["k"]["items"]) {
     Json nodes = {{"shape", point(item["point"])}};
     if (item.contains("exp_plus")) {
@@ -252,7 +252,7 @@ TEST_CASE("figure 8 in a graph: flat points and split pairs") {
   }
 }
 
-TEST_CASE("figure 3 in a graph: loxodromes") {
+TEST_CASE("Figure 3 in a graph: loxodromes") {
   for (const Json& item : reference()["n"]["items"]) {
     const Json nodes = {{"a", pair({0, 0, 0}, item["a"])},
                         {"b", make("direction", {{"direction", item["b"]}})},
@@ -262,7 +262,7 @@ TEST_CASE("figure 3 in a graph: loxodromes") {
   }
 }
 
-TEST_CASE("eq. 11 in a graph: powers of the twist between two lines") {
+TEST_CASE("Eq. 11 in a graph: powers of the twist between two lines") {
   const auto line = [](Json at, Json direction) {
     return make("line", {{"point", std::move(at)}, {"direction", std::move(direction)}});
   };

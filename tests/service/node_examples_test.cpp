@@ -24,7 +24,7 @@ std::set<std::string> types_of(const Json& graph) {
 
 }  // namespace
 
-TEST_CASE("every node has an example in examples/nodes, and every example there has its node") {
+TEST_CASE("Every node has an example in examples/nodes, and every example there has its node") {
   std::set<std::string> nodes, names;
   const Json catalogue = make_engine()->catalogue();
   for (const Json& node : catalogue["nodes"]) nodes.insert(node["id"].get<std::string>());
@@ -32,7 +32,7 @@ TEST_CASE("every node has an example in examples/nodes, and every example there 
   CHECK(names == nodes);
 }
 
-TEST_CASE("every example of a node says what it shows, is small, and has its node and a camera") {
+TEST_CASE("Every example of a node says what it shows, is small, and has its node and a camera") {
   for (const auto& [id, graph] : node_examples()) {
     CAPTURE(id);
     const Json& meta = graph["meta"];
@@ -46,7 +46,7 @@ TEST_CASE("every example of a node says what it shows, is small, and has its nod
   }
 }
 
-TEST_CASE("every example of a node is drawn by all of its nodes, without warnings") {
+TEST_CASE("Every example of a node is drawn by all of its nodes, without warnings") {
   const std::unique_ptr<Engine> engine_owner = example_engine();
   const Engine& engine = *engine_owner;
   for (const auto& [id, graph] : node_examples()) {

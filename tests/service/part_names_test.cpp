@@ -31,7 +31,7 @@ Json out_of(Json models) { return make("export", {{"model", std::move(models)}})
 
 }  // namespace
 
-TEST_CASE("parts, their meshes and their materials have the id of the node that made them") {
+TEST_CASE("Parts, their meshes and their materials have the id of the node that made them") {
   const std::unique_ptr<Engine> engine = make_engine();
   const Json gltf = gltf_of(*engine, document({{"globe", ball()},
                                                {"hoop", make("circle")},
@@ -42,7 +42,7 @@ TEST_CASE("parts, their meshes and their materials have the id of the node that 
   CHECK(names_of(gltf["materials"]) == Names{"globe", "hoop", "spot"});
 }
 
-TEST_CASE("a mesh of a family has its place on each axis beside the id, and shares the material") {
+TEST_CASE("A mesh of a family has its place on each axis beside the id, and shares the material") {
   const std::unique_ptr<Engine> engine = make_engine();
   const Json gltf =
       gltf_of(*engine, document({{"i", make("range", {{"count", 2}, {"to", 3}})},
@@ -56,7 +56,7 @@ TEST_CASE("a mesh of a family has its place on each axis beside the id, and shar
   CHECK(names_of(gltf["materials"]) == Names{"globes"});
 }
 
-TEST_CASE("an output that is not a node's first is named too") {
+TEST_CASE("An output that is not a node's first is named too") {
   const std::unique_ptr<Engine> engine = make_engine();
   const Json gltf = gltf_of(*engine, document({{"hoop", make("circle")},
                                                {"ends", make("poles_of", {{"shape", from("hoop")}})},
@@ -64,7 +64,7 @@ TEST_CASE("an output that is not a node's first is named too") {
   CHECK(names_of(gltf["meshes"]) == Names{"ends", "ends.b"});
 }
 
-TEST_CASE("names come from before bypassed nodes and nodes that only pass on") {
+TEST_CASE("Names come from before bypassed nodes and nodes that only pass on") {
   const std::unique_ptr<Engine> engine = make_engine();
   Json scaled = make("scale", {{"shape", from("globe")}, {"factor", 2}});
   scaled["bypass"] = true;
@@ -80,7 +80,7 @@ TEST_CASE("names come from before bypassed nodes and nodes that only pass on") {
   CHECK(names_of(gltf["meshes"]) == Names{"globe", "hoop", "two"});
 }
 
-TEST_CASE("names stay when a parameter empties a part or makes another longer") {
+TEST_CASE("Names stay when a parameter empties a part or makes another longer") {
   const std::unique_ptr<Engine> engine = make_engine();
   Json graph = document({{"k", make("range", {{"count", {{"parameter", "count"}}}})},
                          {"at", make("vector", {{"x", from("k")}})},
@@ -96,7 +96,7 @@ TEST_CASE("names stay when a parameter empties a part or makes another longer") 
   CHECK(names_of(gltf_of(*engine, graph, {{"place", {1e17, 0, 0}}})["meshes"]) == Names{"row[0]", "row[1]"});
 }
 
-TEST_CASE("one graph's names never show in another's file, though they share every result") {
+TEST_CASE("One graph's names never show in another's file, though they share every result") {
   const std::unique_ptr<Engine> engine = make_engine();
   for (const std::string id : {"globe", "marble", "globe"}) {
     CAPTURE(id);
@@ -105,7 +105,7 @@ TEST_CASE("one graph's names never show in another's file, though they share eve
   }
 }
 
-TEST_CASE("an export of nothing names the nodes and the parameters to change") {
+TEST_CASE("An export of nothing names the nodes and the parameters to change") {
   const std::unique_ptr<Engine> engine = make_engine();
   Json graph = document(
       {{"globe", make("sphere_mesh", {{"center", {{"parameter", "place"}}}})}, {"out", out_of(from("globe"))}});

@@ -88,7 +88,7 @@ const Json generators = {{"null", make("point_pair")},
 
 }  // namespace
 
-TEST_CASE("a preview has a node for each graph node and a child for each output that can be drawn") {
+TEST_CASE("A preview has a node for each graph node and a child for each output that can be drawn") {
   Json nodes = ring_graph;
   nodes["size"] = make("number", {{"value", 3}});
   nodes["grid"] = make("grid", {{"count_u", 3}, {"count_v", 4}});
@@ -113,7 +113,7 @@ TEST_CASE("a preview has a node for each graph node and a child for each output 
   CHECK(children.at("grid.points")["primitives"][0]["mode"] == 0);
 }
 
-TEST_CASE("what is drawn of a wire has the color of its socket, linear as glTF wants it") {
+TEST_CASE("What is drawn of a wire has the color of its socket, linear as glTF wants it") {
   Json nodes = {{"ring", make("circle", Json::object())},
                 {"ball", make("sphere", Json::object())},
                 {"spot", make("point", Json::object())},
@@ -131,7 +131,7 @@ TEST_CASE("what is drawn of a wire has the color of its socket, linear as glTF w
   }
 }
 
-TEST_CASE("generators are drawn after their kind") {
+TEST_CASE("Generators are drawn after their kind") {
   std::vector<std::string> all;
   for (const auto& [id, node] : generators.items()) {
     if (node["type"] != "line") all.push_back(id);
@@ -154,7 +154,7 @@ TEST_CASE("generators are drawn after their kind") {
   }
 }
 
-TEST_CASE("a family of several kinds has a child for each of them") {
+TEST_CASE("A family of several kinds has a child for each of them") {
   const Json nodes = {{"split", make("range", {{"from", -1}, {"to", 1}, {"count", 5}})},
                       {"pairs", make("point_pair", {{"split", from("split")}})}};
   const Json json = json_of(preview_of(showing(nodes, {"pairs"})));
@@ -169,7 +169,7 @@ TEST_CASE("a family of several kinds has a child for each of them") {
   CHECK(drawn["real"]["count"] == 5);
 }
 
-TEST_CASE("single outputs can be asked for, order and repeats do not count") {
+TEST_CASE("Single outputs can be asked for, order and repeats do not count") {
   const Json nodes = {{"grid", make("grid")}, {"ring", make("circle")}};
   const std::string whole = preview_of(showing(nodes, {"ring", "grid.points"}));
   CHECK(children_of(json_of(whole)).size() == 2);
@@ -177,7 +177,7 @@ TEST_CASE("single outputs can be asked for, order and repeats do not count") {
   CHECK(preview_of(showing(nodes, {"grid.u", "ring"})) != whole);
 }
 
-TEST_CASE("points along curves are drawn as lines, also after they were moved, other points as points") {
+TEST_CASE("Points along curves are drawn as lines, also after they were moved, other points as points") {
   const Json nodes = {
       {"ring", make("circle")},
       {"dots", make("sample", {{"shape", from("ring")}, {"count", 32}})},
@@ -193,7 +193,7 @@ TEST_CASE("points along curves are drawn as lines, also after they were moved, o
   CHECK(children.at("dust.points")["primitives"][0]["mode"] == 0);
 }
 
-TEST_CASE("large families are thinned, and what has no end stays within a few sizes of the rest") {
+TEST_CASE("Large families are thinned, and what has no end stays within a few sizes of the rest") {
   const Json nodes = {
       {"k", make("range", {{"from", 0}, {"to", 4}, {"count", 5000}})},
       {"ring", make("circle")},
@@ -212,7 +212,7 @@ TEST_CASE("large families are thinned, and what has no end stays within a few si
   CHECK(extent_of(json) < 60);
 }
 
-TEST_CASE("a line crosses everything that is shown with it, wherever it runs") {
+TEST_CASE("A line crosses everything that is shown with it, wherever it runs") {
   const Json nodes = {{"ring", make("circle", {{"center", {5, 1, 0}}})},
                       {"axis", make("line", {{"point", {4, 0, 2}}, {"direction", {0, 1, 0}}})}};
   const Json json = json_of(preview_of(showing(nodes, {"ring", "axis"})));
@@ -224,7 +224,7 @@ TEST_CASE("a line crosses everything that is shown with it, wherever it runs") {
   CHECK(positions["max"][2] == 2);
 }
 
-TEST_CASE("an evaluation gives the model, the preview, or both, and says so in its report") {
+TEST_CASE("An evaluation gives the model, the preview, or both, and says so in its report") {
   EvaluateRequest request = showing(ring_graph, {});
   const Result<Answered> model = answered(engine(), request);
   REQUIRE(model);
@@ -246,7 +246,7 @@ TEST_CASE("an evaluation gives the model, the preview, or both, and says so in i
   CHECK(both->report()["model"]["bytes"] == model->glb->size());
 }
 
-TEST_CASE("the tag of an answer depends on what is drawn, and equal previews are equal bytes") {
+TEST_CASE("The tag of an answer depends on what is drawn, and equal previews are equal bytes") {
   const auto tag = [](const EvaluateRequest& request) {
     const auto prepared = engine().prepare(request, Cancel());
     require_none(prepared ? Problems{} : prepared.problems());
@@ -269,7 +269,7 @@ TEST_CASE("the tag of an answer depends on what is drawn, and equal previews are
   CHECK(*again->preview == *answered(other, requests[3])->preview);
 }
 
-TEST_CASE("a node with nothing to draw is not evaluated for its preview") {
+TEST_CASE("A node with nothing to draw is not evaluated for its preview") {
   const Json nodes = {{"bad", make("expression", {{"formula", "1 / x"}})}, {"ring", make("circle")}};
   const Json json = json_of(preview_of(showing(nodes, {"bad", "ring"})));
   CHECK(json["nodes"][1]["extras"] == Json({{"id", "bad"}, {"type", "expression"}, {"drawable", false}}));
@@ -279,14 +279,14 @@ TEST_CASE("a node with nothing to draw is not evaluated for its preview") {
   CHECK(failed.problems().front().node == "bad");
 }
 
-TEST_CASE("a preview works without an export node, and broken nodes elsewhere do not matter") {
+TEST_CASE("A preview works without an export node, and broken nodes elsewhere do not matter") {
   Json nodes = {{"ring", make("circle")}, {"bad", make("boost")}, {"worse", make("nothing")}};
   CHECK(children_of(json_of(preview_of(showing(nodes, {"ring"})))).size() == 1);
   CHECK(refused(showing(nodes, {"bad"})).front().code == "required-input-missing");
   CHECK(refused(showing(nodes, {"worse"})).front().code == "unknown-node-type");
 }
 
-TEST_CASE("a bypassed node draws what it passes on") {
+TEST_CASE("A bypassed node draws what it passes on") {
   Json nodes = {{"ring", make("circle")},
                 {"moved", make("translate", {{"shape", from("ring")}, {"vector", {9, 0, 0}}})}};
   nodes["moved"]["bypass"] = true;
@@ -295,7 +295,7 @@ TEST_CASE("a bypassed node draws what it passes on") {
   CHECK(extent_of(json_of(glb)) < 1.01);
 }
 
-TEST_CASE("places that are not there are problems that point to their entry") {
+TEST_CASE("Places that are not there are problems that point to their entry") {
   const auto wrong = [](const std::string& entry) {
     const Problems problems = refused(showing(ring_graph, {"ring", entry}));
     REQUIRE(problems.size() == 1);
@@ -310,7 +310,7 @@ TEST_CASE("places that are not there are problems that point to their entry") {
   CHECK(refused(showing(ring_graph, {"a", "b"})).size() == 2);
 }
 
-TEST_CASE("hostile previews meet named limits") {
+TEST_CASE("Hostile previews meet named limits") {
   const Limits& limits = engine().limits();
   const Problems many = refused(showing(ring_graph, std::vector<std::string>(10'000, "ring")));
   CHECK(many.front().code == "limit-exceeded");

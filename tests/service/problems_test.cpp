@@ -89,7 +89,7 @@ std::vector<Fault> faults_elsewhere() {
 
 }  // namespace
 
-TEST_CASE("every fault has its stable code and the pointer to its place") {
+TEST_CASE("Every fault has its stable code and the pointer to its place") {
   for (const Fault& fault : faults()) {
     CAPTURE(fault.code, fault.pointer);
     const auto prepared = engine().prepare(request_for(fault.graph, fault.parameters), Cancel());
@@ -104,7 +104,7 @@ TEST_CASE("every fault has its stable code and the pointer to its place") {
   }
 }
 
-TEST_CASE("validation and evaluation find the same problems") {
+TEST_CASE("Validation and evaluation find the same problems") {
   for (const Fault& fault : faults()) {
     CAPTURE(fault.code, fault.pointer);
     const Json verdict = *engine().validate(fault.graph, fault.parameters, Cancel());
@@ -115,7 +115,7 @@ TEST_CASE("validation and evaluation find the same problems") {
   CHECK((*engine().validate(sound(), Json::object(), Cancel()))["valid"] == true);
 }
 
-TEST_CASE("a fault elsewhere is a warning of the evaluation and a problem of the validation") {
+TEST_CASE("A fault elsewhere is a warning of the evaluation and a problem of the validation") {
   const Result<Answered> usual = answered(engine(), request_for(sound()));
   REQUIRE(usual);
   for (const Fault& fault : faults_elsewhere()) {
@@ -135,7 +135,7 @@ TEST_CASE("a fault elsewhere is a warning of the evaluation and a problem of the
   }
 }
 
-TEST_CASE("a check that cannot run fails the answer, and says why") {
+TEST_CASE("A check that cannot run fails the answer, and says why") {
   Json graph = with("/nodes/limit", make("check", {{"value", from("size")}, {"maximum", 5}}));
   graph["nodes"]["size"] = make("expression", {{"formula", "x"}, {"y", from("nowhere")}});
   graph["nodes"]["loose"] = make("check");
@@ -153,7 +153,7 @@ TEST_CASE("a check that cannot run fails the answer, and says why") {
   CHECK(engine().prepare(request_for(graph), Cancel()));
 }
 
-TEST_CASE("outputs and nodes that are not there are named with what is") {
+TEST_CASE("Outputs and nodes that are not there are named with what is") {
   EvaluateRequest request = request_for(sound());
   request.output = "skin";
   const auto wrong_output = engine().prepare(request, Cancel());
@@ -171,7 +171,7 @@ TEST_CASE("outputs and nodes that are not there are named with what is") {
   CHECK(no_port.problems().front().code == "unknown-port");
 }
 
-TEST_CASE("problems found while evaluating name node and place too") {
+TEST_CASE("Problems found while evaluating name node and place too") {
   Json graph = with("/nodes/ring/inputs/radius", from("bad"));
   graph["nodes"]["bad"] = make("expression", {{"formula", "1 / x"}});
   const Result<Answered> answer = answered(engine(), request_for(graph));
@@ -181,7 +181,7 @@ TEST_CASE("problems found while evaluating name node and place too") {
   CHECK(answer.problems().front().pointer == "/nodes/bad");
 }
 
-TEST_CASE("a check fails the answer although the output does not need it") {
+TEST_CASE("A check fails the answer although the output does not need it") {
   Json graph = sound();
   graph["nodes"]["size"] = make("measure", {{"model", from("skin")}});
   graph["nodes"]["limit"] = make("check", {{"value", from("size.area")}, {"maximum", 1}, {"message", "too large"}});
@@ -196,7 +196,7 @@ TEST_CASE("a check fails the answer although the output does not need it") {
   CHECK(passed->report()["checks"][0]["passed"] == true);
 }
 
-TEST_CASE("graphs as large as the limit are answered, larger ones are refused") {
+TEST_CASE("Graphs as large as the limit are answered, larger ones are refused") {
   Json graph = sound();
   for (std::size_t i = graph["nodes"].size(); i < engine().limits().nodes; ++i) {
     const std::string previous = "n" + std::to_string(i - 1);
@@ -215,7 +215,7 @@ TEST_CASE("graphs as large as the limit are answered, larger ones are refused") 
   CHECK(refused.problems().front().pointer == "/nodes");
 }
 
-TEST_CASE("a deadline and a stop end a large evaluation inside its kernels") {
+TEST_CASE("A deadline and a stop end a large evaluation inside its kernels") {
   Json generators = Json::array();
   Json nodes = {{"sheet", make("grid", {{"count_u", 2000}, {"count_v", 2000}})}};
   for (int i = 0; i < 64; ++i) {

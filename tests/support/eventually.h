@@ -4,7 +4,7 @@
 #include <functional>
 #include <thread>
 
-namespace dini::testing {
+namespace dini::support {
 
 /// Waits up to fifteen seconds for something that another thread brings about.
 inline bool eventually(const std::function<bool()>& holds) {
@@ -16,4 +16,4 @@ inline bool eventually(const std::function<bool()>& holds) {
   return true;
 }
 
-}  // namespace dini::testing
+}  // namespace dini::support

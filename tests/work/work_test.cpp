@@ -64,7 +64,7 @@ std::optional<std::uint64_t> work_after_stop(const Planned& planned, Cache& cach
 
 }  // namespace
 
-TEST_CASE("every node that is stopped, before it begins or anywhere within, computes little more") {
+TEST_CASE("Every node that is stopped, before it begins or anywhere within, computes little more") {
   std::size_t stopped_within = 0;
   for (const Subject& subject : all_subjects()) {
     for (const std::size_t size : {1'000'000, 20'000}) {

@@ -3,7 +3,7 @@
 #include "tests/geometry/grids.h"
 
 using namespace dini;
-using namespace dini::test;
+using namespace dini::support;
 
 namespace {
 
@@ -21,7 +21,7 @@ Grid plane_grid(std::size_t rows, std::size_t columns) {
 
 }  // namespace
 
-TEST_CASE("a flat sheet looks along rows cross columns and spans the unit square of texture") {
+TEST_CASE("A flat sheet looks along rows cross columns and spans the unit square of texture") {
   const Mesh mesh = surface_of(plane_grid(3, 5)).mesh;
   CHECK(mesh.positions.size() == 15);
   CHECK(mesh.triangles.size() == 16);
@@ -36,7 +36,7 @@ TEST_CASE("a flat sheet looks along rows cross columns and spans the unit square
   CHECK(measures.boundary_edges == 12);
 }
 
-TEST_CASE("a doubly closed grid is a watertight torus that shares its seams") {
+TEST_CASE("A doubly closed grid is a watertight torus that shares its seams") {
   const auto rows = GENERATE(3, 4, 7, 40);
   const auto columns = GENERATE(3, 5, 32);
   const Mesh mesh = surface_of(torus_grid(rows, columns)).mesh;
@@ -50,7 +50,7 @@ TEST_CASE("a doubly closed grid is a watertight torus that shares its seams") {
   CHECK(least_height(mesh) > 1e-3);
 }
 
-TEST_CASE("rows that are one point become poles of a watertight sphere") {
+TEST_CASE("Rows that are one point become poles of a watertight sphere") {
   const auto rows = GENERATE(3, 4, 25);
   const auto columns = GENERATE(3, 4, 48);
   const Mesh mesh = surface_of(sphere_grid(rows, columns)).mesh;
@@ -64,7 +64,7 @@ TEST_CASE("rows that are one point become poles of a watertight sphere") {
   CHECK(least_height(mesh) > 1e-3);
 }
 
-TEST_CASE("columns that are one point become poles as well") {
+TEST_CASE("Columns that are one point become poles as well") {
   const Grid grid(24, 13, true, false, [](double u, double v) { return sphere_point(v, -u); });
   const Measures measures = measured(surface_of(grid).mesh);
   CHECK(measures.closed);
@@ -72,7 +72,7 @@ TEST_CASE("columns that are one point become poles as well") {
   CHECK(measures.volume > 0);
 }
 
-TEST_CASE("poles that coincide only up to round-off are poles") {
+TEST_CASE("Poles that coincide only up to round-off are poles") {
   const Grid grid(9, 16, false, true, [](double u, double v) {
     const Point p = sphere_point(u, v);
     return Point{p.x + 3e-16 * std::round(17 * v), p.y, p.z};
@@ -80,7 +80,7 @@ TEST_CASE("poles that coincide only up to round-off are poles") {
   CHECK(measured(surface_of(grid).mesh).euler == 2);
 }
 
-TEST_CASE("a row inside a grid that is one point becomes the tip of a double cone") {
+TEST_CASE("A row inside a grid that is one point becomes the tip of a double cone") {
   const Grid grid(5, 12, false, true, [](double u, double v) {
     const SineCosine around = sine_cosine(v);
     return Point{(u - 0.5) * around.cosine, (u - 0.5) * around.sine, u};
@@ -91,14 +91,14 @@ TEST_CASE("a row inside a grid that is one point becomes the tip of a double con
   CHECK(least_height(mesh) > 1e-3);
 }
 
-TEST_CASE("normals of a sphere grid converge to the exact ones") {
+TEST_CASE("Normals of a sphere grid converge to the exact ones") {
   const double coarse = normal_error(surface_of(sphere_grid(25, 48)).mesh, sphere_normal);
   const double fine = normal_error(surface_of(sphere_grid(49, 96)).mesh, sphere_normal);
   CHECK(coarse < 1e-3);
   CHECK(fine < coarse / 7);
 }
 
-TEST_CASE("normals of an uneven torus grid converge with the fourth order") {
+TEST_CASE("Normals of an uneven torus grid converge with the fourth order") {
   const auto error = [](std::size_t rows, std::size_t columns) {
     // Differences of an even grid would be exact by symmetry.
     const Grid grid(rows, columns, true, true, [](double u, double v) {
@@ -111,12 +111,12 @@ TEST_CASE("normals of an uneven torus grid converge with the fourth order") {
   CHECK(coarse / fine > 14);
 }
 
-TEST_CASE("normals stay exact to a part in a thousand at open borders") {
+TEST_CASE("Normals stay exact to a part in a thousand at open borders") {
   const Grid grid(20, 30, false, false, [](double u, double v) { return sphere_point(0.2 + 0.5 * u, 0.4 * v); });
   CHECK(normal_error(surface_of(grid).mesh, sphere_normal) < 1e-3);
 }
 
-TEST_CASE("area and volume of a torus grid converge to the closed forms") {
+TEST_CASE("Area and volume of a torus grid converge to the closed forms") {
   const double area = 4 * pi * pi * 2 * 0.5, volume = 2 * pi * pi * 2 * 0.25;
   const Measures coarse = measured(surface_of(torus_grid(64, 32)).mesh);
   const Measures fine = measured(surface_of(torus_grid(128, 64)).mesh);
@@ -126,7 +126,7 @@ TEST_CASE("area and volume of a torus grid converge to the closed forms") {
   CHECK(std::abs(fine.volume - volume) < std::abs(coarse.volume - volume) / 3.5);
 }
 
-TEST_CASE("quads are split along the shorter diagonal unless that folds them") {
+TEST_CASE("Quads are split along the shorter diagonal unless that folds them") {
   Column<Point> points(4);
   points.set(1, {0, 1, 0});
   points.set(2, {1, 0, 0});
@@ -146,7 +146,7 @@ TEST_CASE("quads are split along the shorter diagonal unless that folds them") {
   }
 }
 
-TEST_CASE("thinning keeps closed axes closed, ends in place and the budget") {
+TEST_CASE("Thinning keeps closed axes closed, ends in place and the budget") {
   const std::size_t budget = GENERATE(12u, 100u, 777u, 5000u);
   const Mesh torus = surface_of(torus_grid(101, 67), {.triangle_budget = budget}).mesh;
   CHECK(torus.triangles.size() <= std::max<std::size_t>(budget, 18));
@@ -162,13 +162,13 @@ TEST_CASE("thinning keeps closed axes closed, ends in place and the budget") {
   }
 }
 
-TEST_CASE("normals stay accurate on unevenly thinned grids") {
+TEST_CASE("Normals stay accurate on unevenly thinned grids") {
   const Mesh mesh = surface_of(torus_grid(150, 110), {.triangle_budget = 9000}).mesh;
   CHECK(mesh.triangles.size() > 8000);
   CHECK(normal_error(mesh, [](const Point& p) { return torus_normal(p); }) < 1e-3);
 }
 
-TEST_CASE("tiles hold every triangle once and at most 128 x 128 quads") {
+TEST_CASE("Tiles hold every triangle once and at most 128 x 128 quads") {
   const Mesh mesh = surface_of(plane_grid(300, 131)).mesh;
   CHECK(mesh.tile_ends.size() == 6);
   CHECK(mesh.tile_ends.back() == mesh.triangles.size());
@@ -176,7 +176,7 @@ TEST_CASE("tiles hold every triangle once and at most 128 x 128 quads") {
   CHECK(largest_tile(mesh) == 2 * 128 * 128);
 }
 
-TEST_CASE("a grid is read through its strides") {
+TEST_CASE("A grid is read through its strides") {
   const Grid grid = plane_grid(4, 6);
   const Mesh mesh =
       surface({.points = grid.points, .rows = 6, .columns = 2, .offset = 6, .row_stride = 1, .column_stride = 6}, {},
@@ -188,7 +188,7 @@ TEST_CASE("a grid is read through its strides") {
   CHECK(measured(mesh).maximum.x == Approx(2.0 / 3));
 }
 
-TEST_CASE("degenerate grids give empty meshes") {
+TEST_CASE("Degenerate grids give empty meshes") {
   const auto empty = [](const Grid& grid) {
     const SurfaceResult result = surface_of(grid);
     return result.mesh.triangles.empty() && result.mesh.positions.empty() && result.mesh.tile_ends.empty();
@@ -204,19 +204,19 @@ TEST_CASE("degenerate grids give empty meshes") {
   CHECK(empty(Grid(5, 4, closed, closed, [](double u, double v) { return Point{u + 1e9, v, 0}; })));
 }
 
-TEST_CASE("a closed axis of two samples is open") {
+TEST_CASE("A closed axis of two samples is open") {
   const Grid grid(2, 8, true, false, [](double u, double v) { return Point{u, v, 0}; });
   CHECK(surface_of(grid).mesh.triangles.size() == 14);
 }
 
-TEST_CASE("a stopped request ends early") {
+TEST_CASE("A stopped request ends early") {
   Cancel cancel;
   cancel.stop(StopReason::client_gone);
   const Grid grid = torus_grid(300, 300);
   CHECK(surface(grid.view(), {}, cancel).mesh.triangles.size() <= 2 * 128 * 128);
 }
 
-TEST_CASE("the same grid gives the same mesh") {
+TEST_CASE("The same grid gives the same mesh") {
   const Grid grid = sphere_grid(30, 30);
   const Mesh a = surface_of(grid).mesh, b = surface_of(grid).mesh;
   CHECK(a.positions == b.positions);

@@ -4,7 +4,7 @@
 #include "tests/geometry/grids.h"
 
 using namespace dini;
-using namespace dini::test;
+using namespace dini::support;
 
 namespace {
 
@@ -40,7 +40,7 @@ Mesh tube_of(const Polyline& curve, const TubeOptions& options) {
 
 }  // namespace
 
-TEST_CASE("the tube of a circle is a torus") {
+TEST_CASE("The tube of a circle is a torus") {
   const Mesh mesh = tube_of(curve_of(128, true, circle_point), {.radius = 0.5, .sides = 64});
   CHECK(mesh.positions.size() == 128 * 64);
   const Measures measures = measured(mesh);
@@ -51,7 +51,7 @@ TEST_CASE("the tube of a circle is a torus") {
   CHECK(normal_error(mesh, [](const Point& p) { return torus_normal(p); }) < 1e-12);
 }
 
-TEST_CASE("the tube of a knot closes without a jump at the seam") {
+TEST_CASE("The tube of a knot closes without a jump at the seam") {
   const Polyline curve = curve_of(200, true, knot_point);
   const Mesh mesh = tube_of(curve, {.radius = 0.2, .sides = 9});
   const Measures measures = measured(mesh);
@@ -67,7 +67,7 @@ TEST_CASE("the tube of a knot closes without a jump at the seam") {
   }
 }
 
-TEST_CASE("frames do not turn about the curve") {
+TEST_CASE("Frames do not turn about the curve") {
   // By definition the direction across changes along the tangent only.
   const Polyline helix = curve_of(400, false, [](double t) {
     return Point{sine_cosine(2 * t).cosine, sine_cosine(2 * t).sine, 3 * t};
@@ -85,7 +85,7 @@ TEST_CASE("frames do not turn about the curve") {
   }
 }
 
-TEST_CASE("an open tube is capped by flat disks") {
+TEST_CASE("An open tube is capped by flat disks") {
   const Polyline line = curve_of(5, false, [](double t) { return Point{0, 0, 3 * t}; });
   const Mesh mesh = tube_of(line, {.radius = 0.5, .sides = 8});
   CHECK(mesh.positions.size() == 5 * 8 + 2 * 9);
@@ -101,7 +101,7 @@ TEST_CASE("an open tube is capped by flat disks") {
   CHECK(flat == 18);
 }
 
-TEST_CASE("the ends of an open arc stand square on it") {
+TEST_CASE("The ends of an open arc stand square on it") {
   const Polyline arc = curve_of(30, false, [](double t) { return circle_point(t / 4); });
   const Mesh mesh = tube_of(arc, {.radius = 0.1, .sides = 6});
   CHECK(measured(mesh).closed);
@@ -112,7 +112,7 @@ TEST_CASE("the ends of an open arc stand square on it") {
   CHECK(square >= 14);
 }
 
-TEST_CASE("infinity and the clip radius cut a tube into capped pieces") {
+TEST_CASE("Infinity and the clip radius cut a tube into capped pieces") {
   SECTION("a sample at infinity") {
     const Polyline curve = curve_of(11, false, [](double t) {
       return t == 0.5 ? Point::at_infinity() : Point{t, 0, 0};
@@ -154,7 +154,7 @@ TEST_CASE("infinity and the clip radius cut a tube into capped pieces") {
   }
 }
 
-TEST_CASE("curves without two distinct points give empty tubes") {
+TEST_CASE("Curves without two distinct points give empty tubes") {
   CHECK(tube_of({}, {}).positions.empty());
   CHECK(tube_of({Column<Point>(1), false}, {}).positions.empty());
   CHECK(tube_of({Column<Point>(7), true}, {}).positions.empty());
@@ -162,7 +162,7 @@ TEST_CASE("curves without two distinct points give empty tubes") {
   CHECK(tube_of(curve_of(9, true, circle_point), {.radius = -1}).positions.empty());
 }
 
-TEST_CASE("steps of length zero are skipped") {
+TEST_CASE("Steps of length zero are skipped") {
   const Polyline line = curve_of(9, false, [](double t) { return Point{std::floor(4 * t), 0, 0}; });
   const Mesh mesh = tube_of(line, {.radius = 0.1, .sides = 4});
   CHECK(mesh.positions.size() == 5 * 4 + 2 * 5);
@@ -170,14 +170,14 @@ TEST_CASE("steps of length zero are skipped") {
   CHECK(measured(tube_of(doubled, {.radius = 0.1, .sides = 4})).euler == 0);
 }
 
-TEST_CASE("a curve that turns back on itself keeps unit normals") {
+TEST_CASE("A curve that turns back on itself keeps unit normals") {
   Polyline curve{Column<Point>(3), false};
   curve.points.set(1, {1, 0, 0});
   const Mesh mesh = tube(curve, {}, never_stopped);
   CHECK(!mesh_defect(mesh));
 }
 
-TEST_CASE("long tubes are cut into tiles") {
+TEST_CASE("Long tubes are cut into tiles") {
   const Polyline curve = curve_of(1000, true, circle_point);
   const Mesh mesh = tube_of(curve, {.radius = 0.1, .sides = 130});
   CHECK(mesh.tile_ends.size() == 16);

@@ -23,7 +23,7 @@ double spread(const FieldLine& line) {
 
 }  // namespace
 
-TEST_CASE("a line that comes back closes, whatever its length and its number of points are") {
+TEST_CASE("A line that comes back closes, whatever its length and its number of points are") {
   for (const double radius : {0.01, 1.0, 30.0}) {
     for (const double way : {100.0 * radius, -7.0 * radius, 1e5 * radius}) {
       for (const std::size_t count : {5u, 64u, 1000u}) {
@@ -41,14 +41,14 @@ TEST_CASE("a line that comes back closes, whatever its length and its number of 
   }
 }
 
-TEST_CASE("a line shorter than its way around stays open") {
+TEST_CASE("A line shorter than its way around stays open") {
   const FieldLine line = field_line(around, {1, 0, 0}, {6, 13, 100}, cancel);
   CHECK_FALSE(line.closed);
   CHECK(line.length == 6);
   CHECK(length(line.points.back() - Vector{std::cos(6.0), std::sin(6.0), 0}) < 1e-6);
 }
 
-TEST_CASE("a line ends at the clip radius, and both ways when asked") {
+TEST_CASE("A line ends at the clip radius, and both ways when asked") {
   const auto ahead = [](const Vector&) { return Vector{1, 0, 0}; };
   const FieldLine line = field_line(ahead, {1, 2, 0}, {50, 11, std::sqrt(29.0)}, cancel);
   CHECK(line.points.front() == Vector{1, 2, 0});
@@ -61,7 +61,7 @@ TEST_CASE("a line ends at the clip radius, and both ways when asked") {
   for (const Vector& point : field_line(ahead, {9, 0, 0}, {50, 11, 5}, cancel).points) CHECK(point == Vector{9, 0, 0});
 }
 
-TEST_CASE("a line ends where the field ends, turns back, or is cancelled") {
+TEST_CASE("A line ends where the field ends, turns back, or is cancelled") {
   const auto inward = [](const Vector& p) { return p.x > 0.25 ? Vector{-1, 0, 0} : Vector{}; };
   CHECK(field_line(inward, {1, 0, 0}, {5, 20, 100}, cancel).length == Approx(0.75).epsilon(1e-4));
   const auto to_origin = [](const Vector& p) { return normalized(-p); };
@@ -76,7 +76,7 @@ TEST_CASE("a line ends where the field ends, turns back, or is cancelled") {
   CHECK(field_line(around, {1, 0, 0}, {0, 3, 100}, cancel).length == 0);
 }
 
-TEST_CASE("a spiral that does not come back near its start runs on") {
+TEST_CASE("A spiral that does not come back near its start runs on") {
   const auto spiral = [](const Vector& p) { return normalized(Vector{-p.y, p.x, 0} + 0.1 * p); };
   const FieldLine line = field_line(spiral, {1, 0, 0}, {20, 400, 1e3}, cancel);
   CHECK_FALSE(line.closed);

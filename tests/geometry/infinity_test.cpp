@@ -1,7 +1,7 @@
 #include "tests/geometry/grids.h"
 
 using namespace dini;
-using namespace dini::test;
+using namespace dini::support;
 
 namespace {
 
@@ -33,7 +33,7 @@ double longest_edge(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("a sheet with a sample at infinity is cut on the clip sphere") {
+TEST_CASE("A sheet with a sample at infinity is cut on the clip sphere") {
   // The plane around the origin, inverted: the middle sample is at infinity.
   const Grid grid(41, 41, false, false, [](double u, double v) {
     return inverted({0.02 * std::round(40 * u - 20), 0.02 * std::round(40 * v - 20), 0});
@@ -52,7 +52,7 @@ TEST_CASE("a sheet with a sample at infinity is cut on the clip sphere") {
   CHECK(measures.euler == 0);
 }
 
-TEST_CASE("a saddle that leaves the clip sphere keeps a clean border") {
+TEST_CASE("A saddle that leaves the clip sphere keeps a clean border") {
   const Grid grid(30, 30, false, false, [](double u, double v) {
     const double x = 8 * (u - 0.5), y = 8 * (v - 0.5);
     return Point{x, y, x * y};
@@ -73,7 +73,7 @@ TEST_CASE("a saddle that leaves the clip sphere keeps a clean border") {
   CHECK(measured(result.mesh).boundary_edges == on_sphere);
 }
 
-TEST_CASE("texture coordinates of a cut at a welded seam do not run backwards") {
+TEST_CASE("Texture coordinates of a cut at a welded seam do not run backwards") {
   const Grid grid(12, 8, true, false, [](double u, double v) {
     const SineCosine around = sine_cosine(u);
     return Point{around.cosine, around.sine, 4 * v};
@@ -86,7 +86,7 @@ TEST_CASE("texture coordinates of a cut at a welded seam do not run backwards") 
   }
 }
 
-TEST_CASE("fail reports the first sample at infinity and gives no mesh") {
+TEST_CASE("Fail reports the first sample at infinity and gives no mesh") {
   const Grid grid(5, 7, false, false, [](double u, double v) {
     return u == 0.5 && v > 0.3 ? Point::at_infinity() : Point{u, v, 0};
   });
@@ -97,7 +97,7 @@ TEST_CASE("fail reports the first sample at infinity and gives no mesh") {
   CHECK(surface_of(grid).clipped_quads == 10);
 }
 
-TEST_CASE("positions far beyond any encoder's range do no harm") {
+TEST_CASE("Positions far beyond any encoder's range do no harm") {
   const double far = GENERATE(1e17, 1e30, 1e160, 1e300, 1.7e308);
   const Grid grid(9, 9, false, false, [&](double u, double v) {
     return u > 0.8 ? Point{far, -far * v, far} : v > 0.8 ? Point{-far, 0, 0} : Point{u, v, 0};
@@ -109,14 +109,14 @@ TEST_CASE("positions far beyond any encoder's range do no harm") {
   CHECK(farthest(unlimited.mesh) < 1e18);
 }
 
-TEST_CASE("a clip radius without meaning leaves nothing") {
+TEST_CASE("A clip radius without meaning leaves nothing") {
   const Grid grid(4, 4, false, false, [](double u, double v) { return Point{u + 1, v, 0}; });
   for (const double radius : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
     CHECK(surface_of(grid, {.clip_radius = radius}).mesh.positions.empty());
   }
 }
 
-TEST_CASE("a surface that runs through infinity between two rows is torn there") {
+TEST_CASE("A surface that runs through infinity between two rows is torn there") {
   // x = 1/t: rows on both sides of t = 0, none on it.
   const Grid grid(40, 10, false, false, [](double u, double v) { return Point{1 / (u - 0.5), v, 0.1 * v * v}; });
   const SurfaceResult result = surface_of(grid);
@@ -132,7 +132,7 @@ TEST_CASE("a surface that runs through infinity between two rows is torn there")
   }
 }
 
-TEST_CASE("the one quad that holds infinity is torn out, wherever in it infinity lies") {
+TEST_CASE("The one quad that holds infinity is torn out, wherever in it infinity lies") {
   const double offset_u = GENERATE(0.02, 0.3, 0.5, 0.77, 0.98);
   const double offset_v = GENERATE(0.05, 0.5, 0.9);
   const Grid grid(41, 41, false, false, [&](double u, double v) {
@@ -149,7 +149,7 @@ TEST_CASE("the one quad that holds infinity is torn out, wherever in it infinity
   }
 }
 
-TEST_CASE("ordinary surfaces are never torn, however sharp their folds") {
+TEST_CASE("Ordinary surfaces are never torn, however sharp their folds") {
   SECTION("a large triangular tube") {
     const Grid grid(3, 5, true, false, [](double u, double v) {
       return Point{300 * sine_cosine(u).cosine, 300 * sine_cosine(u).sine, 500 * v};

@@ -10,7 +10,7 @@
 #include "tests/geometry/grids.h"
 
 using namespace dini;
-using namespace dini::test;
+using namespace dini::support;
 
 namespace {
 
@@ -40,7 +40,7 @@ Mesh torn_apart(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("sines and cosines match the library and are exact at quarter turns") {
+TEST_CASE("Sines and cosines match the library and are exact at quarter turns") {
   for (int i = -400; i <= 400; ++i) {
     const double turns = i / 97.0;
     const SineCosine result = sine_cosine(turns);
@@ -53,7 +53,7 @@ TEST_CASE("sines and cosines match the library and are exact at quarter turns") 
   for (const double turns : {0.5, -0.5}) CHECK(sine_cosine(turns).sine == 0);
 }
 
-TEST_CASE("angles match the library") {
+TEST_CASE("Angles match the library") {
   for (int i = 0; i <= 1000; ++i) {
     const double angle = pi * i / 1000;
     CHECK(std::abs(angle_of(std::cos(angle), std::abs(std::sin(angle))) - angle) < 1e-15);
@@ -64,7 +64,7 @@ TEST_CASE("angles match the library") {
   CHECK(angle_between({1, 0, 0}, {1, 1e-9, 0}) == Approx(1e-9));
 }
 
-TEST_CASE("spaced samples hit both ends exactly and leave the end of closed ranges out") {
+TEST_CASE("Spaced samples hit both ends exactly and leave the end of closed ranges out") {
   const Column<double> open = spaced(0.1, 0.7, 7, false, never_stopped);
   CHECK(open[0] == 0.1);
   CHECK(open[6] == 0.7);
@@ -86,7 +86,7 @@ TEST_CASE("spaced samples hit both ends exactly and leave the end of closed rang
   }
 }
 
-TEST_CASE("positions get the label of the first equal one") {
+TEST_CASE("Positions get the label of the first equal one") {
   const Mesh mesh = mesh_of({{0, 0, 1}, {1, 0, 0}, {-0.0, 0, 1}, {1, 0, 0}, {1, 0, 1e-300}}, {});
   CHECK(position_labels(mesh.positions, Cancel()) == std::vector<std::uint32_t>{0, 1, 0, 1, 4});
   CHECK(position_labels({}, Cancel()).empty());
@@ -111,7 +111,7 @@ TEST_CASE("Positions that were made to fall into one place of a plain table are 
   for (std::uint32_t i = 0; i < labels.size(); ++i) REQUIRE(labels[i] == i);
 }
 
-TEST_CASE("a tetrahedron measures right, whole or torn apart") {
+TEST_CASE("A tetrahedron measures right, whole or torn apart") {
   const Mesh mesh = GENERATE(tetrahedron(), torn_apart(tetrahedron()));
   const Measures measures = measured(mesh);
   CHECK(measures.volume == Approx(1.0 / 6).epsilon(1e-14));
@@ -127,7 +127,7 @@ TEST_CASE("a tetrahedron measures right, whole or torn apart") {
   CHECK(measures.diagonal == Approx(std::sqrt(3)));
 }
 
-TEST_CASE("open, flipped and crowded edges are not closed") {
+TEST_CASE("Open, flipped and crowded edges are not closed") {
   Mesh open = tetrahedron();
   open.triangles.pop_back();
   CHECK(!measured(open).closed);
@@ -143,7 +143,7 @@ TEST_CASE("open, flipped and crowded edges are not closed") {
   CHECK(!measured(book).closed);
 }
 
-TEST_CASE("nothing measures nothing, and vertices of no triangle do not count") {
+TEST_CASE("Nothing measures nothing, and vertices of no triangle do not count") {
   const Measures nothing = measured({});
   CHECK(nothing.area == 0);
   CHECK(nothing.diagonal == 0);
@@ -154,7 +154,7 @@ TEST_CASE("nothing measures nothing, and vertices of no triangle do not count") 
   CHECK(measured(mesh).vertices == 3);
 }
 
-TEST_CASE("areas and volumes do not drift with the number of triangles or the place") {
+TEST_CASE("Areas and volumes do not drift with the number of triangles or the place") {
   const Grid grid(500, 500, false, false, [](double u, double v) { return Point{u, v, 1e6}; });
   CHECK(std::abs(measured(surface_of(grid, {.clip_radius = 1e7}).mesh).area - 1) < 1e-12);
   const Measures here = measured(torus_mesh({}, {0, 0, 1}, 2, 0.5, 400, 200, never_stopped));
@@ -163,7 +163,7 @@ TEST_CASE("areas and volumes do not drift with the number of triangles or the pl
   CHECK(std::abs(far.area / here.area - 1) < 1e-10);
 }
 
-TEST_CASE("smooth normals point outward and converge on a sphere") {
+TEST_CASE("Smooth normals point outward and converge on a sphere") {
   const Mesh coarse = sphere_mesh({}, 1, 48, 24, never_stopped);
   const Mesh fine = torn_apart(sphere_mesh({}, 1, 192, 96, never_stopped));
   const auto error = [](Mesh mesh) {
@@ -175,20 +175,20 @@ TEST_CASE("smooth normals point outward and converge on a sphere") {
   CHECK(error(fine) < 1e-3);
 }
 
-TEST_CASE("smooth normals weigh by angle, so that a cube's corner is on its diagonal however its faces are cut") {
+TEST_CASE("Smooth normals weigh by angle, so that a cube's corner is on its diagonal however its faces are cut") {
   const Mesh mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}},
                             {{0, 2, 1}, {0, 3, 2}, {0, 1, 5}, {0, 5, 4}, {0, 4, 3}, {3, 4, 6}});
   const Vector corner = smooth_normals(mesh, never_stopped)[0];
   CHECK(length(corner - normalized(Vector{-1, -1, -1})) < 1e-14);
 }
 
-TEST_CASE("smooth normals fall back to e3") {
+TEST_CASE("Smooth normals fall back to e3") {
   const Mesh mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}, {2, 0, 0}}, {{0, 1, 2}, {0, 2, 1}, {0, 1, 4}});
   const Column<Vector> normals = smooth_normals(mesh, never_stopped);
   for (std::size_t i = 0; i < 5; ++i) CHECK(normals[i] == Vector{0, 0, 1});
 }
 
-TEST_CASE("merging keeps every attribute that any mesh has") {
+TEST_CASE("Merging keeps every attribute that any mesh has") {
   auto bare = std::make_shared<Mesh>(tetrahedron());
   bare->color = {1, 0, 0, 1};
   auto full = std::make_shared<Mesh>(sphere_mesh({5, 0, 0}, 1, 8, 4, never_stopped));
@@ -219,7 +219,7 @@ TEST_CASE("merging keeps every attribute that any mesh has") {
   }
 }
 
-TEST_CASE("every broken invariant of a mesh is named") {
+TEST_CASE("Every broken invariant of a mesh is named") {
   const auto defect = [](auto breaking) {
     Mesh mesh = sphere_mesh({}, 1, 8, 4, never_stopped);
     breaking(mesh);

@@ -1,0 +1,11 @@
+# Tools that make building quicker and change nothing else; each is used where it is installed.
+if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  find_program(DINI_CCACHE ccache)
+  if(DINI_CCACHE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${DINI_CCACHE})
+  endif()
+endif()
+find_program(DINI_MOLD mold)
+if(DINI_MOLD)
+  add_link_options(-fuse-ld=mold)
+endif()

@@ -1,0 +1,9 @@
+# Sourced: the check of the scripts themselves.
+# shellcheck shell=bash
+
+# shell_lint: shellcheck on every script.
+shell_lint() {
+  local scripts
+  mapfile -t scripts < <(grep -lE '^#!.*bash|shellcheck shell=bash' scripts/* scripts/lib/*.sh .ci/* 2>/dev/null)
+  shellcheck "${scripts[@]}"
+}
