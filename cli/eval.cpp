@@ -101,7 +101,8 @@ void print_warnings(const Json& report) {
 /// ".glb (glb), .gltf (gltf)"
 std::string list_of(std::span<const FileFormat> formats) {
   std::string text;
-  for (const FileFormat& format : formats) text += (text.empty() ? "" : ", ") + format.extension + " (" + format.name + ")";
+  for (const FileFormat& format : formats)
+    text += (text.empty() ? "" : ", ") + format.extension + " (" + format.name + ")";
   return text;
 }
 
@@ -119,7 +120,8 @@ Result<const FileFormat*> format_of(const Options& options, std::span<const File
   } else if (!ending.empty()) {
     format = format_of_extension(formats, ending);
     if (format == nullptr) {
-      return refused("-o " + *options.model + ": " + ending + " is no format that can be written (--format says another)");
+      return refused("-o " + *options.model + ": " + ending +
+                     " is no format that can be written (--format says another)");
     }
   }
   if (format != &formats.front() && !options.preview.empty()) return refused("--preview is written as GLB only");
@@ -175,9 +177,10 @@ void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine
   command->add_option("graph", options->graph, "The graph document, or - for standard input")->required();
   command->add_option("--set", options->settings, "A parameter as name=value; may be repeated")
       ->allow_extra_args(false);
-  command->add_option("-o,--out", options->model,
-                      "Where the model goes, in the format that its name ends with, or - for standard output; without it the "
-                      "model is only described");
+  command->add_option(
+      "-o,--out", options->model,
+      "Where the model goes, in the format that its name ends with, or - for standard output; without it the "
+      "model is only described");
   command->add_option("--format", options->format, "The format of the model, whatever its name ends with");
   command->add_flag("--embed-graph", options->embed_graph, "Put the graph document into the file (asset.extras)");
   command->add_option("--report", options->report, "Where the JSON report goes, or - for standard output");

@@ -20,10 +20,11 @@ std::string digits(double value, int count) {
 FileNote note_of(const std::vector<RoughUvs>& rough) {
   const RoughUvs& worst = *std::max_element(rough.begin(), rough.end(),
                                             [](const RoughUvs& a, const RoughUvs& b) { return a.error < b.error; });
-  return {"imprecise", "the texture coordinates of " + worst.part + " reach from " + digits(worst.minimum, 6) + " to " +
-                           digits(worst.maximum, 6) + " and are rounded by up to " + digits(worst.error, 2) +
-                           ", where 1 is the size of the picture" +
-                           (rough.size() == 1 ? "" : "; so are those of " + std::to_string(rough.size() - 1) + " more")};
+  return {"imprecise",
+          "the texture coordinates of " + worst.part + " reach from " + digits(worst.minimum, 6) + " to " +
+              digits(worst.maximum, 6) + " and are rounded by up to " + digits(worst.error, 2) +
+              ", where 1 is the size of the picture" +
+              (rough.size() == 1 ? "" : "; so are those of " + std::to_string(rough.size() - 1) + " more")};
 }
 
 FileError error_of(const EncodeError& error) {
@@ -44,7 +45,7 @@ FileError error_of(const EncodeError& error) {
 }
 
 Expected<WrittenFile, FileError> write(const Scene& scene, const FileOptions& options, const Cancel& cancel,
-                                           GltfContainer container) {
+                                       GltfContainer container) {
   EncodeOptions encode;
   encode.position_bits = options.position_bits;
   encode.normal_bits = options.normal_bits;

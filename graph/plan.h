@@ -55,7 +55,7 @@ struct PlannedNode {
   Axes consumed;
   std::vector<Axes> made;
   std::vector<WireShape> outputs;
-  std::size_t triangle_budget = 0;  ///< for each mesh that the node makes; 0 is no limit
+  std::size_t triangle_budget = 0;              ///< for each mesh that the node makes; 0 is no limit
   std::shared_ptr<const WantedFile> file = {};  ///< how the file is wanted that the node writes
   Digest fingerprint{};
   bool doubtful = false;  ///< broken, or behind a broken node: its wires are known, but it cannot run

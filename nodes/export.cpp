@@ -86,8 +86,8 @@ Attempt<SharedFile> export_file(const Context& context,
   for (FileNote& note : written.notes) context.warn({std::move(note.code), std::move(note.detail), "model"});
   const Digest digest = sha256(written.bytes);
   return std::make_shared<const File>(File{wanted.format.media_types.front(), wanted.format.extension,
-                                           share(std::move(written.bytes)), digest, written.vertices,
-                                           written.triangles, written.position_error});
+                                           share(std::move(written.bytes)), digest, written.vertices, written.triangles,
+                                           written.position_error});
 }
 
 }  // namespace

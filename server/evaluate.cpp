@@ -17,7 +17,8 @@ constexpr std::string_view both_type = "multipart/form-data";
 /// Every type that an answer may have, the one that is answered to who takes all first.
 std::vector<std::string_view> offers_of(std::span<const FileFormat> formats) {
   std::vector<std::string_view> offers;
-  for (const FileFormat& format : formats) offers.insert(offers.end(), format.media_types.begin(), format.media_types.end());
+  for (const FileFormat& format : formats)
+    offers.insert(offers.end(), format.media_types.begin(), format.media_types.end());
   offers.push_back(report_type);
   offers.push_back(both_type);
   return offers;

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "graph/problem.h"
 #include "graph/file.h"
+#include "graph/problem.h"
 
 namespace dini::server {
 

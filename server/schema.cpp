@@ -1,5 +1,6 @@
-#include "server/handlers.h"
 #include "service/requests/schema.h"
+
+#include "server/handlers.h"
 
 namespace dini::server {
 
@@ -10,8 +11,7 @@ Operation describe_schema() {
           .doc = "The JSON Schema (2020-12) of the graph document, with every node type.",
           .parameters = {if_none_match_header()},
           .answers = {{.doc = "The schema.",
-                       .contents = {{.type = "application/schema+json",
-                                     .schema = schema::anything("A JSON Schema.")}},
+                       .contents = {{.type = "application/schema+json", .schema = schema::anything("A JSON Schema.")}},
                        .headers = {"ETag", "Cache-Control"}},
                       not_modified()}};
 }

@@ -14,10 +14,10 @@
 
 #include "geometry/cancel.h"
 #include "graph/context.h"
+#include "graph/file.h"
 #include "graph/json_reader.h"
 #include "graph/limits.h"
 #include "graph/problem.h"
-#include "graph/file.h"
 #include "service/problem_json.h"
 
 namespace dini {

@@ -118,8 +118,7 @@ Result<const FileFormat*> format_of(const Environment& environment, const Evalua
   std::vector<std::string> names;
   for (const FileFormat& known : environment.formats) names.push_back(known.name);
   const auto refused = [](std::string detail) {
-    return Problem{
-        .code = "not-in-choices", .detail = std::move(detail), .pointer = "/format", .in_request = true};
+    return Problem{.code = "not-in-choices", .detail = std::move(detail), .pointer = "/format", .in_request = true};
   };
   if (format == nullptr) {
     return refused("there is no format \"" + request.format + "\"" + did_you_mean(request.format, names));
@@ -137,9 +136,8 @@ Json about_file(const PreparedGraph& prepared, bool embed_graph) {
   for (const std::string& parameter : parameters_behind(prepared.plan, *prepared.export_node)) {
     parameters[parameter] = prepared.plan.parameters.at(parameter);
   }
-  Json about = {{"engine", engine_version},
-                {"fingerprint", to_hex(prepared.fingerprint)},
-                {"parameters", std::move(parameters)}};
+  Json about = {
+      {"engine", engine_version}, {"fingerprint", to_hex(prepared.fingerprint)}, {"parameters", std::move(parameters)}};
   if (embed_graph) about["document"] = write_document(prepared.document);
   return about;
 }

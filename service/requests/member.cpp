@@ -10,7 +10,10 @@ namespace dini {
 namespace {
 
 Problem fault(const Member& member, std::string code, std::string detail) {
-  return {.code = std::move(code), .detail = std::move(detail), .pointer = "/" + pointer_token(member.name), .in_request = true};
+  return {.code = std::move(code),
+          .detail = std::move(detail),
+          .pointer = "/" + pointer_token(member.name),
+          .in_request = true};
 }
 
 bool is_whole(const Json& value) { return value.is_number() && value.get<double>() == std::floor(value.get<double>()); }

@@ -1,10 +1,11 @@
 // Every format through every face; one of them exists in these tests only.
 
+#include "nodes/formats.h"
+
 #include <catch2/catch.hpp>
 
 #include "gltf/glb_container.h"
 #include "gltf/glb_reader.h"
-#include "nodes/formats.h"
 #include "service/version.h"
 #include "tests/cli/program.h"
 #include "tests/formats/counts_format.h"
@@ -87,10 +88,9 @@ TEST_CASE("what a format says about a file is a warning of the export, and what 
   const std::unique_ptr<Engine> engine = engine_with_counts();
   const Result<Answered> answer = answered(*engine, {.graph = graph(), .format = "counts"});
   REQUIRE(answer);
-  CHECK(answer->report()["warnings"] == Json::array({{{"code", "left-out"},
-                                                      {"node", "out"},
-                                                      {"port", "model"},
-                                                      {"detail", "only meshes are counted"}}}));
+  CHECK(
+      answer->report()["warnings"] ==
+      Json::array({{{"code", "left-out"}, {"node", "out"}, {"port", "model"}, {"detail", "only meshes are counted"}}}));
   const Json ring = document({{"ring", make("circle")}, {"out", make("export", {{"model", from("ring")}})}});
   const Result<Answered> nothing = answered(*engine, {.graph = ring, .format = "counts"});
   REQUIRE_FALSE(nothing);
@@ -145,8 +145,7 @@ TEST_CASE("a model is asked for by the media type of its format") {
 
 TEST_CASE("the graph is put into the file when a request says so") {
   const RunningOver server(make_engine(), testing::quick_settings());
-  const auto answer =
-      post(server.port(), "/v1/evaluate", Json{{"graph", graph()}, {"embed_graph", true}}.dump());
+  const auto answer = post(server.port(), "/v1/evaluate", Json{{"graph", graph()}, {"embed_graph", true}}.dump());
   REQUIRE(answer->status == 200);
   CHECK(extras_of(Json::parse(split_glb(answer->body)->json))["document"] == graph());
 }
@@ -176,10 +175,10 @@ TEST_CASE("an end that is no format is told before anything is done") {
   folder.write("graph.json", graph().dump());
   folder.write("old.json", "an older report");
   const std::string path = (folder.path() / "graph.json").string(), report = (folder.path() / "old.json").string();
-  for (const std::vector<std::string>& wrong : std::vector<std::vector<std::string>>{
-           {"-o", (folder.path() / "x.stl").string()},
-           {"-o", (folder.path() / "x.glb").string(), "--format", "stl"},
-           {"-o", (folder.path() / "x.gltf").string(), "--preview", "ring"}}) {
+  for (const std::vector<std::string>& wrong :
+       std::vector<std::vector<std::string>>{{"-o", (folder.path() / "x.stl").string()},
+                                             {"-o", (folder.path() / "x.glb").string(), "--format", "stl"},
+                                             {"-o", (folder.path() / "x.gltf").string(), "--preview", "ring"}}) {
     std::vector<std::string> words = {"eval", path, "--report", report};
     words.insert(words.end(), wrong.begin(), wrong.end());
     const Outcome outcome = run(words);
