@@ -22,8 +22,10 @@ namespace {
 constexpr std::size_t inspected_values = 2'000'000;
 
 Json card(const FileFormat& format) {
-  return {
-      {"name", format.name}, {"media_types", format.media_types}, {"extension", format.extension}, {"doc", format.doc}};
+  return {{"name", format.name},
+          {"media_types", format.media_types},
+          {"extension", format.extension},
+          {"description", format.doc}};
 }
 
 Json catalogue_of(const Registry& registry, std::span<const FileFormat> formats) {

@@ -134,12 +134,12 @@ Json card(std::vector<Property> properties, std::string doc) {
 Json node_card() {
   const Json port = card({{"name", text("As documents write it.")},
                           {"types", list(text(""), "The wire types that it may have.")},
-                          {"doc", text("One sentence.")}},
+                          {"description", text("One sentence.")}},
                          "An input or output; inputs have defaults, units and ranges too.");
   return card({{"id", text("As documents write it.")},
                {"title", text("As people read it.")},
                {"family", text("The family that it is listed in.")},
-               {"doc", text("One sentence.")},
+               {"description", text("One sentence.")},
                {"version", whole("Raised when results change.")},
                {"inputs", list(port, "In the order in which people see them.")},
                {"outputs", list(port, "In the order in which people see them.")}},
@@ -154,7 +154,7 @@ Json catalogue() {
                  {"formats", list(card({{"name", text("")},
                                         {"media_types", list(text(""), "The first is what answers say.")},
                                         {"extension", text("With its period.")},
-                                        {"doc", text("")}},
+                                        {"description", text("")}},
                                        "A format that models are written in."),
                                   "The usual one first.")},
                  {"nodes", list(reference("NodeCard"), "Every node type.")}},

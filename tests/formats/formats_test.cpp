@@ -60,7 +60,7 @@ TEST_CASE("a format that is one line in the table is in the catalogue") {
   CHECK(formats.back() == Json{{"name", "counts"},
                                {"media_types", {"text/x-counts"}},
                                {"extension", ".counts"},
-                               {"doc", "How much there is."}});
+                               {"description", "How much there is."}});
 }
 
 TEST_CASE("the engine writes each format, and keeps them apart") {
