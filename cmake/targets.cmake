@@ -46,11 +46,16 @@ function(dini_layer name)
   endif()
 endfunction()
 
-# dini_test(NAME SOURCES... LINK LIBRARIES...): one test program, every case a ctest of its own.
+# dini_test(NAME SOURCES... LINK LIBRARIES... [THOROUGH]): one test program, every case a ctest of its own. What is thorough takes
+# so long that `scripts/test --quick` leaves it out.
 function(dini_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 test "" "" "SOURCES;LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 test "THOROUGH" "" "SOURCES;LINK")
   add_executable(tests_${name} ${test_SOURCES})
   target_link_libraries(tests_${name} PRIVATE dini_test_main ${test_LINK})
   target_precompile_headers(tests_${name} REUSE_FROM dini_test_headers)
-  catch_discover_tests(tests_${name} TEST_PREFIX "${name}: " DISCOVERY_MODE PRE_TEST)
+  set(labels usual)
+  if(test_THOROUGH)
+    set(labels thorough)
+  endif()
+  catch_discover_tests(tests_${name} TEST_PREFIX "${name}: " DISCOVERY_MODE PRE_TEST PROPERTIES LABELS ${labels})
 endfunction()

@@ -12,6 +12,12 @@ web_source_hash() {
     sort -z | xargs -0 sha256sum | sha256sum
 }
 
+# web_tests_hash: of everything that the tests of the page without a browser read.
+web_tests_hash() {
+  find web examples docs \( -path web/node_modules -o -path web/dist \) -prune -o -type f -print0 |
+    sort -z | xargs -0 sha256sum | sha256sum
+}
+
 # stamped FILE HASH: true when the step that wrote FILE last ran on the same content.
 stamped() { [[ -f $1 && $(<"$1") == "$2" ]]; }
 

@@ -1,6 +1,6 @@
 #include "tests/formats/counts_format.h"
 
-namespace dini::testing {
+namespace dini::support {
 
 namespace {
 
@@ -31,4 +31,4 @@ FileFormat counts_format() {
           .write = write};
 }
 
-}  // namespace dini::testing
+}  // namespace dini::support

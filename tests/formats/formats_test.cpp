@@ -3,6 +3,7 @@
 #include "nodes/formats.h"
 
 #include <catch2/catch.hpp>
+#include <set>
 
 #include "gltf/glb_container.h"
 #include "gltf/glb_reader.h"
@@ -14,16 +15,12 @@
 
 using namespace dini;
 using namespace dini::support;
-using dini::testing::Folder;
-using dini::testing::Outcome;
-using dini::testing::post;
-using dini::testing::RunningOver;
 
 namespace {
 
 std::unique_ptr<Engine> engine_with_counts() {
   std::vector<FileFormat> formats = all_formats();
-  formats.push_back(testing::counts_format());
+  formats.push_back(counts_format());
   return make_engine({}, std::move(formats));
 }
 
@@ -39,7 +36,7 @@ Json graph() {
 
 Outcome run(std::vector<std::string> words, const std::string& input = "") {
   words.insert(words.begin(), DINI_WITH_COUNTS);
-  return testing::Program(words, input).wait();
+  return Program(words, input).wait();
 }
 
 std::string contents(const std::filesystem::path& path) {
@@ -53,7 +50,7 @@ Json extras_of(const Json& gltf) { return gltf["asset"]["extras"]; }
 
 }  // namespace
 
-TEST_CASE("a format that is one line in the table is in the catalogue") {
+TEST_CASE("A format that is one line in the table is in the catalogue") {
   const Json formats = engine_with_counts()->catalogue()["formats"];
   REQUIRE(formats.size() == all_formats().size() + 1);
   CHECK(formats[0]["name"] == "glb");
@@ -63,7 +60,7 @@ TEST_CASE("a format that is one line in the table is in the catalogue") {
                                {"description", "How much there is."}});
 }
 
-TEST_CASE("the engine writes each format, and keeps them apart") {
+TEST_CASE("The engine writes each format, and keeps them apart") {
   const std::unique_ptr<Engine> engine = engine_with_counts();
   std::set<std::string> tags, files;
   for (const FileFormat& format : engine->formats()) {
@@ -84,7 +81,7 @@ TEST_CASE("the engine writes each format, and keeps them apart") {
   CHECK(files.contains(expected_counts()));
 }
 
-TEST_CASE("what a format says about a file is a warning of the export, and what it cannot write a problem") {
+TEST_CASE("What a format says about a file is a warning of the export, and what it cannot write a problem") {
   const std::unique_ptr<Engine> engine = engine_with_counts();
   const Result<Answered> answer = answered(*engine, {.graph = graph(), .format = "counts"});
   REQUIRE(answer);
@@ -102,7 +99,7 @@ TEST_CASE("what a format says about a file is a warning of the export, and what 
   CHECK_FALSE(engine->prepare({.graph = graph(), .preview = {"ring"}, .format = "counts"}, Cancel()));
 }
 
-TEST_CASE("a file carries the graph when that is asked for, and can be evaluated again from it") {
+TEST_CASE("A file carries the graph when that is asked for, and can be evaluated again from it") {
   const std::unique_ptr<Engine> engine = make_engine();
   for (const char* format : {"glb", "gltf"}) {
     CAPTURE(format);
@@ -121,8 +118,8 @@ TEST_CASE("a file carries the graph when that is asked for, and can be evaluated
   }
 }
 
-TEST_CASE("a model is asked for by the media type of its format") {
-  const RunningOver server(engine_with_counts(), testing::quick_settings());
+TEST_CASE("A model is asked for by the media type of its format") {
+  const RunningOver server(engine_with_counts(), quick_settings());
   const std::string body = Json{{"graph", graph()}}.dump();
   const auto answer = post(server.port(), "/v1/evaluate", body, "Accept: text/x-counts\r\n");
   REQUIRE(answer);
@@ -143,14 +140,14 @@ TEST_CASE("a model is asked for by the media type of its format") {
   CHECK(refused->json()["errors"][0]["detail"].get<std::string>().find("text/x-counts") != std::string::npos);
 }
 
-TEST_CASE("the graph is put into the file when a request says so") {
-  const RunningOver server(make_engine(), testing::quick_settings());
+TEST_CASE("The graph is put into the file when a request says so") {
+  const RunningOver server(make_engine(), quick_settings());
   const auto answer = post(server.port(), "/v1/evaluate", Json{{"graph", graph()}, {"embed_graph", true}}.dump());
   REQUIRE(answer->status == 200);
   CHECK(extras_of(Json::parse(split_glb(answer->body)->json))["document"] == graph());
 }
 
-TEST_CASE("the end of a file's name says the format, and --format says it better") {
+TEST_CASE("The end of a file's name says the format, and --format says it better") {
   const Folder folder;
   folder.write("graph.json", graph().dump());
   const std::string path = (folder.path() / "graph.json").string();
@@ -170,7 +167,7 @@ TEST_CASE("the end of a file's name says the format, and --format says it better
   CHECK(extras_of(Json::parse(split_glb(contents(to("f.glb")))->json))["document"] == graph());
 }
 
-TEST_CASE("an end that is no format is told before anything is done") {
+TEST_CASE("An end that is no format is told before anything is done") {
   const Folder folder;
   folder.write("graph.json", graph().dump());
   folder.write("old.json", "an older report");

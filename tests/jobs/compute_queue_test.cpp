@@ -90,7 +90,7 @@ TEST_CASE("Nothing starts before there is room for its memory, but what needs mo
   CHECK(alone == 500);
 }
 
-TEST_CASE("a queue says once that it is idle, each time that something ran") {
+TEST_CASE("A queue says once that it is idle, each time that something ran") {
   std::atomic<int> idle = 0, ran = 0;
   ComputeQueue queue({.places = 2, .waiting = 2, .bytes = 100}, [&] { ++idle; });
   for (int round = 1; round <= 2; ++round) {

@@ -11,12 +11,10 @@
 #include "tests/support/json_schema.h"
 #include "tests/support/troubled_engine.h"
 
-namespace {
-
 using namespace dini;
-using namespace dini::testing;
-using dini::support::Trouble;
-using dini::support::TroubledEngine;
+using namespace dini::support;
+
+namespace {
 
 const std::string example_id = "fig04_boosted_ring";
 
@@ -33,7 +31,7 @@ struct Described {
 };
 
 /// A request as it is sent; a test changes what it wants to be wrong.
-struct Sent {
+struct SentText {
   std::string line;
   std::string host = "localhost";
   std::string length = {};
@@ -64,8 +62,8 @@ std::string address(const Described& described) {
 }
 
 /// The request that the description gives as an example.
-Sent example_request(const Described& described) {
-  Sent sent{.line = described.method + " " + address(described) + " HTTP/1.1"};
+SentText example_request(const Described& described) {
+  SentText sent{.line = described.method + " " + address(described) + " HTTP/1.1"};
   if (!described.has_body()) return sent;
   const Json& contents = described.operation["requestBody"]["content"];
   const auto content = contents.begin();
@@ -75,7 +73,7 @@ Sent example_request(const Described& described) {
   return sent;
 }
 
-std::optional<Answer> answer_to(int port, const Described& described, const Sent& sent) {
+std::optional<Answer> answer_to(int port, const Described& described, const SentText& sent) {
   Client client(port);
   client.send(sent.text());
   return client.receive(described.is_head());
@@ -152,34 +150,34 @@ void check_problem(const DescribedServer& server, const Described& described, co
 }
 
 /// What makes a request get each status that is decided from its text alone.
-std::map<int, std::function<void(const Described&, Sent&)>> ways_to_be_refused() {
+std::map<int, std::function<void(const Described&, SentText&)>> ways_to_be_refused() {
   const std::size_t longest = Limits{}.asset_bytes;
   return {
-      {400, [](const Described&, Sent& sent) { sent.headers += "Bad Header\r\n"; }},
-      {403, [](const Described&, Sent& sent) { sent.headers += "Origin: http://evil.example\r\n"; }},
+      {400, [](const Described&, SentText& sent) { sent.headers += "Bad Header\r\n"; }},
+      {403, [](const Described&, SentText& sent) { sent.headers += "Origin: http://evil.example\r\n"; }},
       {404,
-       [](const Described& described, Sent& sent) {
+       [](const Described& described, SentText& sent) {
          sent.line = described.method + " " + described.path.substr(0, described.path.find('{')) + "nothing HTTP/1.1";
        }},
-      {406, [](const Described&, Sent& sent) { sent.headers += "Accept: text/html\r\n"; }},
-      {411, [](const Described&, Sent& sent) { sent.length.clear(); }},
+      {406, [](const Described&, SentText& sent) { sent.headers += "Accept: text/html\r\n"; }},
+      {411, [](const Described&, SentText& sent) { sent.length.clear(); }},
       {413, [longest](const Described&,
-                      Sent& sent) { sent.length = "Content-Length: " + std::to_string(longest + 1) + "\r\n"; }},
+                      SentText& sent) { sent.length = "Content-Length: " + std::to_string(longest + 1) + "\r\n"; }},
       {414,
-       [](const Described&, Sent& sent) {
+       [](const Described&, SentText& sent) {
          sent.line = with(sent.line, " HTTP", "?" + std::string(server::Settings{}.line_bytes, 'x') + " HTTP");
        }},
-      {415, [](const Described&, Sent& sent) { sent.headers = "Content-Type: text/html\r\n"; }},
-      {417, [](const Described&, Sent& sent) { sent.headers += "Expect: wonders\r\n"; }},
-      {421, [](const Described&, Sent& sent) { sent.host = "evil.example"; }},
+      {415, [](const Described&, SentText& sent) { sent.headers = "Content-Type: text/html\r\n"; }},
+      {417, [](const Described&, SentText& sent) { sent.headers += "Expect: wonders\r\n"; }},
+      {421, [](const Described&, SentText& sent) { sent.host = "evil.example"; }},
       {422,
-       [](const Described&, Sent& sent) {
+       [](const Described&, SentText& sent) {
          sent.body = "{}";
          sent.length = "Content-Length: 2\r\n";
        }},
       {431, [](const Described&,
-               Sent& sent) { sent.headers += "X-Long: " + std::string(server::Settings{}.line_bytes, 'x') + "\r\n"; }},
-      {505, [](const Described&, Sent& sent) { sent.line = with(sent.line, "HTTP/1.1", "HTTP/3.0"); }}};
+               SentText& sent) { sent.headers += "X-Long: " + std::string(server::Settings{}.line_bytes, 'x') + "\r\n"; }},
+      {505, [](const Described&, SentText& sent) { sent.line = with(sent.line, "HTTP/1.1", "HTTP/3.0"); }}};
 }
 
 bool may_answer(const Described& described, int status) {
@@ -192,12 +190,12 @@ TEST_CASE("Every route answers the example of its description with what the desc
   std::atomic<Trouble> trouble = Trouble::none;
   const DescribedServer server(trouble);
   for (const Described& described : server.all()) {
-    const Sent sent = example_request(described);
+    const SentText sent = example_request(described);
     const int status = described.path == "/v1/assets" ? 201 : 200;
     const auto answer = answer_to(server.port(), described, sent);
     check_answer(server, described, answer, status);
     if (!may_answer(described, 304)) continue;
-    Sent again = sent;
+    SentText again = sent;
     again.headers += "If-None-Match: " + answer->header("etag") + "\r\n";
     check_answer(server, described, answer_to(server.port(), described, again), 304);
   }
@@ -212,7 +210,7 @@ TEST_CASE("Every media type of the description is taken and answered") {
       if (!status.starts_with('2')) continue;
       if (!response.contains("content")) continue;
       for (const auto& [type, content] : response["content"].items()) {
-        Sent sent = example_request(described);
+        SentText sent = example_request(described);
         sent.headers += "Accept: " + type + "\r\n";
         const auto answer = answer_to(server.port(), described, sent);
         check_answer(server, described, answer, std::stoi(status));
@@ -221,7 +219,7 @@ TEST_CASE("Every media type of the description is taken and answered") {
     }
     if (!described.has_body()) continue;
     for (const auto& [type, content] : described.operation["requestBody"]["content"].items()) {
-      Sent sent = example_request(described);
+      SentText sent = example_request(described);
       sent.headers = "Content-Type: " + type + "\r\n";
       CHECK(answer_to(server.port(), described, sent)->status < 300);
     }
@@ -236,7 +234,7 @@ TEST_CASE("Every status that a request can be refused with is a problem as descr
       if (!may_answer(described, status)) continue;
       // With its one page loaded, this server has everything at this address.
       if (status == 404 && described.path.find('{') == std::string::npos) continue;
-      Sent sent = example_request(described);
+      SentText sent = example_request(described);
       spoil(described, sent);
       check_problem(server, described, answer_to(server.port(), described, sent), status);
     }
@@ -284,7 +282,7 @@ TEST_CASE("A request that a newer one replaces is a problem as described") {
   trouble = Trouble::never_ends;
   for (const Described& described : server.all()) {
     if (!may_answer(described, 409)) continue;
-    Sent sent = example_request(described);
+    SentText sent = example_request(described);
     sent.headers += "Supersede-Key: slider\r\n";
     Client older(server.port()), newer(server.port());
     older.send(sent.text());

@@ -10,7 +10,9 @@
 
 #include "tests/layers/source_tree.h"
 
-namespace dini {
+using namespace dini;
+using namespace dini::support;
+
 namespace {
 
 /// Words with hyphens that are something else: values and names of headers, and of a member of OpenAPI.
@@ -34,7 +36,7 @@ std::map<std::string, std::string> words_in_sources() {
       R"((?:\bcode = |\b(?:Problem|Failure|LiteralProblem|Warning|problem|warn)\s*[({]+\s*|return \{)\"([a-z]+)\")");
   std::map<std::string, std::string> words;
   for (const auto* folder : {"geometry", "graph", "gltf", "nodes", "service", "jobs", "server", "cli"}) {
-    for (const tests::SourceFile& file : tests::read_source_files(DINI_SOURCE_DIR, folder)) {
+    for (const SourceFile& file : read_source_files(DINI_SOURCE_DIR, folder)) {
       if (!file.path.ends_with(".cpp") && !file.path.ends_with(".h")) continue;
       if (file.path == "service/problem_codes.cpp" || file.path == "server/operation.cpp") continue;
       for (const std::regex& pattern : {hyphenated, made}) {
@@ -80,5 +82,3 @@ TEST_CASE("Every code stands once in the table, with one sentence, and a status 
   }
   CHECK(find_problem_code("no-such-code") == nullptr);
 }
-
-}  // namespace dini

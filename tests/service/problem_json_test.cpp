@@ -24,7 +24,7 @@ const Problem in_request = {.code = "unknown-parameter",
 
 }  // namespace
 
-TEST_CASE("places in a document are told within the request that brought it") {
+TEST_CASE("Places in a document are told within the request that brought it") {
   const Json told = to_json({in_document, in_request}, Sent::request);
   CHECK(told[0] == Json::parse(R"({"code": "unknown-port", "detail": "No such input.", "node": "ring", "port": "radios",
       "pointer": "/graph/nodes/ring/inputs/radios",
@@ -34,7 +34,7 @@ TEST_CASE("places in a document are told within the request that brought it") {
       "pointer": "/parameters/reahc", "fix": [{"op": "remove", "path": "/parameters/reahc"}]})"));
 }
 
-TEST_CASE("of a document alone, patches are of the document and there are none of the request") {
+TEST_CASE("Of a document alone, patches are of the document and there are none of the request") {
   const Json told = to_json({in_document, in_request}, Sent::document);
   CHECK(told[0]["pointer"] == "/nodes/ring/inputs/radios");
   CHECK(told[0]["fix"] == in_document.fix);
@@ -42,7 +42,7 @@ TEST_CASE("of a document alone, patches are of the document and there are none o
   CHECK_FALSE(told[1].contains("fix"));
 }
 
-TEST_CASE("the whole document is a place, and no place is none") {
+TEST_CASE("The whole document is a place, and no place is none") {
   const Problem whole = {.code = "type-mismatch", .detail = "No object.", .pointer = ""};
   const Problem nowhere = {.code = "deadline", .detail = "Too late."};
   CHECK(to_json({whole}, Sent::request)[0]["pointer"] == "/graph");

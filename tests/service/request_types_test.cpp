@@ -67,7 +67,7 @@ TEST_CASE("Every member says what is wrong with it, in one answer") {
       Json::parse(R"({"itm": 1, "count": 1.5, "finish": 2, "wrapped": "yes", "notes": ["a", 1], "extras": []})"));
   REQUIRE_FALSE(read);
   std::map<std::string, std::string> codes;
-  for (const Problem& problem : read.problems()) codes[problem.pointer] = problem.code;
+  for (const Problem& problem : read.problems()) codes[problem.pointer.value()] = problem.code;
   CHECK(codes == std::map<std::string, std::string>{{"/itm", "unknown-member"},
                                                     {"/item", "required-input-missing"},
                                                     {"/count", "type-mismatch"},

@@ -20,14 +20,16 @@ class TroubledEngine final : public Engine {
       : engine_(make_engine(limits)), trouble_(trouble) {}
 
   const Limits& limits() const override { return engine_->limits(); }
+  std::span<const FileFormat> formats() const override { return engine_->formats(); }
   const Json& catalogue() const override { return engine_->catalogue(); }
   Result<AssetSummary> add_asset(std::string_view bytes, const std::string& name, const Cancel& cancel) const override {
     if (auto problem = meet_trouble(cancel)) return *std::move(problem);
     return engine_->add_asset(bytes, name, cancel);
   }
-  Result<Json> validate(const Json& graph, const Json& parameters, const Cancel& cancel) const override {
+  Result<Json> validate(const Json& graph, const Json& parameters, const Cancel& cancel,
+                        dini::Sent sent) const override {
     if (auto problem = meet_trouble(cancel)) return *std::move(problem);
-    return engine_->validate(graph, parameters, cancel);
+    return engine_->validate(graph, parameters, cancel, sent);
   }
   Result<SharedPrepared> prepare(const EvaluateRequest& request, const Cancel& cancel) const override {
     return engine_->prepare(request, cancel);
@@ -35,20 +37,22 @@ class TroubledEngine final : public Engine {
   std::vector<std::string> blocked(const EvaluateRequest& request, const Cancel& cancel) const override {
     return engine_->blocked(request, cancel);
   }
-  SharedComputed find(const Prepared& prepared, bool for_report) const override {
-    return trouble_ == Trouble::none ? engine_->find(prepared, for_report) : nullptr;
+  SharedComputed find(const Prepared& prepared) const override {
+    return trouble_ == Trouble::none ? engine_->find(prepared) : nullptr;
   }
   Result<SharedComputed> compute(const Prepared& prepared, const Cancel& cancel) const override {
     if (auto problem = meet_trouble(cancel)) return *std::move(problem);
     return engine_->compute(prepared, cancel);
   }
-  Json report(const Prepared& prepared, const Computed& computed) const override {
-    return engine_->report(prepared, computed);
+  Json report(const Prepared& prepared, const Computed& computed, dini::Sent sent) const override {
+    return engine_->report(prepared, computed, sent);
   }
   Result<SharedBytes> inspect(const InspectRequest& request, const Cancel& cancel) const override {
     if (auto problem = meet_trouble(cancel)) return *std::move(problem);
     return engine_->inspect(request, cancel);
   }
+
+  void forget() const override { engine_->forget(); }
 
  private:
   std::optional<Problem> meet_trouble(const Cancel& cancel) const {
