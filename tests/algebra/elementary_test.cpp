@@ -6,7 +6,7 @@
 
 #include "tests/support/random_elements.h"
 
-namespace elementary = dini::elementary;
+using namespace dini;
 
 namespace {
 
@@ -78,9 +78,9 @@ TEST_CASE("Elementary functions are exact where people look") {
   REQUIRE(elementary::exp(0) == 1);
   REQUIRE(elementary::sin(0) == 0);
   REQUIRE(elementary::cos(0) == 1);
-  REQUIRE(sincos_turns(0.25).cosine == 0);
-  REQUIRE(sincos_turns(0.5).sine == 0);
-  REQUIRE(sincos_turns(-0.75).sine == 1);
+  REQUIRE(elementary::sincos_turns(0.25).cosine == 0);
+  REQUIRE(elementary::sincos_turns(0.5).sine == 0);
+  REQUIRE(elementary::sincos_turns(-0.75).sine == 1);
   REQUIRE(elementary::atan2(0, -1) == 3.14159265358979311600);
   REQUIRE(elementary::sin(1e22) == Approx(-0.85220084976718880177).epsilon(1e-15));
   REQUIRE(elementary::hypot(3e300, 4e300) == Approx(5e300));
