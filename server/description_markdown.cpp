@@ -1,6 +1,5 @@
 #include "server/description_markdown.h"
 
-#include <array>
 #include <optional>
 
 #include "server/description_tables.h"
@@ -33,8 +32,7 @@ std::string markdown(const Table& table) {
 
 std::string all_codes() {
   std::string text;
-  for (const ProblemKind kind : {ProblemKind::request, ProblemKind::graph, ProblemKind::file, ProblemKind::service,
-                                 ProblemKind::warning, ProblemKind::program}) {
+  for (const ProblemKind kind : problem_kinds()) {
     text +=
         (text.empty() ? "Codes " : "\nCodes ") + std::string(title_of(kind)) + ":\n\n" + markdown(codes_table(kind));
   }

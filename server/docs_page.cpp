@@ -1,7 +1,6 @@
 #include "server/docs_page.h"
 
 #include <algorithm>
-#include <array>
 
 #include "server/html.h"
 #include "server/responses.h"
@@ -12,9 +11,6 @@ namespace dini::server {
 namespace {
 
 using html::element;
-
-constexpr std::array kinds = {ProblemKind::request, ProblemKind::graph,   ProblemKind::file,
-                              ProblemKind::service, ProblemKind::warning, ProblemKind::program};
 
 std::string id_of(std::string_view text) { return "id=\"" + html::escaped(text) + "\""; }
 
@@ -96,7 +92,7 @@ std::string docs_html(std::span<const Route> routes, const std::string& version)
               element("p", html::prose(schema.value("description", ""))) + html::table(schema_table(schema));
   }
   std::string codes;
-  for (const ProblemKind kind : kinds) {
+  for (const ProblemKind kind : problem_kinds()) {
     codes +=
         element("h3", html::escaped("Codes " + std::string(title_of(kind)))) + "\n" + html::table(codes_table(kind));
   }

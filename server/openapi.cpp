@@ -117,7 +117,10 @@ Json operation_json(const Operation& operation, const Route& route, bool head) {
                {"summary", operation.title + (head ? " (the headers alone)" : "")},
                {"description", operation.doc},
                {"responses", std::move(responses)}};
-  for (const Parameter& parameter : operation.parameters) json["parameters"].push_back(parameter_json(parameter));
+  for (const Parameter& parameter : operation.parameters) {
+    // OpenAPI tells what is accepted by the media types of the answers, and passes over a parameter of that name.
+    if (parameter.name != "Accept") json["parameters"].push_back(parameter_json(parameter));
+  }
   if (operation.request != nullptr || !operation.file_types.empty()) json["requestBody"] = body_json(operation);
   const bool needs_token = route.path.starts_with("/v1/");
   json["security"] = needs_token ? Json::array({Json::object(), {{"token", Json::array()}}}) : Json::array();

@@ -8,6 +8,8 @@ namespace {
 
 using enum ProblemKind;
 
+constexpr std::array kinds = {request, graph, file, service, warning, program};
+
 constexpr std::array codes = {
     ProblemCode{"not-json", request, 400,
                 "The body is no strict JSON: a syntax error, a key twice, NUL, NaN, or too deeply nested."},
@@ -91,6 +93,8 @@ const ProblemCode* find_problem_code(std::string_view code) {
   const auto found = std::ranges::find(codes, code, &ProblemCode::code);
   return found != codes.end() ? &*found : nullptr;
 }
+
+std::span<const ProblemKind> problem_kinds() { return kinds; }
 
 std::string_view title_of(ProblemKind kind) {
   switch (kind) {

@@ -31,6 +31,9 @@ std::span<const ProblemCode> problem_codes();
 /// Null for a code that does not exist.
 const ProblemCode* find_problem_code(std::string_view code);
 
+/// All kinds, in that order.
+std::span<const ProblemKind> problem_kinds();
+
 /// "about requests": the heading of the codes of a kind.
 std::string_view title_of(ProblemKind kind);
 
