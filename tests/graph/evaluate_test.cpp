@@ -41,7 +41,7 @@ TEST_CASE("A node runs once however many need it, and not at all when its result
   CHECK(toy::runs == before + 1);
 }
 
-TEST_CASE("64 diamonds in a chain take time proportional to their number") {
+TEST_CASE("A chain of 64 diamonds takes time proportional to their number") {
   Json nodes = {{"n0", value_node("constant", 1)}};
   for (int i = 1; i <= 64; ++i) {
     const std::string previous = "n" + std::to_string(i - 1);
