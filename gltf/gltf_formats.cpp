@@ -59,7 +59,8 @@ Expected<WrittenFile, FileError> write(const Scene& scene, const FileOptions& op
   WrittenFile file{std::move(written.file), written.vertices, written.triangles,
                    root_of_three * written.position_error};
   if (!written.rough_uvs.empty()) file.notes.push_back(note_of(written.rough_uvs));
-  for (const std::string& part : written.empty_parts) file.notes.push_back({"empty", part + " has nothing to draw"});
+  for (const std::string& part : written.empty_parts)
+    file.notes.push_back(FileNote{"empty", part + " has nothing to draw"});
   return file;
 }
 

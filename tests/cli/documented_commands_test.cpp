@@ -64,5 +64,5 @@ TEST_CASE("Every command on an example that a page shows ends with 0") {
     }
   }
   std::filesystem::remove_all(folder);
-  CHECK(count >= 30);
+  CHECK(count >= 15);
 }

@@ -28,9 +28,9 @@ std::unique_ptr<Engine> engine_with_counts() {
 Json graph() {
   return document({{"i", make("range", {{"count", 2}, {"to", 5}})},
                    {"at", make("vector", {{"x", from("i")}})},
-                   {"box", make("box_mesh")},
+                   {"box", make("box_mesh", {{"segments", 1}})},
                    {"boxes", make("translate", {{"shape", from("box")}, {"vector", from("at")}})},
-                   {"ring", make("circle")},
+                   {"ring", make("circle", {{"radius", 2}})},
                    {"out", make("export", {{"model", {from("boxes"), from("ring")}}})}});
 }
 

@@ -53,7 +53,8 @@ TEST_CASE("What a file says about itself changes nothing else of it") {
 }
 
 TEST_CASE("Extras with text that is not UTF-8 are written with replacement characters") {
-  const auto chunks = split_glb(torus({.extras = {{"name", "\xff"}}}));
+  const std::string glb = torus({.extras = {{"name", "\xff"}}});
+  const auto chunks = split_glb(glb);
   REQUIRE(chunks);
   CHECK(Json::parse(chunks->json)["asset"]["extras"]["name"] == "\xEF\xBF\xBD");
 }

@@ -33,7 +33,7 @@ std::map<std::string, std::string> words_in_sources() {
   // A literal of words with hyphens; and a literal of one word where a problem is made.
   static const std::regex hyphenated(R"(\"([a-z]+(?:-[a-z]+)+)\")");
   static const std::regex made(
-      R"((?:\bcode = |\b(?:Problem|Failure|LiteralProblem|Warning|problem|warn)\s*[({]+\s*|return \{)\"([a-z]+)\")");
+      R"((?:\bcode = |\b(?:Problem|Failure|FileError|FileNote|LiteralProblem|Warning|problem|warn)\s*[({]+\s*|return \{)\"([a-z]+)\")");
   std::map<std::string, std::string> words;
   for (const auto* folder : {"geometry", "graph", "gltf", "nodes", "service", "jobs", "server", "cli"}) {
     for (const SourceFile& file : read_source_files(DINI_SOURCE_DIR, folder)) {

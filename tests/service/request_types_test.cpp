@@ -2,15 +2,10 @@
 
 #include "service/requests/request_type.h"
 #include "service/requests/requests.h"
+#include "tests/service/finish.h"
 
-namespace dini {
-
-enum class Finish { plain, shiny };
-
-template <>
-struct ChoiceNames<Finish> {
-  static constexpr std::array names = {"plain", "shiny"};
-};
+using namespace dini;
+using namespace dini::support;
 
 namespace {
 
@@ -144,5 +139,3 @@ TEST_CASE("The example of every request can be read, and every member says what 
     }
   }
 }
-
-}  // namespace dini
