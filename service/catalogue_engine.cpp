@@ -1,5 +1,6 @@
 #include "service/catalogue_engine.h"
 
+#include <array>
 #include <chrono>
 
 #include "graph/card.h"
@@ -28,12 +29,34 @@ Json card(const FileFormat& format) {
           {"description", format.doc}};
 }
 
+/// What cards called things before they took the names of documents: clients that read those go on until version 0.3.
+void add_old_names(Json& described) {
+  constexpr std::array<std::pair<const char*, const char*>, 5> names = {{{"doc", "description"},
+                                                                         {"minimum", "min"},
+                                                                         {"maximum", "max"},
+                                                                         {"soft_minimum", "soft_min"},
+                                                                         {"soft_maximum", "soft_max"}}};
+  for (const auto& [before, now] : names) {
+    if (described.contains(now)) described[before] = described[now];
+  }
+}
+
+Json card_for_all(const NodeType& type) {
+  Json described = card(type);
+  add_old_names(described);
+  for (const char* const ports : {"inputs", "outputs"}) {
+    for (Json& port : described[ports]) add_old_names(port);
+  }
+  return described;
+}
+
 Json catalogue_of(const Registry& registry, std::span<const FileFormat> formats) {
-  Json nodes = Json::array(), written = Json::array();
+  Json nodes = Json::array(), written = Json::array(), types = wire_type_cards();
   for (const FileFormat& format : formats) written.push_back(card(format));
-  for (const auto& [id, type] : registry.types()) nodes.push_back(card(type));
+  for (const auto& [id, type] : registry.types()) nodes.push_back(card_for_all(type));
+  for (Json& type : types) add_old_names(type);
   return {{"engine", engine_version},
-          {"types", wire_type_cards()},
+          {"types", std::move(types)},
           {"families", family_titles()},
           {"formats", std::move(written)},
           {"nodes", std::move(nodes)}};
