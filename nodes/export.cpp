@@ -73,7 +73,8 @@ Attempt<SharedFile> export_file(const Context& context,
   options.speed = static_cast<int>(in.speed);
   if (context.quality() == Quality::draft) options.speed = std::max(options.speed, draft_speed);
   options.normals = in.normals;
-  const WantedFile wanted = context.file() != nullptr ? *context.file() : WantedFile{all_formats().front(), nullptr};
+  const WantedFile usual{all_formats().front(), nullptr};
+  const WantedFile& wanted = context.file() != nullptr ? *context.file() : usual;
   options.about = wanted.about;
   auto outcome = wanted.format.write(scene_of(model, context.cancel()), options, context.cancel());
   if (!outcome) {
