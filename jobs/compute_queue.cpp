@@ -1,5 +1,7 @@
 #include "jobs/compute_queue.h"
 
+#include <algorithm>
+
 #include "jobs/memory_reserve.h"
 
 namespace dini::jobs {
@@ -23,9 +25,12 @@ bool ComputeQueue::add(const std::shared_ptr<Task>& task) {
   {
     const std::lock_guard lock(mutex_);
     // A free place is never refused to anybody while whoever is to take it wakes up.
-    if (running_ + waiting_.size() >= size_.places + size_.waiting) return false;
+    const std::size_t work = waiting_work_of(*task);
+    const bool is_served_soon = waiting_work_ + work <= size_.waiting_work;
+    if (running_ + waiting_.size() >= size_.places + size_.waiting && !is_served_soon) return false;
     task->place_ = waiting_.insert(waiting_.end(), task);
     task->waits_ = true;
+    waiting_work_ += work;
   }
   changed_.notify_one();
   return true;
@@ -36,6 +41,7 @@ bool ComputeQueue::withdraw(const std::shared_ptr<Task>& task) {
   const std::lock_guard lock(mutex_);
   if (!task->waits_) return false;
   task->waits_ = false;
+  waiting_work_ -= waiting_work_of(*task);
   withdrawn.splice(withdrawn.begin(), waiting_, task->place_);
   return true;
 }
@@ -47,6 +53,13 @@ ComputeQueue::Load ComputeQueue::load() const {
 
 bool ComputeQueue::may_start() const {
   return !waiting_.empty() && (running_ == 0 || bytes_ + waiting_.front()->bytes_ <= size_.bytes);
+}
+
+/// What a task counts among those that wait: what is short is never taken for nothing, what is long never for more than
+/// all may be.
+std::size_t ComputeQueue::waiting_work_of(const Task& task) const {
+  constexpr std::size_t least = 1'000'000;
+  return std::min(std::max(task.work_, least), size_.waiting_work + 1);
 }
 
 void ComputeQueue::wait_for_work(std::unique_lock<std::mutex>& lock) {
@@ -70,6 +83,7 @@ void ComputeQueue::work() {
     taken.splice(taken.begin(), waiting_, waiting_.begin());
     const std::size_t bytes = taken.front()->bytes_;
     taken.front()->waits_ = false;
+    waiting_work_ -= waiting_work_of(*taken.front());
     ++running_;
     used_ = true;
     bytes_ += bytes;

@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -19,9 +20,13 @@ class ComputeQueue {
  public:
   struct Size {
     std::size_t places = 1;   ///< computations at once, at least one
-    std::size_t waiting = 0;  ///< further ones that may wait
+    std::size_t waiting = 0;  ///< further ones that may wait, however long they take
     std::size_t bytes = 0;    ///< memory of all that run, together
+    /// Nanoseconds: still more may wait as long as all that waits is predicted to take no longer. Refusing somebody who
+    /// would be served in a moment only makes them ask again.
+    std::size_t waiting_work = 0;
   };
+  static constexpr std::size_t unknown_work = std::numeric_limits<std::size_t>::max();
   static constexpr std::chrono::milliseconds idle_pause{1000};
 
   /// `when_idle` is called, by one of its threads, when nothing has run for a while after something did.
@@ -34,12 +39,14 @@ class ComputeQueue {
   /// One computation, from being let in to its end.
   class Task {
    public:
-    /// `run` must not throw.
-    Task(std::size_t bytes, std::function<void()> run) : bytes_(bytes), run_(std::move(run)) {}
+    /// `run` must not throw; it is predicted to take `work` nanoseconds.
+    Task(std::size_t bytes, std::function<void()> run, std::size_t work = unknown_work)
+        : bytes_(bytes), work_(work), run_(std::move(run)) {}
 
    private:
     friend class ComputeQueue;
     const std::size_t bytes_;
+    const std::size_t work_;
     const std::function<void()> run_;
     std::list<std::shared_ptr<Task>>::iterator place_;
     bool waits_ = false;
@@ -63,6 +70,7 @@ class ComputeQueue {
  private:
   void work();
   bool may_start() const;
+  std::size_t waiting_work_of(const Task& task) const;
   bool has_work() const { return may_start() || (finished_ && waiting_.empty()); }
   void wait_for_work(std::unique_lock<std::mutex>& lock);
 
@@ -73,6 +81,7 @@ class ComputeQueue {
   std::list<std::shared_ptr<Task>> waiting_;
   std::size_t running_ = 0;
   std::size_t bytes_ = 0;
+  std::size_t waiting_work_ = 0;
   bool finished_ = false;
   bool used_ = false;  ///< since it was idle last
   std::vector<std::thread> threads_;

@@ -43,9 +43,10 @@ std::shared_ptr<Flights::Interest> Flights::ask_any(const Terms& terms, Work wor
   auto fresh = std::make_shared<Flight>();
   fresh->key = terms.key;
   fresh->work = std::move(work);
-  fresh->task = std::make_shared<ComputeQueue::Task>(terms.bytes, [this, flight = std::weak_ptr<Flight>(fresh)] {
+  const auto run = [this, flight = std::weak_ptr<Flight>(fresh)] {
     if (const auto flying = flight.lock()) fly(*flying);  // else there are no flights any more
-  });
+  };
+  fresh->task = std::make_shared<ComputeQueue::Task>(terms.bytes, run, terms.work);
   if (terms.deadline != Clock::time_point::max()) {
     interest->deadline_ = alarms_.at(terms.deadline, [weak] {
       if (const auto late = weak.lock()) late->stop(StopReason::deadline);

@@ -54,8 +54,9 @@ class Flights {
   };
 
   struct Terms {
-    Digest key{};           ///< equal keys mean equal outcomes
-    std::size_t bytes = 0;  ///< memory that the work will hold
+    Digest key{};                                   ///< equal keys mean equal outcomes
+    std::size_t bytes = 0;                          ///< memory that the work will hold
+    std::size_t work = ComputeQueue::unknown_work;  ///< nanoseconds that it is predicted to take
     Clock::time_point deadline = Clock::time_point::max();
   };
 

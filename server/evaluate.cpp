@@ -219,6 +219,7 @@ void evaluate(const Context& context) {
       context,
       {.key = prepared->content,
        .bytes = prepared->bytes,
+       .work = prepared->work,
        .deadline = deadline_of(context, request->deadline_milliseconds)},
       [&engine = context.engine(), prepared](const Cancel& cancel) { return engine.compute(*prepared, cancel); },
       [context, request, type = *type](const SharedComputed& computed) {

@@ -17,6 +17,9 @@
 namespace dini::server {
 namespace {
 
+/// Nanoseconds that everybody may wait for a place to compute, however many they are.
+constexpr std::size_t short_wait = 1'000'000'000;
+
 /// What stopped requests get to send their last answer.
 constexpr std::chrono::seconds farewell{2};
 
@@ -65,7 +68,11 @@ struct Server::State {
                     .openapi = {},
                     .docs = {},
                     .docs_style = static_answer(std::string(docs_style_sheet()))},
-        queue({settings.compute_slots, settings.compute_queue, settings.compute_bytes}, jobs::give_back_free_memory) {
+        queue({.places = settings.compute_slots,
+               .waiting = settings.compute_queue,
+               .bytes = settings.compute_bytes,
+               .waiting_work = settings.compute_slots * short_wait},
+              jobs::give_back_free_memory) {
     application.example_list = static_answer(application.examples.list().dump());
     const std::string version = engine.catalogue().value("engine", "");
     application.openapi = static_answer(dump(openapi_document(routes(), version)));

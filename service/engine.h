@@ -4,6 +4,7 @@
 // gives the same bytes and the same problems through both.
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -74,7 +75,8 @@ class Prepared {
   std::string report_tag;  ///< entity tag of everything that a report tells besides times, with its quotes
   std::string output;      ///< the export node; empty without one
   std::size_t bytes = 0;   ///< predicted memory of the evaluation
-  std::size_t held = 0;    ///< memory that this itself holds, about
+  std::size_t work = std::numeric_limits<std::size_t>::max();  ///< predicted nanoseconds of one processor
+  std::size_t held = 0;                                        ///< memory that this itself holds, about
 };
 
 /// A finished computation, shared by all whose requests have its content. Each engine has its own kind.

@@ -264,6 +264,7 @@ Result<std::shared_ptr<const PreparedGraph>> prepare_evaluation(const Environmen
   prepared->model_tag = tag_of(prepared->content);
   prepared->report_tag = tag_of(report_digest(*prepared));
   prepared->bytes = prepared->plan.cost.bytes;
+  prepared->work = prepared->plan.cost.work;
   prepared->held = memory_of(*prepared);
   prepared->milliseconds = milliseconds_since(begin);
   return std::shared_ptr<const PreparedGraph>(std::move(prepared));

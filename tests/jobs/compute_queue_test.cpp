@@ -11,8 +11,9 @@ using dini::support::eventually;
 
 namespace {
 
-std::shared_ptr<ComputeQueue::Task> task(std::function<void()> run, std::size_t bytes = 0) {
-  return std::make_shared<ComputeQueue::Task>(bytes, std::move(run));
+std::shared_ptr<ComputeQueue::Task> task(std::function<void()> run, std::size_t bytes = 0,
+                                         std::size_t work = ComputeQueue::unknown_work) {
+  return std::make_shared<ComputeQueue::Task>(bytes, std::move(run), work);
 }
 
 }  // namespace
@@ -98,4 +99,33 @@ TEST_CASE("A queue says once that it is idle, each time that something ran") {
     REQUIRE(eventually([&] { return ran == round && idle == round; }));
   }
   CHECK(idle == 2);
+}
+
+TEST_CASE("Beyond the queue those still wait whose turn comes soon") {
+  constexpr std::size_t millisecond = 1'000'000;
+  std::latch go(1);
+  std::atomic<int> ran = 0;
+  {
+    ComputeQueue queue({.places = 1, .waiting = 1, .bytes = 100, .waiting_work = 10 * millisecond});
+    const auto wait = [&] {
+      go.wait();
+      ++ran;
+    };
+    REQUIRE(queue.add(task(wait)));
+    REQUIRE(eventually([&] { return queue.load().running == 1; }));
+    REQUIRE(queue.add(task(wait, 0, 4 * millisecond)));
+    CHECK_FALSE(queue.add(task(wait)));
+    CHECK_FALSE(queue.add(task(wait, 0, 7 * millisecond)));
+    const auto left = task(wait, 0, 6 * millisecond);
+    CHECK(queue.add(left));
+    CHECK_FALSE(queue.add(task(wait, 0, 1)));
+    CHECK(queue.withdraw(left));
+    // What is predicted to take no time counts all the same.
+    for (int i = 0; i < 6; ++i) CHECK(queue.add(task(wait, 0, 0)));
+    CHECK_FALSE(queue.add(task(wait, 0, 0)));
+    go.count_down();
+    REQUIRE(eventually([&] { return ran == 8; }));
+    CHECK(queue.add(task(wait, 0, 10 * millisecond)));
+  }
+  CHECK(ran == 9);
 }
