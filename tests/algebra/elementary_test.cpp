@@ -6,9 +6,7 @@
 
 #include "tests/support/random_elements.h"
 
-using namespace dini;
-using namespace dini::elementary;
-
+namespace dini::elementary {
 namespace {
 
 template <class Value, class Reference>
@@ -110,3 +108,4 @@ TEST_CASE("Elementary functions meet the edges of the range") {
 }
 
 }  // namespace
+}  // namespace dini::elementary
