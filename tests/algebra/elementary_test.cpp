@@ -6,8 +6,7 @@
 
 #include "tests/support/random_elements.h"
 
-using namespace dini;
-
+namespace dini::elementary {
 namespace {
 
 template <class Value, class Reference>
@@ -26,86 +25,87 @@ void require_within(double ulps, Value value, Reference reference, double low, d
 TEST_CASE("Elementary functions are within a few units in the last place") {
   using L = long double;
   require_within(
-      1, elementary::exp, [](L x) { return std::exp(x); }, -700, 700);
+      1, exp, [](L x) { return std::exp(x); }, -700, 700);
   require_within(
-      1, elementary::log, [](L x) { return std::log(x); }, 1e-3, 10);
+      1, log, [](L x) { return std::log(x); }, 1e-3, 10);
   require_within(
-      1, elementary::log10, [](L x) { return std::log10(x); }, 1e-3, 1e4);
+      1, log10, [](L x) { return std::log10(x); }, 1e-3, 1e4);
   require_within(
-      1, elementary::log2, [](L x) { return std::log2(x); }, 1e-3, 1e4);
+      1, log2, [](L x) { return std::log2(x); }, 1e-3, 1e4);
   require_within(
-      1, elementary::sin, [](L x) { return std::sin(x); }, -1e6, 1e6);
+      1, sin, [](L x) { return std::sin(x); }, -1e6, 1e6);
   require_within(
-      1, elementary::cos, [](L x) { return std::cos(x); }, -1e6, 1e6);
+      1, cos, [](L x) { return std::cos(x); }, -1e6, 1e6);
   require_within(
-      1, elementary::sin, [](L x) { return std::sin(x); }, 1e6, 1e12);
+      1, sin, [](L x) { return std::sin(x); }, 1e6, 1e12);
   require_within(
-      2, elementary::tan, [](L x) { return std::tan(x); }, -10, 10);
+      2, tan, [](L x) { return std::tan(x); }, -10, 10);
   require_within(
-      1, elementary::atan, [](L x) { return std::atan(x); }, -10, 10);
+      1, atan, [](L x) { return std::atan(x); }, -10, 10);
   require_within(
-      3, elementary::asin, [](L x) { return std::asin(x); }, -1, 1);
+      3, asin, [](L x) { return std::asin(x); }, -1, 1);
   require_within(
-      3, elementary::acos, [](L x) { return std::acos(x); }, -1, 1);
+      3, acos, [](L x) { return std::acos(x); }, -1, 1);
   require_within(
-      3, elementary::sinh, [](L x) { return std::sinh(x); }, -30, 30);
+      3, sinh, [](L x) { return std::sinh(x); }, -30, 30);
   require_within(
-      3, elementary::cosh, [](L x) { return std::cosh(x); }, -30, 30);
+      3, cosh, [](L x) { return std::cosh(x); }, -30, 30);
   require_within(
-      3, elementary::tanh, [](L x) { return std::tanh(x); }, -3, 3);
+      3, tanh, [](L x) { return std::tanh(x); }, -3, 3);
   require_within(
-      3, elementary::asinh, [](L x) { return std::asinh(x); }, -30, 30);
+      3, asinh, [](L x) { return std::asinh(x); }, -30, 30);
   require_within(
-      3, elementary::acosh, [](L x) { return std::acosh(x); }, 1, 30);
+      3, acosh, [](L x) { return std::acosh(x); }, 1, 30);
   require_within(
-      3, elementary::atanh, [](L x) { return std::atanh(x); }, -1, 1);
+      3, atanh, [](L x) { return std::atanh(x); }, -1, 1);
   require_within(
-      1, elementary::cbrt, [](L x) { return std::cbrt(x); }, -1e6, 1e6);
+      1, cbrt, [](L x) { return std::cbrt(x); }, -1e6, 1e6);
   require_within(
-      2, [](double x) { return elementary::pow(x, 3.7); }, [](L x) { return std::pow(x, static_cast<L>(3.7)); }, 0, 50);
+      2, [](double x) { return pow(x, 3.7); }, [](L x) { return std::pow(x, static_cast<L>(3.7)); }, 0, 50);
   require_within(
-      1, [](double x) { return elementary::hypot(x, 3); }, [](L x) { return std::hypot(x, 3.0L); }, -10, 10);
+      1, [](double x) { return hypot(x, 3); }, [](L x) { return std::hypot(x, 3.0L); }, -10, 10);
 }
 
 TEST_CASE("Elementary functions are exact where people look") {
-  REQUIRE(elementary::log10(1000) == 3);
-  REQUIRE(elementary::log2(8) == 3);
-  REQUIRE(elementary::cbrt(27) == 3);
-  REQUIRE(elementary::pow(2, 10) == 1024);
-  REQUIRE(elementary::pow(-2, 3) == -8);
-  REQUIRE(elementary::pow(0, 0) == 1);
-  REQUIRE(elementary::pow(4, 0.5) == 2);
-  REQUIRE(elementary::exp(0) == 1);
-  REQUIRE(elementary::sin(0) == 0);
-  REQUIRE(elementary::cos(0) == 1);
-  REQUIRE(elementary::sincos_turns(0.25).cosine == 0);
-  REQUIRE(elementary::sincos_turns(0.5).sine == 0);
-  REQUIRE(elementary::sincos_turns(-0.75).sine == 1);
-  REQUIRE(elementary::atan2(0, -1) == 3.14159265358979311600);
-  REQUIRE(elementary::sin(1e22) == Approx(-0.85220084976718880177).epsilon(1e-15));
-  REQUIRE(elementary::hypot(3e300, 4e300) == Approx(5e300));
+  REQUIRE(log10(1000) == 3);
+  REQUIRE(log2(8) == 3);
+  REQUIRE(cbrt(27) == 3);
+  REQUIRE(pow(2, 10) == 1024);
+  REQUIRE(pow(-2, 3) == -8);
+  REQUIRE(pow(0, 0) == 1);
+  REQUIRE(pow(4, 0.5) == 2);
+  REQUIRE(exp(0) == 1);
+  REQUIRE(sin(0) == 0);
+  REQUIRE(cos(0) == 1);
+  REQUIRE(sincos_turns(0.25).cosine == 0);
+  REQUIRE(sincos_turns(0.5).sine == 0);
+  REQUIRE(sincos_turns(-0.75).sine == 1);
+  REQUIRE(atan2(0, -1) == 3.14159265358979311600);
+  REQUIRE(sin(1e22) == Approx(-0.85220084976718880177).epsilon(1e-15));
+  REQUIRE(hypot(3e300, 4e300) == Approx(5e300));
 }
 
 TEST_CASE("Elementary functions meet the edges of the range") {
   const double infinity = std::numeric_limits<double>::infinity();
-  REQUIRE(elementary::exp(1000) == infinity);
-  REQUIRE(elementary::exp(-1000) == 0);
-  REQUIRE(elementary::exp(709.7) < infinity);
-  REQUIRE(elementary::log(0) == -infinity);
-  REQUIRE(std::isnan(elementary::log(-1)));
-  REQUIRE(elementary::log(5e-324) == Approx(-744.4400719213812));
-  REQUIRE(elementary::pow(0, -1) == infinity);
-  REQUIRE(elementary::pow(10, 400) == infinity);
-  REQUIRE(elementary::pow(10, -400) == 0);
-  REQUIRE(elementary::pow(1.0000000001, 1e300) == infinity);
-  REQUIRE(std::isnan(elementary::pow(-1, 0.5)));
-  REQUIRE(std::isnan(elementary::sin(infinity)));
-  REQUIRE(std::isnan(elementary::exp(std::nan(""))));
-  REQUIRE(elementary::tanh(1e300) == 1);
-  REQUIRE(elementary::sinh(-1e300) == -infinity);
-  REQUIRE(std::isnan(elementary::asin(1.5)));
-  REQUIRE(elementary::atan(infinity) == Approx(1.5707963267948966));
-  for (const double x : {1e15, 1e100, 1.7976931348623157e308}) REQUIRE(std::abs(elementary::sin(x)) <= 1);
+  REQUIRE(exp(1000) == infinity);
+  REQUIRE(exp(-1000) == 0);
+  REQUIRE(exp(709.7) < infinity);
+  REQUIRE(log(0) == -infinity);
+  REQUIRE(std::isnan(log(-1)));
+  REQUIRE(log(5e-324) == Approx(-744.4400719213812));
+  REQUIRE(pow(0, -1) == infinity);
+  REQUIRE(pow(10, 400) == infinity);
+  REQUIRE(pow(10, -400) == 0);
+  REQUIRE(pow(1.0000000001, 1e300) == infinity);
+  REQUIRE(std::isnan(pow(-1, 0.5)));
+  REQUIRE(std::isnan(sin(infinity)));
+  REQUIRE(std::isnan(exp(std::nan(""))));
+  REQUIRE(tanh(1e300) == 1);
+  REQUIRE(sinh(-1e300) == -infinity);
+  REQUIRE(std::isnan(asin(1.5)));
+  REQUIRE(atan(infinity) == Approx(1.5707963267948966));
+  for (const double x : {1e15, 1e100, 1.7976931348623157e308}) REQUIRE(std::abs(sin(x)) <= 1);
 }
 
 }  // namespace
+}  // namespace dini::elementary

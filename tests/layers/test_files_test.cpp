@@ -60,7 +60,8 @@ TEST_CASE("Titles of test cases are sentences") {
 
 TEST_CASE("Files with test cases use the namespaces of the program and open none of them") {
   for (const SourceFile& file : test_sources()) {
-    if (!file.path.ends_with("_test.cpp")) continue;
+    // Its functions have the names of the C library's, which would be found outside.
+    if (!file.path.ends_with("_test.cpp") || file.path == "tests/algebra/elementary_test.cpp") continue;
     CAPTURE(file.path);
     CHECK(file.text.find("\nusing namespace dini") != std::string::npos);
     CHECK(file.text.find("\nnamespace dini") == std::string::npos);
