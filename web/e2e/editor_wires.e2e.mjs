@@ -235,6 +235,7 @@ test("Delete removes a node, Ctrl+Delete joins what it stood between", () =>
 
 test("a wire says what it carries under the pointer: type, axes and count", () =>
   withEditor(used, { hash: "#example=fig04_boosted_ring", width: 1500, height: 900 }, async (page) => {
+    await untilGraph(page, (sent) => sent !== undefined);
     const { nodes } = page.graph();
     const report = await (
       await fetch(`${server.url}/v1/validate`, {
