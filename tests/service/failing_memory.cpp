@@ -61,6 +61,6 @@ void operator delete[](void* memory, std::align_val_t) noexcept { release(memory
 void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
 void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
 
-/// The address sanitizer calls it. Where the JSON library is refused memory in the middle of a list, it forgets the part
-/// that it has; the test bounds by itself what may be left over.
+/// The address sanitizer calls it. Where the JSON library is refused memory in the middle of a list, it forgets the
+/// part that it has; the test bounds by itself what may be left over.
 extern "C" const char* __asan_default_options() { return "detect_leaks=0"; }
