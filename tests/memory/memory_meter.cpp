@@ -7,7 +7,6 @@
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define DINI_SANITIZER_ALLOCATES
-#include <sanitizer/allocator_interface.h>
 #endif
 
 namespace {
@@ -31,12 +30,21 @@ void take_away(std::size_t bytes) { held.fetch_sub(static_cast<std::int64_t>(byt
 
 #ifdef DINI_SANITIZER_ALLOCATES
 
+// Declared here: the header with these two comes with clang only, the library of g++ has them as well.
+extern "C" {
+
+std::size_t __sanitizer_get_allocated_size(const volatile void* memory);
+int __sanitizer_install_malloc_and_free_hooks(void (*allocated)(const volatile void*, std::size_t),
+                                              void (*released)(const volatile void*));
+
+}  // extern "C"
+
 namespace {
 
 void on_allocation(const volatile void*, std::size_t bytes) { add(bytes); }
 
 void on_release(const volatile void* memory) {
-  if (memory != nullptr) take_away(__sanitizer_get_allocated_size(const_cast<const void*>(memory)));
+  if (memory != nullptr) take_away(__sanitizer_get_allocated_size(memory));
 }
 
 const int installed = __sanitizer_install_malloc_and_free_hooks(on_allocation, on_release);
