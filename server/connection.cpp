@@ -150,7 +150,6 @@ void Connection::take_head() {
     return;
   }
   const std::size_t size = end + head_end.size();
-  access_ = access_of(input_);
   if (size > home_.settings().head_bytes) {
     return refuse({.code = "headers-too-large",
                    .detail = "The headers are larger than " + std::to_string(home_.settings().head_bytes) + " bytes."});
@@ -165,6 +164,7 @@ void Connection::take_head() {
                    .detail = "The body has " + std::to_string(head->content_length) + " bytes; at most " +
                              std::to_string(limit) + " are accepted."});
   }
+  access_ = access_of(input_);
   head_ = *std::move(head);
   const std::string rest = input_.substr(size);
   input_.clear();
@@ -201,16 +201,25 @@ void Connection::finish_request() {
   exchange_->accepts_gzip = accepts_gzip(head_->request.header("Accept-Encoding"));
   head_->request.body = std::move(body_);
   body_.clear();
+  home_.answer(std::make_shared<Call>(shared_from_this(), std::move(head_->request), *exchange_));
+}
+
+void Connection::give_up() noexcept {
+  if (state_ != State::reading && state_ != State::answering) return close();
+  body_ = {};
+  home_.give_unsent(std::exchange(held_unsent_, 0));
   try {
-    home_.answer(std::make_shared<Call>(shared_from_this(), std::move(head_->request), *exchange_));
-  } catch (const std::bad_alloc&) {
     begin_answer(nullptr);
+  } catch (const std::bad_alloc&) {
+    return close();
   }
+  home_.wake(shared_from_this());  // there may be more to read before its peer reads the answer
 }
 
 void Connection::refuse(const Problem& problem) { refuse(refusal(problem, *exchange_)); }
 
 void Connection::refuse(Reply reply) {
+  if (!head_) access_ = access_of(input_);
   last_ = true;  // there may be more of it to come
   begin_answer(std::make_unique<Reply>(std::move(reply)));
 }

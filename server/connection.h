@@ -88,6 +88,9 @@ class Connection final : public Asker, public std::enable_shared_from_this<Conne
   Clock::time_point since() const { return since_; }
   Clock::time_point deadline() const { return deadline_; }
 
+  /// Says that there is no memory, if that can still be said; else ends it.
+  void give_up() noexcept;
+
   /// Ends it: whoever computes for it is told. Its descriptor stays open until `hang_up`.
   void close() noexcept;
   void hang_up() { socket_.close(); }

@@ -134,13 +134,13 @@ bool Connections::take_unsent(std::size_t bytes) {
   return true;
 }
 
-/// Out of memory in the middle of a step: the connection is given up rather than left in between.
+/// Out of memory in the middle of a step: the connection is given up rather than left in between. It says so if it can.
 template <class Step>
 void Connections::guarded(const std::shared_ptr<Connection>& connection, Step step) {
   try {
     step(*connection);
   } catch (...) {
-    connection->close();
+    connection->give_up();
   }
   finish(connection);
 }

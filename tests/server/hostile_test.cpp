@@ -95,6 +95,22 @@ TEST_CASE("Endless headers and addresses cost no memory") {
   CHECK(resident_kib() - before < memory_slack_kib);
 }
 
+TEST_CASE("A HEAD that is refused before it is complete is answered without a body too") {
+  const Running server;
+  const std::string start = "HEAD /healthz HTTP/1.1\r\n" + host;
+  for (const auto& [bytes, status] :
+       std::vector<std::pair<std::string, std::string>>{{start + "X: " + std::string(100'000, 'a'), "431"},
+                                                        {"HEAD /" + std::string(100'000, 'a'), "414"},
+                                                        {start, "408"}}) {
+    Client client(server.port());
+    client.send(bytes);
+    const std::string answer = client.rest();
+    CAPTURE(answer);
+    CHECK(answer.starts_with("HTTP/1.1 " + status + " "));
+    CHECK(answer.find("\r\n\r\n") == answer.size() - 4);
+  }
+}
+
 TEST_CASE("A second request inside a body is never answered") {
   const Running server;
   const std::string inner = "GET /version HTTP/1.1\r\n" + host + "\r\n";
