@@ -125,6 +125,29 @@ struct Roles<A, Rest...> {
                 "a function has one struct of inputs");
 };
 
+/// What a function of these roles is called with; the readers write into it.
+template <class Role>
+struct Given {
+  const Context& context;
+  typename Role::First first{};
+  typename Role::Inputs inputs{};
+  typename Role::Outs outs{};
+
+  /// The parameter of type P.
+  template <class P>
+  const P& as() const {
+    if constexpr (std::is_same_v<P, Context>) {
+      return context;
+    } else if constexpr (std::is_same_v<P, typename Role::First>) {
+      return first;
+    } else if constexpr (is_out<P>) {
+      return std::get<P>(outs);
+    } else {
+      return inputs;
+    }
+  }
+};
+
 /// One output by the type that a function returns.
 template <class R>
 struct OutputTraits {

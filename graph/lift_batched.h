@@ -31,31 +31,10 @@ class BatchedFunction {
  private:
   using Run = std::pair<std::size_t, std::size_t>;
 
-  /// What the function is called with; the readers write into it.
-  struct Given {
-    const Context& context;
-    typename Role::First first{};
-    typename Role::Inputs inputs{};
-    typename Role::Outs outs{};
-
-    template <class P>
-    const P& as() const {
-      if constexpr (std::is_same_v<P, Context>) {
-        return context;
-      } else if constexpr (std::is_same_v<P, typename Role::First>) {
-        return first;
-      } else if constexpr (is_out<P>) {
-        return std::get<P>(outs);
-      } else {
-        return inputs;
-      }
-    }
-  };
-
   template <class Columns>
   void run_chunk(const Call& call, const PortBindings& bindings, std::size_t begin, std::size_t end, Columns& columns,
                  FirstFailure& first) const {
-    Given given{call.context};
+    Given<Role> given{call.context};
     ChunkReaders readers(call, bindings, &given.first, &given.inputs);
     readers.begin_run(begin, end);
     for (const Run& run : runs_of(readers, begin, end)) {

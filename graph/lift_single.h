@@ -41,28 +41,10 @@ class SingleFunction {
   }
 
  private:
-  /// What the function is called with; the readers write into it.
-  struct Given {
-    const Context& context;
-    typename Role::First first{};
-    typename Role::Inputs inputs{};
-
-    template <class P>
-    const P& as() const {
-      if constexpr (std::is_same_v<P, Context>) {
-        return context;
-      } else if constexpr (std::is_same_v<P, typename Role::First>) {
-        return first;
-      } else {
-        return inputs;
-      }
-    }
-  };
-
   template <class Columns>
   void run(const Call& call, const PortBindings& bindings, std::size_t begin, std::size_t end, Columns& columns,
            FirstFailure& first) const {
-    Given given{call.context};
+    Given<Role> given{call.context};
     ChunkReaders readers(call, bindings, &given.first, &given.inputs);
     readers.begin_run(begin, end);
     for (std::size_t index = begin; index < end; ++index) {

@@ -30,11 +30,11 @@ class Places {
 
 const Value& value_at(const Call& call, std::size_t port) { return std::get<Value>(call.arguments[port]); }
 
-template <class T>
-class ValueReader : public PortReader {
+/// Reads what stands at one place for each index: Reader writes it from there.
+template <class Reader>
+class PlacedReader : public PortReader {
  public:
-  ValueReader(const Call& call, std::size_t port)
-      : column_(column_of<T>(value_at(call, port))), places_(value_at(call, port).axes, call.lifted) {}
+  PlacedReader(const Call& call, std::size_t port) : places_(value_at(call, port).axes, call.lifted) {}
 
   void begin_run(std::size_t begin, std::size_t end, void* target) override {
     places_.begin_run(begin, end);
@@ -45,10 +45,21 @@ class ValueReader : public PortReader {
   bool same(std::size_t a, std::size_t b) const override { return places_[a] == places_[b]; }
 
  private:
+  void write(std::size_t place, void* target) const { static_cast<const Reader&>(*this).write(place, target); }
+
+  Places places_;
+};
+
+template <class T>
+class ValueReader final : public PlacedReader<ValueReader<T>> {
+ public:
+  ValueReader(const Call& call, std::size_t port)
+      : PlacedReader<ValueReader<T>>(call, port), column_(column_of<T>(value_at(call, port))) {}
+
   void write(std::size_t place, void* target) const { *static_cast<T*>(target) = column_[place]; }
 
+ private:
   const Column<T>& column_;
-  Places places_;
 };
 
 /// What is left out is the same for all indices; what is given is read as a value is.
@@ -75,31 +86,22 @@ class OptionalReader : public PortReader {
 };
 
 template <class T, int K>
-class BlockReader : public PortReader {
+class BlockReader final : public PlacedReader<BlockReader<T, K>> {
  public:
   BlockReader(const Call& call, std::size_t port)
-      : value_(value_at(call, port)),
+      : PlacedReader<BlockReader<T, K>>(call, port),
+        value_(value_at(call, port)),
         column_(column_of<T>(value_)),
-        consumed_(call.consumed),
-        places_(value_.axes, call.lifted) {}
+        consumed_(call.consumed) {}
 
-  void begin_run(std::size_t begin, std::size_t end, void* target) override {
-    places_.begin_run(begin, end);
-    if (places_.constant()) write(0, target);
-  }
-  bool varies() const override { return !places_.constant(); }
-  void read(std::size_t index, void* target) const override { write(places_[index], target); }
-  bool same(std::size_t a, std::size_t b) const override { return places_[a] == places_[b]; }
-
- private:
   void write(std::size_t place, void* target) const {
     *static_cast<Block<T, K>*>(target) = Block<T, K>(column_, place, value_.axes, consumed_);
   }
 
+ private:
   const Value& value_;
   const Column<T>& column_;
   const Axes& consumed_;
-  Places places_;
 };
 
 /// Values that do not lie one after another are gathered first.
