@@ -29,8 +29,8 @@ using SharedFile = std::shared_ptr<const File>;
 
 /// How the file of an export is wanted: known when a graph is evaluated for an answer, not when it is written.
 struct WantedFile {
-  FileFormat format;
-  Json about;  ///< what the file says about itself
+  const FileFormat* format = nullptr;  ///< of the engine's, which outlives every plan
+  Json about = nullptr;                ///< what the file says about itself
 };
 
 }  // namespace dini

@@ -73,10 +73,10 @@ Attempt<SharedFile> export_file(const Context& context,
   options.speed = static_cast<int>(in.speed);
   if (context.quality() == Quality::draft) options.speed = std::max(options.speed, draft_speed);
   options.normals = in.normals;
-  const WantedFile usual{all_formats().front(), nullptr};
-  const WantedFile& wanted = context.file() != nullptr ? *context.file() : usual;
-  options.about = wanted.about;
-  auto outcome = wanted.format.write(scene_of(model, context.cancel()), options, context.cancel());
+  const WantedFile* const wanted = context.file();
+  if (wanted != nullptr) options.about = wanted->about;
+  const FileFormat& format = wanted != nullptr ? *wanted->format : all_formats().front();
+  auto outcome = format.write(scene_of(model, context.cancel()), options, context.cancel());
   if (!outcome) {
     const FileError& error = outcome.error();
     return error.code == "nothing-to-export" ? nothing_to_export(model) : Failure{error.code, error.detail, "model"};
@@ -86,7 +86,7 @@ Attempt<SharedFile> export_file(const Context& context,
   warn_of_coarse_circles(context, model);
   for (FileNote& note : written.notes) context.warn({std::move(note.code), std::move(note.detail), "model"});
   const Digest digest = sha256(written.bytes);
-  return std::make_shared<const File>(File{wanted.format.media_types.front(), wanted.format.extension,
+  return std::make_shared<const File>(File{format.media_types.front(), format.extension,
                                            share(std::move(written.bytes)), digest, written.vertices, written.triangles,
                                            written.position_error});
 }

@@ -1,14 +1,17 @@
 #include "nodes/formats.h"
 
+#include <array>
+
 #include "gltf/gltf_formats.h"
 
 namespace dini {
 
-std::vector<FileFormat> all_formats() {
-  return {
+std::span<const FileFormat> all_formats() {
+  static const std::array formats = {
       glb_format(),
       gltf_format(),
   };
+  return formats;
 }
 
 }  // namespace dini

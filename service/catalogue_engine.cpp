@@ -235,12 +235,11 @@ Result<SharedBytes> CatalogueEngine::inspect(const InspectRequest& request, cons
   return share(dump(to_json(evaluation->value(*plan, index, output), request.full)));
 }
 
-std::span<const FileFormat> usual_formats() {
-  static const std::vector<FileFormat> formats = all_formats();
-  return formats;
-}
+std::span<const FileFormat> usual_formats() { return all_formats(); }
 
-std::unique_ptr<Engine> make_engine(const Limits& limits) { return make_engine(limits, all_formats()); }
+std::unique_ptr<Engine> make_engine(const Limits& limits) {
+  return make_engine(limits, {all_formats().begin(), all_formats().end()});
+}
 
 std::unique_ptr<Engine> make_engine(const Limits& limits, std::vector<FileFormat> formats) {
   return std::make_unique<CatalogueEngine>(limits, std::move(formats));

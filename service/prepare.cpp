@@ -146,10 +146,11 @@ Json about_file(const PreparedGraph& prepared, bool embed_graph) {
 void want_file(PreparedGraph& prepared, const FileFormat& format, bool embed_graph) {
   PlannedNode& node = prepared.plan.nodes[*prepared.export_node];
   prepared.fingerprint = node.fingerprint;
-  const auto wanted = std::make_shared<const WantedFile>(WantedFile{format, about_file(prepared, embed_graph)});
-  node.fingerprint =
-      DigestBuilder().text("file").digest(node.fingerprint).text(format.name).text(wanted->about.dump()).finish();
+  const auto wanted = std::make_shared<const WantedFile>(WantedFile{&format, about_file(prepared, embed_graph)});
+  const std::string about = wanted->about.dump();
+  node.fingerprint = DigestBuilder().text("file").digest(node.fingerprint).text(format.name).text(about).finish();
   node.file = wanted;
+  prepared.held += 2 * about.size();
 }
 
 /// What the files of an answer depend on, and whether there are any: the checks that must hold count too.
@@ -265,7 +266,7 @@ Result<std::shared_ptr<const PreparedGraph>> prepare_evaluation(const Environmen
   prepared->report_tag = tag_of(report_digest(*prepared));
   prepared->bytes = prepared->plan.cost.bytes;
   prepared->work = prepared->plan.cost.work;
-  prepared->held = memory_of(*prepared);
+  prepared->held += memory_of(*prepared);
   prepared->milliseconds = milliseconds_since(begin);
   return std::shared_ptr<const PreparedGraph>(std::move(prepared));
 }

@@ -19,7 +19,7 @@ using namespace dini::support;
 namespace {
 
 std::unique_ptr<Engine> engine_with_counts() {
-  std::vector<FileFormat> formats = all_formats();
+  std::vector<FileFormat> formats(all_formats().begin(), all_formats().end());
   formats.push_back(counts_format());
   return make_engine({}, std::move(formats));
 }
