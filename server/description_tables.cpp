@@ -114,10 +114,9 @@ Table members_table(const RequestDescription& request) {
 }
 
 Table parameters_table(const Operation& operation) {
-  static const char* const places[] = {"path", "query", "header"};
   Table table{{"name", "in", "what it is"}, {}};
   for (const Parameter& parameter : operation.parameters) {
-    table.rows.push_back({code(parameter.name), places[static_cast<std::size_t>(parameter.place)], parameter.doc});
+    table.rows.push_back({code(parameter.name), std::string(name_of(parameter.place)), parameter.doc});
   }
   return table;
 }

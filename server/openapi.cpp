@@ -12,18 +12,6 @@ namespace {
 
 constexpr std::string_view problem_type = "application/problem+json";
 
-std::string name_of(Parameter::Place place) {
-  switch (place) {
-    case Parameter::Place::path:
-      return "path";
-    case Parameter::Place::query:
-      return "query";
-    case Parameter::Place::header:
-      break;
-  }
-  return "header";
-}
-
 Json parameter_json(const Parameter& parameter) {
   Json json = {{"name", parameter.name},
                {"in", name_of(parameter.place)},

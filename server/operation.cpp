@@ -32,6 +32,18 @@ constexpr std::array<std::string_view, 5> with_computing = {"superseded", "cance
 
 }  // namespace
 
+std::string_view name_of(Parameter::Place place) {
+  switch (place) {
+    case Parameter::Place::path:
+      return "path";
+    case Parameter::Place::query:
+      return "query";
+    case Parameter::Place::header:
+      break;
+  }
+  return "header";
+}
+
 std::span<const AnswerHeader> answer_headers() { return headers; }
 
 Parameter accept_header(std::string doc, const std::vector<std::string>& offers) {

@@ -22,6 +22,9 @@ struct Parameter {
   Json example = nullptr;
 };
 
+/// "path", "query" or "header".
+std::string_view name_of(Parameter::Place place);
+
 /// A body in one media type.
 struct Content {
   std::string type;

@@ -68,6 +68,12 @@ Operation describe_nodes() {
                          {.type = "application/json", .schema = schema::reference("Catalogue")});
 }
 
+Operation describe_schema() {
+  return describe_static("documentSchema", "Catalogue", "The form of the graph document",
+                         "The JSON Schema (2020-12) of the graph document, with every node type.",
+                         {.type = "application/schema+json", .schema = schema::anything("A JSON Schema.")});
+}
+
 Operation describe_example_list() {
   const Json entry = schema::object({{"id", schema::text("Names the example.")},
                                      {"title", schema::text("As people read it.")},
@@ -158,6 +164,10 @@ Reply version(const Context& context) {
 
 Reply nodes(const Context& context) {
   return static_reply(context.request(), context.application.catalogue, "application/json");
+}
+
+Reply schema(const Context& context) {
+  return static_reply(context.request(), context.application.document_schema, "application/schema+json");
 }
 
 Reply example_list(const Context& context) {

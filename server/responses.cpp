@@ -6,6 +6,7 @@
 #include "server/text.h"
 #include "service/engine.h"
 #include "service/problem_codes.h"
+#include "service/requests/excerpt.h"
 
 namespace dini::server {
 namespace {
@@ -68,7 +69,7 @@ Reply problem_reply(const Problems& problems, const Exchange& exchange, const Js
       json_reply({{"type", "/problems/" + first.code},
                   {"title", first.code == "invalid-asset" ? "The file cannot be used" : title_of(status).title},
                   {"status", status},
-                  {"detail", cut(first.detail, detail_bytes)},
+                  {"detail", excerpt(first.detail, detail_bytes)},
                   {"instance", exchange.id},
                   {"errors", to_json(problems)},
                   {"blocked", blocked}},

@@ -22,9 +22,6 @@ std::vector<std::string_view> split(std::string_view text, char separator);
 /// `limit` bytes are kept.
 std::string escape_controls(std::string_view text, std::size_t limit = 200);
 
-/// At most `limit` bytes, cut between UTF-8 characters.
-std::string cut(std::string_view text, std::size_t limit);
-
 /// FNV-1a, as 16 hexadecimal digits: names the content of files that never change while the server runs.
 std::string content_hash(std::string_view bytes);
 

@@ -15,8 +15,7 @@ const RequestType<EvaluateBody>& request() {
       RequestType<EvaluateBody>("EvaluateRequest",
                                 "What to make of a graph: the model of an output, a preview, or both.")
           .graph(&EvaluateRequest::graph, "The graph document.")
-          .member("parameters", &EvaluateRequest::parameters, "Values for the parameters of the graph, by name.",
-                  left_out_means("their defaults").example({{"reach", 0.5}}))
+          .parameters(&EvaluateRequest::parameters)
           .member("output", &EvaluateRequest::output, "The `export` node whose model is asked for.",
                   left_out_means("the only one of the graph, or none beside a preview").example("out"))
           .member("preview", &EvaluateRequest::preview,
@@ -30,9 +29,7 @@ const RequestType<EvaluateBody>& request() {
                       .unit("triangles"))
           .member("embed_graph", &EvaluateRequest::embed_graph,
                   "Whether the file carries the graph document in `asset.extras.document`.", usually(false))
-          .member("deadline_ms", &EvaluateBody::deadline_milliseconds,
-                  "When the work is stopped, counted from the first byte of the request.",
-                  left_out_means("`interactive_milliseconds`, which it never goes past").range(1, {}).unit("ms"));
+          .deadline(&EvaluateBody::deadline_milliseconds);
   return declared;
 }
 

@@ -8,16 +8,13 @@ const RequestType<InspectBody>& request() {
   static const auto declared =
       RequestType<InspectBody>("InspectRequest", "Which wire of a graph to look at.")
           .graph(&InspectRequest::graph, "The graph document.")
-          .member("parameters", &InspectRequest::parameters, "Values for the parameters of the graph, by name.",
-                  left_out_means("their defaults").example({{"reach", 0.5}}))
+          .parameters(&InspectRequest::parameters)
           .member("node", &InspectRequest::node, "The node whose output is looked at.", needed().example("boosted"))
           .member("output", &InspectRequest::output, "The output of that node.",
                   left_out_means("its first one").example("shape"))
           .member("full", &InspectRequest::full, "Whether meshes are told with all positions and indices.",
                   usually(false))
-          .member("deadline_ms", &InspectBody::deadline_milliseconds,
-                  "When the work is stopped, counted from the first byte of the request.",
-                  left_out_means("`interactive_milliseconds`, which it never goes past").range(1, {}).unit("ms"));
+          .deadline(&InspectBody::deadline_milliseconds);
   return declared;
 }
 

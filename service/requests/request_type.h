@@ -86,6 +86,20 @@ class RequestType {
     return std::move(declared);
   }
 
+  /// The member that holds values for the parameters of that graph.
+  template <class Owner>
+  requires std::is_base_of_v<Owner, T> RequestType && parameters(Json Owner::*place) && {
+    return std::move(*this).member("parameters", place, "Values for the parameters of the graph, by name.",
+                                   left_out_means("their defaults").example({{"reach", 0.5}}));
+  }
+  /// The member that says until when.
+  template <class Owner>
+  requires std::is_base_of_v<Owner, T> RequestType && deadline(std::optional<std::int64_t> Owner::*place) && {
+    return std::move(*this).member(
+        "deadline_ms", place, "When the work is stopped, counted from the first byte of the request.",
+        left_out_means("`interactive_milliseconds`, which it never goes past").range(1, {}).unit("ms"));
+  }
+
   const RequestDescription& description() const { return description_; }
 
   /// A body from outside. Members that are left out have the defaults of the struct.

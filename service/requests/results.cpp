@@ -163,20 +163,21 @@ Json catalogue() {
 
 }  // namespace
 
-Json result_schemas() {
-  return {{"Graph", graph_document()},
-          {"ProblemEntry", problem_entry()},
-          {"Axis", axis()},
-          {"Wire", wire()},
-          {"Cost", cost()},
-          {"Validation", validation()},
-          {"Inspection", inspection()},
-          {"NodeRun", node_run()},
-          {"CheckResult", check_result()},
-          {"Report", report()},
-          {"AssetSummary", asset_summary()},
-          {"NodeCard", node_card()},
-          {"Catalogue", catalogue()}};
+const Json& result_schemas() {
+  static const Json schemas = {{"Graph", graph_document()},
+                               {"ProblemEntry", problem_entry()},
+                               {"Axis", axis()},
+                               {"Wire", wire()},
+                               {"Cost", cost()},
+                               {"Validation", validation()},
+                               {"Inspection", inspection()},
+                               {"NodeRun", node_run()},
+                               {"CheckResult", check_result()},
+                               {"Report", report()},
+                               {"AssetSummary", asset_summary()},
+                               {"NodeCard", node_card()},
+                               {"Catalogue", catalogue()}};
+  return schemas;
 }
 
 }  // namespace dini

@@ -7,6 +7,6 @@ namespace dini {
 /// The schemas of everything that comes back as JSON from the engine, by name: Validation, Inspection, Report,
 /// AssetSummary, Catalogue, Graph, ProblemEntry, and what these are made of. They refer to each other as components of
 /// an OpenAPI document.
-Json result_schemas();
+const Json& result_schemas();
 
 }  // namespace dini

@@ -5,14 +5,10 @@ namespace dini {
 namespace {
 
 const RequestType<ValidateBody>& request() {
-  static const auto declared =
-      RequestType<ValidateBody>("ValidateRequest", "A graph to be checked.")
-          .graph(&ValidateBody::graph, "The graph document.")
-          .member("parameters", &ValidateBody::parameters, "Values for the parameters of the graph, by name.",
-                  left_out_means("their defaults").example({{"reach", 0.5}}))
-          .member("deadline_ms", &ValidateBody::deadline_milliseconds,
-                  "When the work is stopped, counted from the first byte of the request.",
-                  left_out_means("`interactive_milliseconds`, which it never goes past").range(1, {}).unit("ms"));
+  static const auto declared = RequestType<ValidateBody>("ValidateRequest", "A graph to be checked.")
+                                   .graph(&ValidateBody::graph, "The graph document.")
+                                   .parameters(&ValidateBody::parameters)
+                                   .deadline(&ValidateBody::deadline_milliseconds);
   return declared;
 }
 

@@ -128,26 +128,23 @@ inline Registry registry() {
   nodes.add(value_node(node("no_memory", no_memory)));
   nodes.add(value_node(node("throws", throws)));
   nodes.add(value_node(node("warns", warns)));
-  nodes.add(node("slow_sum", slow_sum)
-                .title("Slow sum")
-                .family("toys")
-                .doc("Adds, slowly.")
-                .input("a", &SumInputs::a, "First.")
-                .input("b", &SumInputs::b, "Second.", defaults(10))
-                .output("value", "The sum."));
+  const auto sum_node = [](NodeBuilder<SumInputs> builder) -> NodeType {
+    return std::move(builder)
+        .title("Sum")
+        .family("toys")
+        .doc("Adds.")
+        .input("a", &SumInputs::a, "First.")
+        .input("b", &SumInputs::b, "Second.", defaults(10))
+        .output("value", "The sum.");
+  };
+  nodes.add(sum_node(node("sum", sum)));
+  nodes.add(sum_node(node("slow_sum", slow_sum)));
   nodes.add(node("chooser", chosen)
                 .title("Chooser")
                 .family("toys")
                 .doc("1 or 2.")
                 .input("word", "Which.", defaults("first"))
                 .output("value", "The number."));
-  nodes.add(node("sum", sum)
-                .title("Sum")
-                .family("toys")
-                .doc("Adds.")
-                .input("a", &SumInputs::a, "First.")
-                .input("b", &SumInputs::b, "Second.", defaults(10))
-                .output("value", "The sum."));
   nodes.add(node("ramp", ramp)
                 .title("Ramp")
                 .family("toys")
