@@ -34,7 +34,7 @@ struct OutputPath {
 /// empty path, one path written twice, or read and written (`usage`).
 Problems unwritable(const std::vector<OutputPath>& outputs, const std::vector<std::string>& inputs);
 
-/// A graph document from a file or `-`.
+/// The graph document in a file or `-`, as JSON.
 Result<Json> read_graph(const std::string& path, const Limits& limits);
 
 /// Values for parameters from `name=value` words: JSON if the value parses as such, else text. The problem has code

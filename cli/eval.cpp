@@ -45,24 +45,26 @@ Outcome failed(const Problems& problems, Stage stage) {
 
 Outcome evaluate(const Options& options, const Engine& engine, const FileFormat& format, const Json& parameters) {
   // Nobody waits at the other end of a script, so a deadline is kept only when one is asked for.
-  const Cancel cancel(options.deadline_ms == 0 ? Cancel::Clock::time_point::max()
-                                               : Cancel::Clock::now() + std::chrono::milliseconds(options.deadline_ms));
-  const auto graph = read_graph(options.graph, engine.limits());
-  if (!graph) return failed(graph.problems(), Stage::checking);
-  if (const Problems wrong = options.assets.give_to(engine, cancel); !wrong.empty()) {
+  const Job job{Cancel(options.deadline_ms == 0
+                           ? Cancel::Clock::time_point::max()
+                           : Cancel::Clock::now() + std::chrono::milliseconds(options.deadline_ms))};
+  const auto document = read_graph(options.graph, engine.limits());
+  if (!document) return failed(document.problems(), Stage::checking);
+  if (const Problems wrong = options.assets.give_to(engine, job.cancel); !wrong.empty()) {
     return failed(wrong, Stage::checking);
   }
-  const auto prepared = engine.prepare({.graph = *graph,
+  const auto prepared = engine.prepare({.graph = engine.read(*document),
                                         .parameters = parameters,
                                         .output = options.output,
                                         .quality = options.quality == "draft" ? Quality::draft : Quality::final,
                                         .triangle_budget = options.triangle_budget,
                                         .preview = options.preview,
                                         .format = format.name,
-                                        .embed_graph = options.embed_graph},
-                                       cancel);
+                                        .embed_graph = options.embed_graph,
+                                        .notes = notes_of(*document)},
+                                       job.cancel);
   if (!prepared) return failed(prepared.problems(), Stage::checking);
-  const auto computed = engine.compute(**prepared, cancel);
+  const auto computed = engine.compute(**prepared, job);
   if (!computed) return failed(computed.problems(), Stage::evaluating);
   return {.report = engine.report(**prepared, **computed, Sent::document),
           .file = (*computed)->model != nullptr ? (*computed)->model : (*computed)->preview};

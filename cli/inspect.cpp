@@ -25,8 +25,8 @@ int run(Options& options, const EngineMaker& make_engine) {
   const Limits limits;
   const auto parameters = read_settings(options.settings, limits);
   if (!parameters) return fail(parameters.problems(), exit_usage);
-  const auto graph = read_graph(options.graph, limits);
-  if (!graph) return fail(graph.problems(), exit_code_for(graph.problems(), Stage::checking));
+  const auto document = read_graph(options.graph, limits);
+  if (!document) return fail(document.problems(), exit_code_for(document.problems(), Stage::checking));
 
   const auto dot = options.place.find('.');
   if (dot == 0 || options.place.empty() || dot + 1 == options.place.size()) {
@@ -34,19 +34,19 @@ int run(Options& options, const EngineMaker& make_engine) {
         {{.code = "usage", .detail = "the place to inspect is NODE or NODE.OUTPUT, not '" + options.place + "'"}},
         exit_usage);
   }
-  const InspectRequest request{.graph = *graph,
+  const std::unique_ptr<Engine> engine = make_engine(limits);
+  const InspectRequest request{.graph = engine->read(*document),
                                .parameters = *parameters,
                                .node = options.place.substr(0, dot),
                                .output = dot == std::string::npos ? "" : options.place.substr(dot + 1),
                                .full = options.full};
-  const std::unique_ptr<Engine> engine = make_engine(limits);
   if (const Problems wrong = options.assets.give_to(*engine, Cancel()); !wrong.empty()) {
     return fail(wrong, exit_code_for(wrong, Stage::checking));
   }
   // `inspect` checks and evaluates in one call; a graph that checks out can only have failed while being evaluated.
-  const auto value = engine->inspect(request, Cancel());
+  const auto value = engine->inspect(request, Job());
   if (!value) {
-    const auto verdict = engine->validate(*graph, *parameters, Cancel(), Sent::document);
+    const auto verdict = engine->validate(*request.graph, request.parameters, Cancel(), Sent::document);
     const bool valid = verdict && verdict->value("valid", false);
     return fail(value.problems(), exit_code_for(value.problems(), valid ? Stage::evaluating : Stage::checking));
   }

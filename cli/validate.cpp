@@ -32,13 +32,13 @@ int run(const Options& options, const EngineMaker& make_engine) {
   const Limits limits;
   const auto parameters = read_settings(options.settings, limits);
   if (!parameters) return fail(parameters.problems(), exit_usage);
-  const auto graph = read_graph(options.graph, limits);
-  if (!graph) return fail(graph.problems(), exit_code_for(graph.problems(), Stage::checking));
+  const auto document = read_graph(options.graph, limits);
+  if (!document) return fail(document.problems(), exit_code_for(document.problems(), Stage::checking));
   const std::unique_ptr<Engine> engine = make_engine(limits);
   if (const Problems wrong = options.assets.give_to(*engine, Cancel()); !wrong.empty()) {
     return fail(wrong, exit_code_for(wrong, Stage::checking));
   }
-  const auto checked = engine->validate(*graph, *parameters, Cancel(), Sent::document);
+  const auto checked = engine->validate(*engine->read(*document), *parameters, Cancel(), Sent::document);
   if (!checked) return fail(checked.problems(), exit_limit);
   const Json& verdict = *checked;
   if (options.json) {

@@ -28,7 +28,7 @@ std::vector<std::string> keys_of(const Map& map) {
 
 class Checker {
  public:
-  Checker(const Registry& registry, const Document& document, const std::map<std::string, Json>& parameters,
+  Checker(const Registry& registry, const Document& document, const ParameterValues& parameters,
           Detail detail, const Limits& limits, const AssetFinder& find_asset, const CheckScope& scope)
       : registry_(registry), document_(document), limits_(limits), find_asset_(find_asset), scope_(scope) {
     report_.plan.parameters = parameters;
@@ -269,7 +269,7 @@ class Checker {
 
 }  // namespace
 
-CheckReport check(const Registry& registry, const Document& document, const std::map<std::string, Json>& parameters,
+CheckReport check(const Registry& registry, const Document& document, const ParameterValues& parameters,
                   Detail detail, const Limits& limits, const AssetFinder& find_asset, const CheckScope& scope) {
   return Checker(registry, document, parameters, detail, limits, find_asset, scope).run();
 }

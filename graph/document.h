@@ -10,9 +10,11 @@
 
 #include "graph/limits.h"
 #include "graph/problem.h"
-#include "graph/wire.h"
+#include "graph/reading.h"
 
 namespace dini {
+
+class Registry;
 
 /// {"from": "node"} or {"from": "node.output"}.
 struct Link {
@@ -29,11 +31,19 @@ struct ParameterReference {
   friend bool operator==(const ParameterReference&, const ParameterReference&) = default;
 };
 
-/// One thing given to an input: a literal, a link, or a parameter.
-using InputItem = std::variant<Json, Link, ParameterReference>;
+/// A literal: as it is written, and what that means to its input. Nothing is known of one at an unknown input.
+struct WrittenLiteral {
+  Json written;
+  Readings readings = {};
 
-/// What is given to an input. `list` when it was written as a list that holds links or parameters; a list of plain
-/// literals is one literal until the port it goes to is known.
+  friend bool operator==(const WrittenLiteral& a, const WrittenLiteral& b) { return a.written == b.written; }
+};
+
+/// One thing given to an input: a literal, a link, or a parameter.
+using InputItem = std::variant<WrittenLiteral, Link, ParameterReference>;
+
+/// What is given to an input. `list` when it was written as a list of things, each an item; any other list, such as the
+/// coordinates of a point, is one literal.
 struct InputEntry {
   std::vector<InputItem> items;
   bool list = false;
@@ -52,7 +62,7 @@ struct NodeEntry {
 /// A graph parameter: what a form shows and what a request may set.
 struct Parameter {
   WireType type = WireType::number;  ///< number, integer, boolean, choice, vector or color
-  Json default_value;
+  ParameterValue default_value;
   std::optional<double> minimum, maximum, step;
   std::vector<std::string> choices;
   std::optional<std::string> unit, label, description;
@@ -70,8 +80,9 @@ struct Document {
   friend bool operator==(const Document&, const Document&) = default;
 };
 
-/// Reads a document; every structural problem at once.
-Result<Document> read_document(const Json& json, const Limits& limits);
+/// Reads a document; every structural problem at once. Its literals are read for the inputs of these node types; what
+/// is wrong with one is kept with it, since only the rest of the graph tells which of its readings counts.
+Result<Document> read_document(const Json& json, const Limits& limits, const Registry& registry);
 
 Json write_document(const Document& document);
 

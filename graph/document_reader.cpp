@@ -6,6 +6,7 @@
 #include "graph/literal.h"
 #include "graph/nearest.h"
 #include "graph/parameters.h"
+#include "graph/registry.h"
 
 namespace dini {
 
@@ -13,7 +14,7 @@ namespace {
 
 class DocumentReader {
  public:
-  explicit DocumentReader(const Limits& limits) : limits_(limits) {}
+  DocumentReader(const Limits& limits, const Registry& registry) : limits_(limits), registry_(registry) {}
 
   Result<Document> read(const Json& json) {
     Document document;
@@ -145,35 +146,46 @@ class DocumentReader {
       add("type-mismatch", pointer + "/inputs", "inputs must be an object keyed by port", id);
       return node;
     }
+    const NodeType* const type = registry_.find(node.type);
     for (const auto& [port, value] : json["inputs"].items()) {
-      node.inputs.emplace(port, read_input(id, port, value, pointer + "/inputs/" + pointer_token(port)));
+      const Place place{id, port, type != nullptr ? type->find_input(port) : nullptr};
+      node.inputs.emplace(port, read_input(place, value, pointer + "/inputs/" + pointer_token(port)));
     }
     return node;
   }
 
-  InputEntry read_input(const std::string& node, const std::string& port, const Json& json,
-                        const std::string& pointer) {
-    const bool list =
-        json.is_array() && std::any_of(json.begin(), json.end(), [](const Json& item) { return item.is_object(); });
+  /// Where something is given.
+  struct Place {
+    const std::string& node;
+    const std::string& port;
+    const InputPort* card;  ///< null for an unknown one
+  };
+
+  InputEntry read_input(const Place& place, const Json& json, const std::string& pointer) {
+    const auto is_object = [](const Json& item) { return item.is_object(); };
+    const bool takes_several = place.card != nullptr && place.card->spec.takes_several;
+    const bool list = json.is_array() && (takes_several || std::any_of(json.begin(), json.end(), is_object));
     InputEntry entry{{}, list};
     if (!list) {
-      entry.items.push_back(read_item(node, port, json, pointer));
+      entry.items.push_back(read_item(place, json, pointer));
       return entry;
     }
     for (std::size_t i = 0; i < json.size(); ++i) {
-      entry.items.push_back(read_item(node, port, json[i], pointer + "/" + std::to_string(i)));
+      entry.items.push_back(read_item(place, json[i], pointer + "/" + std::to_string(i)));
     }
     return entry;
   }
 
-  InputItem read_item(const std::string& node, const std::string& port, const Json& json, const std::string& pointer) {
-    if (!json.is_object()) return json;
+  InputItem read_item(const Place& place, const Json& json, const std::string& pointer) {
+    if (!json.is_object()) {
+      return WrittenLiteral{json, place.card != nullptr ? read_literal(json, *place.card) : Readings{}};
+    }
     const bool link = json.contains("from");
     const char* const member = link ? "from" : "parameter";
     if (json.size() != 1 || !json.contains(member) || !json[member].is_string()) {
       add("type-mismatch", pointer,
-          "got " + excerpt(json) + R"(, expected {"from": "node.output"} or {"parameter": "name"})", node, port);
-      return json;
+          "got " + excerpt(json) + R"(, expected {"from": "node.output"} or {"parameter": "name"})", place.node, place.port);
+      return WrittenLiteral{json};
     }
     const auto& text = json[member].get_ref<const std::string&>();
     if (!link) return ParameterReference{text};
@@ -184,6 +196,7 @@ class DocumentReader {
   }
 
   const Limits& limits_;
+  const Registry& registry_;
   ProblemCollector problems_;
   std::size_t links_ = 0;
 };
@@ -198,6 +211,8 @@ bool is_identifier(std::string_view text) {
          std::all_of(text.begin(), text.end(), [&](char c) { return letter(c) || other(c); });
 }
 
-Result<Document> read_document(const Json& json, const Limits& limits) { return DocumentReader(limits).read(json); }
+Result<Document> read_document(const Json& json, const Limits& limits, const Registry& registry) {
+  return DocumentReader(limits, registry).read(json);
+}
 
 }  // namespace dini

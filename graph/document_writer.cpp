@@ -9,7 +9,7 @@ Json write_item(const InputItem& item) {
     return {{"from", link->output.empty() ? link->node : link->node + "." + link->output}};
   }
   if (const auto* reference = std::get_if<ParameterReference>(&item)) return {{"parameter", reference->name}};
-  return std::get<Json>(item);
+  return std::get<WrittenLiteral>(item).written;
 }
 
 Json write_input(const InputEntry& entry) {
@@ -25,7 +25,7 @@ void write_optional(Json& json, const char* name, const std::optional<T>& value)
 }
 
 Json write_parameter(const Parameter& parameter) {
-  Json json = {{"type", name(parameter.type)}, {"default", parameter.default_value}};
+  Json json = {{"type", name(parameter.type)}, {"default", parameter.default_value.written}};
   write_optional(json, "min", parameter.minimum);
   write_optional(json, "max", parameter.maximum);
   write_optional(json, "step", parameter.step);

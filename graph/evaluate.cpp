@@ -5,6 +5,7 @@
 #include <chrono>
 #include <tbb/task_group.h>
 
+#include "graph/cost.h"
 #include "graph/run_node.h"
 #include "graph/stopped.h"
 
@@ -26,38 +27,26 @@ std::vector<std::size_t> source_nodes(const PlannedNode& node) {
   return sources;
 }
 
-/// The node that stands at a place once bypassed nodes have passed their inputs on; nothing where a literal does.
-std::optional<std::size_t> standing_at(const Plan& plan, std::size_t node) {
-  while (plan.nodes[node].bypass) {
-    const auto* source = std::get_if<Source>(&plan.nodes[node].bypass->from);
-    if (source == nullptr) return std::nullopt;
-    node = source->node;
-  }
-  return node;
-}
-
 class Evaluator {
  public:
-  Evaluator(const Plan& plan, Cache& cache, const Cancel& cancel, const Progress& progress)
-      : plan_(plan), cache_(cache), cancel_(cancel), progress_(progress) {}
+  Evaluator(const Plan& plan, Cache& cache, const Job& job)
+      : plan_(plan), cache_(cache), cancel_(job.cancel), progress_(job.progress) {}
 
   /// Walks from the targets to what they need and stops at cached results.
   void find_needed(const std::vector<std::size_t>& targets) {
     std::vector<std::size_t> stack = targets;
     while (!stack.empty()) {
-      const std::optional<std::size_t> node = standing_at(plan_, stack.back());
+      const PlannedNode& planned = plan_.nodes[standing_at(plan_, stack.back())];
       stack.pop_back();
-      if (!node) continue;
-      const PlannedNode& planned = plan_.nodes[*node];
-      const auto [place, first] = jobs_.try_emplace(planned.fingerprint);
+      const auto [place, first] = steps_.try_emplace(planned.fingerprint);
       if (!first) continue;
-      Job& job = place->second;
-      job.node = &planned;
+      Step& step = place->second;
+      step.node = &planned;
       if (auto result = cache_.find<NodeResult>(planned.fingerprint)) {
-        job.run = {0, true, std::move(result)};
+        step.run = {0, true, std::move(result)};
         continue;
       }
-      to_run_.push_back(&job);
+      to_run_.push_back(&step);
       const std::vector<std::size_t> sources = source_nodes(planned);
       stack.insert(stack.end(), sources.begin(), sources.end());
     }
@@ -67,11 +56,12 @@ class Evaluator {
 
   Result<Evaluation> run() {
     connect();
-    // Found before any is started: jobs that become ready later are started by the last job they waited for.
-    std::vector<Job*> first;
+    for (const Step* step : to_run_) progress_.announce(cost_of(*step->node).work);
+    // Found before any is started: jobs that become ready later are started by the last step they waited for.
+    std::vector<Step*> first;
     std::copy_if(to_run_.begin(), to_run_.end(), std::back_inserter(first),
-                 [](const Job* job) { return job->waiting_for == 0; });
-    for (Job* job : first) start(*job);
+                 [](const Step* step) { return step->waiting_for == 0; });
+    for (Step* step : first) start(*step);
     tasks_.wait();
     if (cancel_.stopped()) return stopped_problem(cancel_.reason());
     return collect();
@@ -81,13 +71,13 @@ class Evaluator {
     Problems problems;
     Evaluation evaluation;
     bool memory_ran_out = memory_ran_out_;
-    for (auto& [fingerprint, job] : jobs_) {
-      problems.insert(problems.end(), job.problems.begin(), job.problems.end());
-      memory_ran_out = memory_ran_out || job.fate == Fate::memory_ran_out;
-      if (job.fate == Fate::exception) {
-        problems.push_back({"internal", "something went wrong inside this node", job.node->id});
+    for (auto& [fingerprint, step] : steps_) {
+      problems.insert(problems.end(), step.problems.begin(), step.problems.end());
+      memory_ran_out = memory_ran_out || step.fate == Fate::memory_ran_out;
+      if (step.fate == Fate::exception) {
+        problems.push_back({"internal", "something went wrong inside this node", step.node->id});
       }
-      if (job.run.result) evaluation.runs.emplace(fingerprint, std::move(job.run));
+      if (step.run.result) evaluation.runs.emplace(fingerprint, std::move(step.run));
     }
     if (memory_ran_out) return out_of_memory();
     if (!problems.empty()) return problems;
@@ -98,70 +88,70 @@ class Evaluator {
   /// How the function of a node ended. Kept as a word, since telling more would need memory.
   enum class Fate { not_run, well, failed, memory_ran_out, exception };
 
-  struct Job {
+  struct Step {
     const PlannedNode* node = nullptr;
     std::atomic<std::size_t> waiting_for = 0;
-    std::vector<Job*> followers;
+    std::vector<Step*> followers;
     NodeRun run;
     Problems problems;
     Fate fate = Fate::not_run;
     std::atomic<bool> spoiled = false;
   };
 
-  Job& job_at(std::size_t node) { return jobs_.at(plan_.nodes[node].fingerprint); }
+  Step& step_at(std::size_t node) { return steps_.at(plan_.nodes[node].fingerprint); }
 
   void connect() {
-    for (Job* job : to_run_) {
-      for (const std::size_t source : source_nodes(*job->node)) {
-        Job& before = job_at(source);
+    for (Step* step : to_run_) {
+      for (const std::size_t source : source_nodes(*step->node)) {
+        Step& before = step_at(source);
         if (before.run.cached) continue;
-        before.followers.push_back(job);
-        ++job->waiting_for;
+        before.followers.push_back(step);
+        ++step->waiting_for;
       }
     }
   }
 
   /// An exception that left a task would cancel all others in the middle of their loops. So none does: what cannot even
   /// be started for want of memory is remembered, and everything behind it stays without a result.
-  void start(Job& job) noexcept {
+  void start(Step& step) noexcept {
     try {
-      tasks_.run([this, &job] { run_job(job); });
+      tasks_.run([this, &step] { run_step(step); });
     } catch (...) {
       memory_ran_out_ = true;
     }
   }
 
-  void run_job(Job& job) noexcept {
-    if (!job.spoiled && !cancel_.stopped()) compute(job);
-    if (progress_) progress_(++done_, to_run_.size());
-    for (Job* next : job.followers) {
-      if (!job.run.result) next->spoiled = true;
+  void run_step(Step& step) noexcept {
+    if (!step.spoiled && !cancel_.stopped()) compute(step);
+    progress_.add(cost_of(*step.node).work);
+    for (Step* next : step.followers) {
+      if (!step.run.result) next->spoiled = true;
       if (--next->waiting_for == 0) start(*next);
     }
   }
 
-  void compute(Job& job) noexcept {
+  void compute(Step& step) noexcept {
     try {
-      job.fate = Fate::failed;
-      run_node_of(job);
+      step.fate = Fate::failed;
+      run_node_of(step);
     } catch (const std::bad_alloc&) {
-      job.fate = Fate::memory_ran_out;
+      step.fate = Fate::memory_ran_out;
     } catch (...) {
-      job.fate = Fate::exception;
+      step.fate = Fate::exception;
     }
   }
 
-  void run_node_of(Job& job) {
+  void run_node_of(Step& step) {
     const auto begin = std::chrono::steady_clock::now();
-    const PlannedNode& node = *job.node;
+    const PlannedNode& node = *step.node;
     const Context context(cancel_, plan_.detail.quality, node.triangle_budget, node.file.get());
     const auto column = [this](const Source& source) -> const AnyColumn& {
-      return job_at(source.node).run.result->columns[source.output];
+      return step_at(source.node).run.result->columns[source.output];
     };
     Result<std::vector<AnyColumn>> columns = run_node(node, column, context);
     if (cancel_.stopped() || tbb::is_current_task_group_canceling()) return;
     if (!columns) {
-      job.problems = columns.problems();
+      step.problems = columns.problems();
       return;
     }
     auto result = std::make_shared<NodeResult>();
@@ -170,14 +160,14 @@ class Evaluator {
     const std::size_t size = bytes(*result);
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
     cache_.insert<NodeResult>(node.fingerprint, result, size);
-    job.run = {took.count(), false, std::move(result)};
-    job.fate = Fate::well;
+    step.run = {took.count(), false, std::move(result)};
+    step.fate = Fate::well;
   }
 
   void gather_warnings(const PlannedNode& node, std::vector<Warning> own, NodeResult& result) {
     std::map<Digest, std::shared_ptr<const NodeWarnings>> said;
     for (const std::size_t source : source_nodes(node)) {
-      for (const auto& before : job_at(source).run.result->warnings) said.emplace(before->fingerprint, before);
+      for (const auto& before : step_at(source).run.result->warnings) said.emplace(before->fingerprint, before);
     }
     if (!own.empty()) {
       said[node.fingerprint] = std::make_shared<NodeWarnings>(NodeWarnings{node.fingerprint, std::move(own)});
@@ -189,9 +179,8 @@ class Evaluator {
   Cache& cache_;
   const Cancel& cancel_;
   const Progress& progress_;
-  std::map<Digest, Job> jobs_;
-  std::vector<Job*> to_run_;
-  std::atomic<std::size_t> done_ = 0;
+  std::map<Digest, Step> steps_;
+  std::vector<Step*> to_run_;
   std::atomic<bool> memory_ran_out_ = false;
   tbb::task_group tasks_;
 };
@@ -209,23 +198,19 @@ Value Evaluation::value(const Plan& plan, std::size_t node, std::size_t output) 
     return runs.at(plan.nodes[place].fingerprint).result->columns[port];
   };
   if (!planned.bypass) return {planned.outputs[output].axes, column(node, output)};
-  if (const auto* source = std::get_if<Source>(&planned.bypass->from)) {
-    return {planned.outputs.front().axes, column(source->node, source->output)};
-  }
-  return std::get<Value>(std::get<Argument>(planned.bypass->from));
+  const Source& source = std::get<Source>(planned.bypass->from);
+  return {planned.outputs.front().axes, column(source.node, source.output)};
 }
 
-Result<Evaluation> evaluate(const Plan& plan, const std::vector<std::size_t>& targets, Cache& cache,
-                            const Cancel& cancel, const Progress& progress) {
-  Evaluator evaluator(plan, cache, cancel, progress);
+Result<Evaluation> evaluate(const Plan& plan, const std::vector<std::size_t>& targets, Cache& cache, const Job& job) {
+  Evaluator evaluator(plan, cache, job);
   evaluator.find_needed(targets);
   return evaluator.run();
 }
 
 std::optional<Evaluation> find_evaluation(const Plan& plan, const std::vector<std::size_t>& targets, Cache& cache) {
-  const Cancel cancel;
-  const Progress progress;
-  Evaluator evaluator(plan, cache, cancel, progress);
+  const Job job;
+  Evaluator evaluator(plan, cache, job);
   evaluator.find_needed(targets);
   if (!evaluator.nothing_to_run()) return std::nullopt;
   Result<Evaluation> evaluation = evaluator.collect();

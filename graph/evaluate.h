@@ -1,12 +1,12 @@
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "graph/cache.h"
+#include "graph/job.h"
 #include "graph/node_result.h"
 #include "graph/plan.h"
 #include "graph/problem.h"
@@ -32,15 +32,12 @@ struct Evaluation {
   Value value(const Plan& plan, std::size_t node, std::size_t output) const;
 };
 
-/// Called after every node with how many of the needed nodes are done; from any thread. Must not throw.
-using Progress = std::function<void(std::size_t done, std::size_t needed)>;
-
 /// Computes what `targets` need, each fingerprint once, independent nodes in parallel, results taken from and put into
 /// the cache. Fails with all problems found: a failed node spoils those behind it and lets the others finish, whether
-/// it failed by its own word, by an exception (`internal`) or for want of memory (`out-of-memory`). When `cancel` stops
-/// the work, the only problem is that of `stopped_problem`. Nothing but complete results enters the cache.
-Result<Evaluation> evaluate(const Plan& plan, const std::vector<std::size_t>& targets, Cache& cache,
-                            const Cancel& cancel, const Progress& progress = {});
+/// it failed by its own word, by an exception (`internal`) or for want of memory (`out-of-memory`). When the job stops
+/// the work, the only problem is that of `stopped_problem`. Nothing but complete results enters the cache. The predicted
+/// work of every node that has to run is announced before the first one runs, and is done when the node is.
+Result<Evaluation> evaluate(const Plan& plan, const std::vector<std::size_t>& targets, Cache& cache, const Job& job);
 
 /// What `evaluate` would answer if nothing had to be computed; nothing when something has to be.
 std::optional<Evaluation> find_evaluation(const Plan& plan, const std::vector<std::size_t>& targets, Cache& cache);

@@ -90,7 +90,7 @@ Json link_removal(const std::string& node, const NodeEntry& entry, const std::st
       const auto* link = std::get_if<Link>(&input.items[item]);
       if (link != nullptr && link->node == source) linked.push_back(item);
     }
-    if (linked.size() == input.items.size()) {
+    if (!linked.empty() && linked.size() == input.items.size()) {
       patch.push_back({{"op", "remove"}, {"path", input_pointer(node, port)}});
       continue;
     }

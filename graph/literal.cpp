@@ -22,20 +22,29 @@ LiteralProblem out_of_range(const Json& json, const InputSpec& spec) {
   return {"out-of-range", "got " + excerpt(json) + ", accepted is " + range_text(spec.minimum, spec.maximum)};
 }
 
+/// `json` is what is repeated of a value that is refused.
+LiteralResult number_at(const InputPort& port, double value, const Json& json) {
+  if (outside(value, port.spec)) return out_of_range(json, port.spec);
+  return Argument(Value{{}, single_column(value)});
+}
+
 LiteralResult read_number(const Json& json, const InputPort& port) {
   if (!json.is_number()) return mismatch(json, "a number");
   const double value = json.get<double>();
   if (!std::isfinite(value)) return LiteralProblem{"non-finite", "the number is not finite"};
-  if (outside(value, port.spec)) return out_of_range(json, port.spec);
-  return Argument(Value{{}, single_column(value)});
+  return number_at(port, value, json);
+}
+
+LiteralResult integer_at(const InputPort& port, double value, const Json& json) {
+  if (std::abs(value) > largest_exact_integer || outside(value, port.spec)) return out_of_range(json, port.spec);
+  return Argument(Literal(static_cast<std::int64_t>(value)));
 }
 
 LiteralResult read_integer(const Json& json, const InputPort& port) {
   if (!json.is_number()) return mismatch(json, "a whole number");
   const double value = json.get<double>();
   if (value != std::floor(value)) return mismatch(json, "a whole number");
-  if (std::abs(value) > largest_exact_integer || outside(value, port.spec)) return out_of_range(json, port.spec);
-  return Argument(Literal(static_cast<std::int64_t>(value)));
+  return integer_at(port, value, json);
 }
 
 /// The numbers of an array of `least` to `most` finite numbers; empty when it is anything else.
@@ -66,21 +75,26 @@ LiteralResult read_color(const Json& json) {
   return Argument(Literal(Color{numbers[0], numbers[1], numbers[2], numbers[3]}));
 }
 
-LiteralResult read_choice(const Json& json, const InputPort& port) {
+std::string words_of(const InputPort& port) {
   std::string accepted;
   for (const std::string& word : port.choices) accepted += (accepted.empty() ? "" : ", ") + word;
-  if (!json.is_string()) return mismatch(json, "one of " + accepted);
-  const auto& word = json.get_ref<const std::string&>();
+  return accepted;
+}
+
+LiteralResult choice_at(const InputPort& port, const std::string& word, const Json& json) {
   if (std::find(port.choices.begin(), port.choices.end(), word) == port.choices.end()) {
-    return LiteralProblem{"not-in-choices", "got " + excerpt(json) + ", accepted are " + accepted};
+    return LiteralProblem{"not-in-choices", "got " + excerpt(json) + ", accepted are " + words_of(port)};
   }
   return Argument(Literal(word));
 }
 
-LiteralResult read_text(const Json& json, const InputPort& port) {
+LiteralResult read_choice(const Json& json, const InputPort& port) {
+  if (!json.is_string()) return mismatch(json, "one of " + words_of(port));
+  return choice_at(port, json.get_ref<const std::string&>(), json);
+}
+
+LiteralResult text_at(const InputPort& port, const std::string& text, const Json& json) {
   constexpr std::size_t longest_axis_name = 64;
-  if (!json.is_string()) return mismatch(json, "a text");
-  const auto& text = json.get_ref<const std::string&>();
   const bool control =
       std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
   if (port.spec.is_axis_name && (text.size() > longest_axis_name || control)) {
@@ -98,7 +112,26 @@ LiteralResult read_text(const Json& json, const InputPort& port) {
   return Argument(Literal(text));
 }
 
+LiteralResult read_text(const Json& json, const InputPort& port) {
+  if (!json.is_string()) return mismatch(json, "a text");
+  return text_at(port, json.get_ref<const std::string&>(), json);
+}
+
+/// The number or whole number that a parameter holds.
+double number_of(const Argument& value) {
+  if (const auto* literal = std::get_if<Literal>(&value)) return static_cast<double>(std::get<std::int64_t>(*literal));
+  return column_of<double>(std::get<Value>(value))[0];
+}
+
+const std::string& text_of(const Argument& value) { return std::get<std::string>(std::get<Literal>(value)); }
+
 }  // namespace
+
+const LiteralResult& Readings::as(WireType type) const {
+  static const LiteralResult none = LiteralProblem{};
+  const auto found = std::ranges::find(each_, type, [](const auto& reading) { return reading.first; });
+  return found == each_.end() ? none : found->second;
+}
 
 LiteralResult read_literal(const Json& json, WireType type, const InputPort& port) {
   switch (type) {
@@ -127,6 +160,32 @@ LiteralResult read_literal(const Json& json, WireType type, const InputPort& por
       break;
   }
   return mismatch(json, "a link to a " + std::string(name(type)));
+}
+
+Readings read_literal(const Json& json, const InputPort& port) {
+  Readings readings;
+  for (const WireType type : port.types) readings.add(type, read_literal(json, type, port));
+  return readings;
+}
+
+LiteralResult given_to(const InputPort& port, WireType type, const ParameterValue& parameter) {
+  const auto& [written, value] = parameter;
+  switch (type) {
+    case WireType::number:
+      return number_at(port, number_of(value), written);
+    case WireType::integer:
+      return integer_at(port, number_of(value), written);
+    case WireType::choice:
+      return choice_at(port, text_of(value), written);
+    case WireType::text:
+      return text_at(port, text_of(value), written);
+    case WireType::point: {
+      const Vector vector = column_of<Vector>(std::get<Value>(value))[0];
+      return Argument(Value{{}, single_column(Point{vector.x, vector.y, vector.z})});
+    }
+    default:
+      return value;
+  }
 }
 
 bool has_literals(WireType type) {

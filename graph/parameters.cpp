@@ -139,13 +139,16 @@ class ParameterReader {
       problems_.push_back({"required-member-missing", "the parameter has no \"default\"", "", "", pointer_});
       return;
     }
-    parameter_.default_value = json_["default"];
     if (no_value_fits()) return;  // what is said of the limits is enough
+    const Json& written = json_["default"];
     const InputPort port = parameter_port(parameter_);
-    const LiteralResult read = read_literal(parameter_.default_value, parameter_.type, port);
-    if (read) return;
+    LiteralResult read = read_literal(written, parameter_.type, port);
+    if (read) {
+      parameter_.default_value = {written, *std::move(read)};
+      return;
+    }
     const auto& [code, detail] = read.error();
-    add("default", detail, code, acceptable_literal(pointer_ + "/default", code, parameter_.default_value, port));
+    add("default", detail, code, acceptable_literal(pointer_ + "/default", code, written, port));
   }
 
   const Json& json_;
@@ -169,10 +172,15 @@ Result<Parameter> read_parameter(const Json& json, const std::string& pointer) {
   return ParameterReader(json, pointer).read();
 }
 
-Result<std::map<std::string, Json>> resolve_parameters(const Document& document, const Json& given) {
+ParameterValues usual_parameters(const Document& document) {
+  ParameterValues values;
+  for (const auto& [name, parameter] : document.parameters) values.emplace(name, parameter.default_value);
+  return values;
+}
+
+Result<ParameterValues> resolve_parameters(const Document& document, const Json& given) {
   ProblemCollector problems;
-  std::map<std::string, Json> values;
-  for (const auto& [name, parameter] : document.parameters) values[name] = parameter.default_value;
+  ParameterValues values = usual_parameters(document);
   if (!given.is_object())
     return Problem{
         "type-mismatch", "parameters must be an object of values by name", "", "", "/parameters", nullptr, true};
@@ -183,7 +191,7 @@ Result<std::map<std::string, Json>> resolve_parameters(const Document& document,
       continue;
     }
     const InputPort port = parameter_port(parameter->second);
-    const LiteralResult read = read_literal(value, parameter->second.type, port);
+    LiteralResult read = read_literal(value, parameter->second.type, port);
     if (!read) {
       const LiteralProblem& problem = read.error();
       problems.add([&, &wrong = name, &refused = value] {
@@ -196,7 +204,7 @@ Result<std::map<std::string, Json>> resolve_parameters(const Document& document,
       });
       continue;
     }
-    values[name] = value;
+    values[name] = {value, *std::move(read)};
   }
   if (!problems.empty()) return std::move(problems).take();
   return values;

@@ -2,6 +2,11 @@
 
 namespace dini {
 
+std::size_t standing_at(const Plan& plan, std::size_t node) {
+  while (plan.nodes[node].bypass) node = std::get<Source>(plan.nodes[node].bypass->from).node;
+  return node;
+}
+
 std::set<std::string> parameters_behind(const Plan& plan, std::size_t node) {
   std::set<std::string> parameters;
   std::vector<bool> seen(plan.nodes.size());

@@ -73,10 +73,13 @@ struct Cost {
 struct Plan {
   std::vector<PlannedNode> nodes;  ///< every node after the nodes it needs
   std::map<std::string, std::size_t> index;
-  std::map<std::string, Json> parameters;
+  ParameterValues parameters;
   Detail detail;
   Cost cost;
 };
+
+/// The node whose outputs stand at a planned node: itself unless it is bypassed.
+std::size_t standing_at(const Plan& plan, std::size_t node);
 
 /// The graph parameters that can change the outputs of a node.
 std::set<std::string> parameters_behind(const Plan& plan, std::size_t node);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "graph/problem.h"
+#include "graph/reading.h"
 #include "graph/wire.h"
 
 namespace dini {
@@ -100,6 +101,7 @@ struct InputPort {
   bool optional = false;     ///< May be absent and has no default.
   bool names_file = false;   ///< A text that stands for a mesh file.
   bool keeps_apart = false;  ///< Takes values of several types at once, from links.
+  Readings usual = {};       ///< The default.
 
   bool required() const { return !optional && spec.default_value.is_null(); }
 };

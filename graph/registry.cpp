@@ -38,7 +38,8 @@ void complete_ports(NodeType& type) {
   }
 }
 
-void check_input(const NodeType& type, const InputPort& input) {
+/// Reads its default as well.
+void check_input(const NodeType& type, InputPort& input) {
   if (input.name.empty() || input.doc.empty()) refuse(type, "an input lacks its name or its text");
   const InputSpec& spec = input.spec;
   if (spec.minimum && spec.soft_minimum && *spec.soft_minimum < *spec.minimum)
@@ -46,8 +47,8 @@ void check_input(const NodeType& type, const InputPort& input) {
   if (spec.maximum && spec.soft_maximum && *spec.soft_maximum > *spec.maximum)
     refuse(type, input.name + ": soft range");
   if (spec.default_value.is_null()) return;
-  if (!read_literal(spec.default_value, input.types.front(), input))
-    refuse(type, input.name + ": default outside its own range");
+  input.usual = read_literal(spec.default_value, input);
+  if (!input.usual.as(input.types.front())) refuse(type, input.name + ": default outside its own range");
 }
 
 /// A handle turns a drag into a literal, so it can only set points, vectors and numbers, and stands at inputs that are
@@ -91,7 +92,7 @@ void Registry::add(NodeType type) {
   complete_ports(type);
   check_names(type, type.inputs);
   check_names(type, type.outputs);
-  for (const InputPort& input : type.inputs) {
+  for (InputPort& input : type.inputs) {
     check_input(type, input);
     check_handle(type, input);
   }

@@ -9,11 +9,12 @@ namespace dini {
 
 namespace {
 
-/// Something given to an input, before its type is settled: a wire, or JSON from the document or from a parameter.
-/// `pointer` is its place in the document.
+/// Something given to an input, before its type is settled: a wire, a literal of the document or the default of the
+/// card, or a parameter. `pointer` is its place in the document; a default has none.
 struct Given {
-  std::optional<PlannedItem> wire;
-  Json literal;
+  std::optional<PlannedItem> wire = {};
+  const Json* written = nullptr;
+  const Readings* readings = nullptr;
   const std::pair<const std::string, Parameter>* parameter = nullptr;
   std::string pointer = {};
 };
@@ -80,13 +81,7 @@ class Resolver {
       if (entry == entry_.inputs.end()) continue;
       const InputEntry& input = entry->second;
       listed_[port] = input.list;
-      const auto* literal = input.list ? nullptr : std::get_if<Json>(&input.items.front());
-      if (literal != nullptr && literal->is_array() && type_.inputs[port].spec.takes_several) {
-        listed_[port] = true;
-        for (const Json& item : *literal) given_[port].push_back({{}, item});
-      } else {
-        for (const InputItem& item : input.items) given_[port].push_back(look_up(item, port));
-      }
+      for (const InputItem& item : input.items) given_[port].push_back(look_up(item, port));
       const std::string place = input_pointer(id_, type_.inputs[port].name);
       for (std::size_t item = 0; item < given_[port].size(); ++item) {
         given_[port][item].pointer = place + (listed_[port] ? "/" + std::to_string(item) : "");
@@ -95,11 +90,13 @@ class Resolver {
   }
 
   Given look_up(const InputItem& item, std::size_t port) {
-    if (const auto* link = std::get_if<Link>(&item)) return {wire(*link, type_.inputs[port].name), nullptr};
+    if (const auto* link = std::get_if<Link>(&item)) return {.wire = wire(*link, type_.inputs[port].name)};
     if (const auto* reference = std::get_if<ParameterReference>(&item)) {
-      return {{}, plan_.parameters.at(reference->name), &*document_.parameters.find(reference->name)};
+      return {.written = &plan_.parameters.at(reference->name).written,
+              .parameter = &*document_.parameters.find(reference->name)};
     }
-    return {{}, std::get<Json>(item)};
+    const auto& literal = std::get<WrittenLiteral>(item);
+    return {.written = &literal.written, .readings = &literal.readings};
   }
 
   PlannedItem wire(const Link& link, const std::string& port) {
@@ -164,7 +161,7 @@ class Resolver {
       if (item.wire) {
         read_wire(overload, port, *item.wire, resolved);
       } else {
-        read_json(overload, port, item, resolved);
+        take_literal(overload, port, item, resolved);
       }
     }
     if (listed_[port] && !overload.inputs[port].is_mixed()) input.list_axis = Axis{"", given.size(), false};
@@ -182,8 +179,7 @@ class Resolver {
       return;
     }
     if (card.optional) return;
-    const Given standard{{}, card.spec.default_value};
-    read_json(overload, port, standard, resolved);
+    take_literal(overload, port, {.written = &card.spec.default_value, .readings = &card.usual}, resolved);
   }
 
   void read_wire(const Overload& overload, std::size_t port, const PlannedItem& item, Resolved& resolved) const {
@@ -210,7 +206,16 @@ class Resolver {
     }
   }
 
-  void read_json(const Overload& overload, std::size_t port, const Given& given, Resolved& resolved) const {
+  /// What is given means at this function, or why it means nothing there.
+  LiteralResult reading_of(const Overload& overload, std::size_t port, const Given& given) const {
+    const InputPort& card = type_.inputs[port];
+    const InputSlot& slot = overload.inputs[port];
+    if (slot.is_mixed()) return LiteralProblem{"type-mismatch", "expected a link to a " + names_of(card.types)};
+    if (given.parameter == nullptr) return given.readings->as(slot.type);
+    return given_to(card, slot.type, plan_.parameters.at(given.parameter->first));
+  }
+
+  void take_literal(const Overload& overload, std::size_t port, const Given& given, Resolved& resolved) const {
     const InputPort& card = type_.inputs[port];
     const WireType wanted = overload.inputs[port].type;
     if (given.parameter != nullptr && !parameter_fits(given.parameter->second.type, wanted)) {
@@ -221,15 +226,13 @@ class Resolver {
       });
       return;
     }
-    LiteralResult read = overload.inputs[port].is_mixed()
-                             ? LiteralProblem{"type-mismatch", "expected a link to a " + names_of(card.types)}
-                             : read_literal(given.literal, wanted, card);
+    LiteralResult read = reading_of(overload, port, given);
     if (!read) {
       const LiteralProblem& wrong = read.error();
       add(resolved, card.name, [&] {
         const bool written_here = given.parameter == nullptr && !given.pointer.empty();
         return problem(wrong.code, card.name, card.name + driver_text(given) + ": " + wrong.detail,
-                       written_here ? acceptable_literal(given.pointer, wrong.code, given.literal, card) : Json());
+                       written_here ? acceptable_literal(given.pointer, wrong.code, *given.written, card) : Json());
       });
       stand_in(port, wanted, resolved);
       return;
@@ -258,7 +261,7 @@ class Resolver {
   void stand_in(std::size_t port, WireType wanted, Resolved& resolved) const {
     const InputPort& card = type_.inputs[port];
     if (card.spec.default_value.is_null() || card.names_file || resolved.node.literals.contains(card.name)) return;
-    LiteralResult argument = read_literal(card.spec.default_value, wanted, card);
+    LiteralResult argument = card.usual.as(wanted);
     if (!argument) return;
     if (const auto* literal = std::get_if<Literal>(&*argument)) resolved.node.literals[card.name] = *literal;
     resolved.node.inputs[port].items.push_back({*std::move(argument), {wanted, {}, 0}});

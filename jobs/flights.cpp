@@ -6,12 +6,12 @@
 
 namespace dini::jobs {
 
-/// One work and everybody who is interested in it. All members but `cancel` and what `work` does belong to the lock of
+/// One work and everybody who is interested in it. All members but `job` and what `work` does belong to the lock of
 /// the flights.
 class Flights::Flight {
  public:
   Digest key{};
-  Cancel cancel;
+  Job job;
   Work work;
   std::shared_ptr<ComputeQueue::Task> task;
   std::list<std::shared_ptr<Interest>> interests;
@@ -79,6 +79,11 @@ bool Flights::admitted(const std::shared_ptr<ComputeQueue::Task>& task) {
 
 void Flights::Interest::stop(StopReason reason) { flights_->leave(shared_from_this(), reason); }
 
+Progress::State Flights::Interest::progress() const {
+  const std::lock_guard lock(flights_->mutex_);
+  return flight_ != nullptr ? flight_->job.progress.state() : Progress::State{};
+}
+
 void Flights::leave(const std::shared_ptr<Interest>& interest, StopReason reason) {
   std::shared_ptr<Flight> left;
   Begun begun;
@@ -90,7 +95,7 @@ void Flights::leave(const std::shared_ptr<Interest>& interest, StopReason reason
       begun = flight->begun;
       flight->interests.erase(interest->place_);
       if (flight->interests.empty()) {
-        flight->cancel.stop(reason);
+        flight->job.cancel.stop(reason);
         // Whoever asks from now on wants what this work will not give.
         flights_.erase(flight->key);
         left = flight;
@@ -113,7 +118,7 @@ void Flights::fly(Flight& flight) {
   }
   std::shared_ptr<const Outcome> outcome(std::shared_ptr<void>(), &out_of_memory_);
   try {
-    outcome = std::make_shared<const Outcome>(flight.work(flight.cancel));
+    outcome = std::make_shared<const Outcome>(flight.work(flight.job));
   } catch (const std::bad_alloc&) {
     // stays as it is
   } catch (...) {

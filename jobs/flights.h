@@ -9,8 +9,8 @@
 #include <mutex>
 #include <optional>
 
-#include "geometry/cancel.h"
 #include "graph/digest.h"
+#include "graph/job.h"
 #include "graph/problem.h"
 #include "jobs/alarms.h"
 #include "jobs/compute_queue.h"
@@ -43,6 +43,9 @@ class Flights {
     /// Ends it: unless it has been told, it is told now why not. Any thread, any time, more than once.
     void stop(StopReason reason);
 
+    /// How far the work is; nothing once the outcome was told or the interest has ended.
+    Progress::State progress() const;
+
    private:
     friend class Flights;
     Flights* flights_ = nullptr;
@@ -64,12 +67,12 @@ class Flights {
   /// it, or with the problem of `stopped_problem`, on the thread that stopped the interest; it is destroyed then, also
   /// when it throws. Null, and nothing is told, when the queue is full.
   template <class T>
-  std::shared_ptr<Interest> ask(const Terms& terms, std::function<Result<std::shared_ptr<const T>>(const Cancel&)> work,
+  std::shared_ptr<Interest> ask(const Terms& terms, std::function<Result<std::shared_ptr<const T>>(const Job&)> work,
                                 std::function<void(const Result<std::shared_ptr<const T>>&, Begun)> tell) {
     return ask_any(
         terms,
-        [work = std::move(work)](const Cancel& cancel) -> Outcome {
-          auto outcome = work(cancel);
+        [work = std::move(work)](const Job& job) -> Outcome {
+          auto outcome = work(job);
           if (!outcome) return std::move(outcome).problems();
           return std::shared_ptr<const void>(*std::move(outcome));
         },
@@ -82,6 +85,8 @@ class Flights {
   /// Stops every interest there is.
   void stop_all(StopReason reason);
 
+  Alarms& alarms() { return alarms_; }
+
   /// How many works were begun, and how many askers joined one.
   struct Count {
     std::size_t begun = 0;
@@ -90,7 +95,7 @@ class Flights {
   Count count() const;
 
  private:
-  using Work = std::function<Outcome(const Cancel&)>;
+  using Work = std::function<Outcome(const Job&)>;
 
   std::shared_ptr<Interest> ask_any(const Terms& terms, Work work, std::function<void(const Outcome&, Begun)> tell);
   bool admitted(const std::shared_ptr<ComputeQueue::Task>& task);

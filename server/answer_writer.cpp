@@ -51,7 +51,8 @@ std::string answer_head(const Reply& reply, const Exchange& exchange, const Answ
   for (const auto& [name, value] : reply.headers) add(text, name, value);
   if (!reply.type.empty()) add(text, "Content-Type", reply.type);
   // A 304 has no length: it would be that of the full answer.
-  if (has_body(reply.status)) add(text, "Content-Length", std::to_string(reply.size()));
+  if (form.chunked) add(text, "Transfer-Encoding", "chunked");
+  if (has_body(reply.status) && reply.stream == nullptr) add(text, "Content-Length", std::to_string(reply.size()));
   add(text, "Connection", form.close ? "close" : "keep-alive");
   add(text, "X-Request-Id", exchange.id);
   add_timings(text, reply, exchange);
@@ -61,6 +62,16 @@ std::string answer_head(const Reply& reply, const Exchange& exchange, const Answ
   add(text, "Cross-Origin-Opener-Policy", "same-origin");
   add(text, "Cross-Origin-Resource-Policy", "same-origin");
   return text += "\r\n";
+}
+
+std::string chunk_of(std::string_view bytes, bool last) {
+  std::array<char, 32> size{};
+  std::string text;
+  if (!bytes.empty()) {
+    std::snprintf(size.data(), size.size(), "%zx\r\n", bytes.size());
+    text.append(size.data()).append(bytes).append("\r\n");
+  }
+  return last ? text += "0\r\n\r\n" : text;
 }
 
 std::string_view last_resort() {

@@ -7,6 +7,7 @@ namespace dini::server {
 void Application::release_memory() {
   engine.forget();
   known.clear();
+  artifacts.clear();
   jobs::give_back_free_memory();
 }
 

@@ -8,6 +8,7 @@
 #include "jobs/flights.h"
 #include "jobs/supersede.h"
 #include "server/answer_threads.h"
+#include "server/artifacts.h"
 #include "server/call.h"
 #include "server/examples.h"
 #include "server/page.h"
@@ -25,7 +26,8 @@ struct Application {
   AnswerThreads& threads;
   jobs::Flights& flights;
   jobs::Supersede supersede = {};
-  Cache known;  ///< requests that were read and checked, by their exact bytes
+  Cache known;  ///< bodies that were read, by their bytes, and requests that were checked, by their identity
+  Artifacts artifacts;
   StaticAnswer catalogue;
   StaticAnswer document_schema;
   StaticAnswer example_list;

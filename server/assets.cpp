@@ -69,8 +69,8 @@ void add_asset(const Context& context) {
   const Digest key = DigestBuilder().text("asset").digest(sha256(context.request().body)).finish();
   compute<AssetSummary>(
       context, {.key = key, .deadline = deadline_of(context, std::nullopt)},
-      [context](const Cancel& cancel) -> Result<std::shared_ptr<const AssetSummary>> {
-        auto added = context.engine().add_asset(context.request().body, "", cancel);
+      [context](const Job& job) -> Result<std::shared_ptr<const AssetSummary>> {
+        auto added = context.engine().add_asset(context.request().body, "", job.cancel);
         if (!added) return std::move(added).problems();
         return std::make_shared<const AssetSummary>(*std::move(added));
       },

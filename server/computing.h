@@ -22,11 +22,19 @@ void reply_problems(const Context& context, const Problems& problems);
 void take_over(const Context& context, const std::shared_ptr<jobs::Flights::Interest>& interest = nullptr);
 
 /// Lets `work` be done by whoever does it first for that key, and `write` make an answer of its outcome. Problems are
-/// answered as such; nobody waits on this thread.
+/// answered as such; nobody waits on this thread. Null when it is not let in.
+template <class T>
+std::shared_ptr<jobs::Flights::Interest> ask(const Context& context, const jobs::Flights::Terms& terms,
+                                             std::function<Result<std::shared_ptr<const T>>(const Job&)> work,
+                                             std::function<Reply(const std::shared_ptr<const T>&)> write);
+
+/// The same, as the newest request of the client's `Supersede-Key`.
 template <class T>
 void compute(const Context& context, const jobs::Flights::Terms& terms,
-             std::function<Result<std::shared_ptr<const T>>(const Cancel&)> work,
-             std::function<Reply(const std::shared_ptr<const T>&)> write);
+             std::function<Result<std::shared_ptr<const T>>(const Job&)> work,
+             std::function<Reply(const std::shared_ptr<const T>&)> write) {
+  if (const auto interest = ask<T>(context, terms, std::move(work), std::move(write))) take_over(context, interest);
+}
 
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -38,9 +46,9 @@ void refuse_busy(const Context& context);
 Reply problems_reply(const Context& context, const Problems& problems);
 
 template <class T>
-void compute(const Context& context, const jobs::Flights::Terms& terms,
-             std::function<Result<std::shared_ptr<const T>>(const Cancel&)> work,
-             std::function<Reply(const std::shared_ptr<const T>&)> write) {
+std::shared_ptr<jobs::Flights::Interest> ask(const Context& context, const jobs::Flights::Terms& terms,
+                                             std::function<Result<std::shared_ptr<const T>>(const Job&)> work,
+                                             std::function<Reply(const std::shared_ptr<const T>&)> write) {
   using Outcome = Result<std::shared_ptr<const T>>;
   const auto asked = jobs::Flights::Clock::now();
   const auto interest =
@@ -55,9 +63,12 @@ void compute(const Context& context, const jobs::Flights::Terms& terms,
                                              return problems_reply(context, {late_problem(context, deadline, begun)});
                                            });
                                          });
-  if (interest == nullptr) return refuse_busy(context);
-  context.call->watch(interest);
-  take_over(context, interest);
+  if (interest == nullptr) {
+    refuse_busy(context);
+  } else {
+    context.call->watch(interest);
+  }
+  return interest;
 }
 
 }  // namespace dini::server

@@ -28,6 +28,16 @@ Access access_of(std::string_view input) {
   return {.method = std::string(line.substr(0, space)), .path = std::string(target)};
 }
 
+/// Bytes that are held for this answer alone.
+std::size_t held_alone(const Reply& reply) {
+  if (reply.stream != nullptr) return reply.stream->room();
+  std::size_t held = 0;
+  for (const SharedBytes& piece : reply.body) {
+    if (piece.use_count() == 1) held += piece->size();
+  }
+  return held;
+}
+
 bool accepts_gzip(std::string_view encodings) {
   const std::string lower = to_lower(encodings);
   return lower.find("gzip") != std::string::npos && lower.find("gzip;q=0") == std::string::npos;
@@ -69,6 +79,7 @@ void Connection::watch(std::shared_ptr<jobs::Flights::Interest> interest) {
 void Connection::close() noexcept {
   if (state_ == State::closed) return;
   if (state_ == State::writing) write_log();  // what was not taken is in the log too
+  if (is_streaming()) reply_->stream = nullptr;
   state_ = State::closed;
   home_.give_incoming(std::exchange(held_incoming_, 0));
   home_.give_unsent(std::exchange(held_unsent_, 0));
@@ -99,6 +110,7 @@ void Connection::on_woken(std::span<char> buffer) {
     reply = std::move(delivered_);
   }
   if (has_reply && state_ == State::answering) begin_answer(std::move(reply));
+  if (state_ == State::writing && is_streaming()) write();
   read(buffer);
 }
 
@@ -227,20 +239,26 @@ void Connection::refuse(Reply reply) {
 void Connection::begin_answer(std::unique_ptr<Reply> reply) {
   home_.give_incoming(std::exchange(held_incoming_, 0));
   last_ = last_ || home_.is_draining();
-  std::size_t held = 0;
-  for (std::size_t i = 0; reply != nullptr && i < reply->body.size(); ++i) {
-    if (reply->body[i].use_count() == 1) held += reply->body[i]->size();  // held for this answer alone
-  }
+  const bool head_only = access_.method == "HEAD";
+  if (reply != nullptr && head_only) reply->stream = nullptr;
+  const std::size_t held = reply != nullptr ? held_alone(*reply) : 0;
   if (held > 0 && !home_.take_unsent(held)) {
     *reply = refusal({.code = "busy", .detail = "Too many large answers wait to be taken; try again in a moment."},
                      *exchange_);
-    held = 0;
+  } else {
+    held_unsent_ = held;
   }
-  held_unsent_ = held;
   reply_ = std::move(reply);
-  const bool head_only = access_.method == "HEAD";
+  if (is_streaming()) {
+    chunked_ = head_ && !head_->is_old;
+    last_ = last_ || !chunked_;
+    reply_->stream->when_filled([weak = weak_from_this()] {
+      if (const auto connection = weak.lock()) connection->home_.wake(connection);
+    });
+  }
   if (reply_ != nullptr) {
-    answer_head_ = answer_head(*reply_, *exchange_, {.head_only = head_only, .close = last_});
+    answer_head_ = answer_head(*reply_, *exchange_,
+                               {.head_only = head_only, .close = last_, .chunked = is_streaming() && chunked_});
     access_.status = reply_->status;
     answer_size_ = answer_head_.size() + (head_only ? 0 : reply_->size());
   } else {
@@ -249,14 +267,36 @@ void Connection::begin_answer(std::unique_ptr<Reply> reply) {
     answer_size_ = last_resort().size();
   }
   state_ = State::writing;
-  since_ = Clock::now();
-  deadline_ = since_ + home_.settings().write_deadline;
+  sent_before_ = 0;
   written_ = probed_ ? answer_beginning.size() : 0;
-  written_before_ = written_;
+  begin_wait_for_peer();
   write();
 }
 
+void Connection::begin_wait_for_peer() {
+  since_ = Clock::now();
+  deadline_ = since_ + home_.settings().write_deadline;
+  written_before_ = written_;
+}
+
 void Connection::write() {
+  while (send_all()) {
+    if (!is_streaming()) return finish_answer();
+    switch (refill()) {
+      case Refill::more:
+        begin_wait_for_peer();
+        break;
+      case Refill::waits:
+        deadline_ = Clock::time_point::max();  // its maker has deadlines of its own
+        return;
+      case Refill::cut:
+        return close();
+    }
+  }
+}
+
+/// False when the peer has to take something first, or the connection is over.
+bool Connection::send_all() {
   while (written_ < answer_size_) {
     std::vector<std::string_view> pieces;
     std::size_t skip = written_;
@@ -274,15 +314,33 @@ void Connection::write() {
       }
     }
     const Socket::Moved sent = socket_.write(pieces);
-    if (sent.outcome == Socket::Outcome::ended) return close();
-    if (sent.outcome == Socket::Outcome::would_wait) return;
+    if (sent.outcome == Socket::Outcome::ended) {
+      close();
+      return false;
+    }
+    if (sent.outcome == Socket::Outcome::would_wait) return false;
     written_ += sent.bytes;
   }
-  finish_answer();
+  return true;
+}
+
+/// Takes what there is of a stream to be sent next.
+Connection::Refill Connection::refill() {
+  BodyReader::Taken taken = reply_->stream->take();
+  sent_before_ += std::exchange(written_, 0);
+  const bool finished = taken.state == BodyReader::State::finished;
+  answer_head_ = chunked_ ? chunk_of(taken.bytes, finished) : std::move(taken.bytes);
+  answer_size_ = answer_head_.size();
+  if (finished) {
+    reply_->stream = nullptr;
+    return Refill::more;
+  }
+  if (answer_size_ > 0) return Refill::more;
+  return taken.state == BodyReader::State::cut ? Refill::cut : Refill::waits;
 }
 
 void Connection::write_log() noexcept {
-  access_.bytes = written_;
+  access_.bytes = sent_before_ + written_;
   if (exchange_) home_.log(access_, *exchange_);
 }
 

@@ -108,6 +108,11 @@ class Connection final : public Asker, public std::enable_shared_from_this<Conne
   void refuse(Reply reply);
   void begin_answer(std::unique_ptr<Reply> reply);
   void write();
+  bool send_all();
+  bool is_streaming() const { return reply_ != nullptr && reply_->stream != nullptr; }
+  enum class Refill { more, waits, cut };
+  Refill refill();
+  void begin_wait_for_peer();
   void finish_answer();
   void linger();
   void expect_request();
@@ -133,7 +138,9 @@ class Connection final : public Asker, public std::enable_shared_from_this<Conne
   bool last_ = false;  ///< no further request is taken
 
   std::unique_ptr<Reply> reply_;
-  std::string answer_head_;
+  std::string answer_head_;  ///< then, of a stream, whichever piece is being sent
+  bool chunked_ = false;
+  std::size_t sent_before_ = 0;  ///< of a stream, in earlier pieces
   std::size_t written_ = 0;
   std::size_t answer_size_ = 0;
   std::size_t written_before_ = 0;  ///< at the beginning of the current time to write in

@@ -5,6 +5,7 @@
 #include "server/negotiation.h"
 #include "server/responses.h"
 #include "server/text.h"
+#include "service/identity.h"
 #include "service/requests/requests.h"
 #include "service/requests/schema.h"
 
@@ -68,11 +69,12 @@ class Multipart {
   std::vector<SharedBytes> pieces_;
 };
 
-/// A request that was read and checked.
-struct KnownRequest {
+using SharedBody = std::shared_ptr<const EvaluateBody>;
+
+/// A request with what its check came to.
+struct CheckedRequest {
+  SharedBody body;
   SharedPrepared prepared;
-  std::string output;
-  std::optional<std::int64_t> deadline_milliseconds;
 };
 
 /// One tag for the result in all its forms that holds no times: it is strong for the model. What a report tells has a
@@ -81,7 +83,7 @@ std::string tag_for(std::string_view type, const Prepared& prepared) {
   return is_model(type) ? prepared.model_tag : "W/" + prepared.report_tag;
 }
 
-Reply evaluated_reply(const Context& context, std::string_view type, const KnownRequest& request,
+Reply evaluated_reply(const Context& context, std::string_view type, const CheckedRequest& request,
                       const Computed& computed) {
   const Prepared& prepared = *request.prepared;
   for (const auto& [step, took] : computed.milliseconds) context.call->note_time(step, took);
@@ -89,7 +91,7 @@ Reply evaluated_reply(const Context& context, std::string_view type, const Known
               .headers = {{"ETag", tag_for(type, prepared)}, {"Cache-Control", "no-cache"}, {"Vary", "Accept"}}};
   if (is_model(type)) {
     const File& file = computed.model != nullptr ? *computed.model : *computed.preview;
-    const std::string name = file_name(computed.model != nullptr ? request.output : "preview", file);
+    const std::string name = file_name(computed.model != nullptr ? request.body->output : "preview", file);
     reply.body = {file.bytes};
     reply.headers.emplace_back("Content-Disposition", "inline; filename=\"" + name + "\"");
     return reply;
@@ -104,45 +106,50 @@ Reply evaluated_reply(const Context& context, std::string_view type, const Known
   const auto add = [&](const char* part, const SharedFile& file, const std::string& name) {
     if (file != nullptr) parts.add(part, file->media_type, file->bytes, file_name(name, *file));
   };
-  add("model", computed.model, request.output);
+  add("model", computed.model, request.body->output);
   add("preview", computed.preview, "preview");
   std::move(parts).finish(reply);
   return reply;
 }
 
-/// Reads and checks a request for a type of answer, unless the very same bytes were read and checked before. Null when
-/// it has been answered that it is wrong.
-std::shared_ptr<const KnownRequest> read_request(const Context& context, std::string_view type) {
+/// What the body of a request says. The very same bytes say the same, so they are not read twice.
+Result<SharedBody> read_body(const Context& context, const std::string& format) {
   const Request& request = context.request();
+  const Digest bytes =
+      DigestBuilder().text("body").text(request.header("Content-Type")).text(format).text(request.body).finish();
+  Cache& known = context.application.known;
+  if (SharedBody read = known.find<EvaluateBody>(bytes)) return read;
+  auto json = read_json(context);
+  if (!json) return json.problems();
+  auto read = read_evaluate_body(*std::move(json), context.engine());
+  if (!read) return read.problems();
+  read->format = format;
+  auto body = std::make_shared<const EvaluateBody>(*std::move(read));
+  known.insert<EvaluateBody>(bytes, body, memory_of(*body));
+  return SharedBody(std::move(body));
+}
+
+/// Reads and checks a request for a type of answer, unless one of its identity was checked before. Nothing when it has
+/// been answered that it is wrong.
+std::optional<CheckedRequest> read_request(const Context& context, std::string_view type) {
   const FileFormat* format = is_model(type) ? format_of_type(context.engine().formats(), type) : nullptr;
-  const std::string format_name = format != nullptr ? format->name : "";
-  const Digest digest = DigestBuilder()
-                            .text("request")
-                            .text(request.header("Content-Type"))
-                            .text(format_name)
-                            .text(request.body)
-                            .finish();
-  if (auto known = context.application.known.find<KnownRequest>(digest)) return known;
   const auto refuse = [&](const Reply& reply) {
     context.call->reply(reply);
-    return nullptr;
+    return std::nullopt;
   };
-  auto json = read_json(context);
-  if (!json) return refuse(problem_reply(json.problems(), context.exchange()));
-  auto asked = read_evaluate_body(*std::move(json));
-  if (!asked) return refuse(problem_reply(asked.problems(), context.exchange()));
-  auto read = std::make_shared<KnownRequest>();
-  asked->format = format_name;
-  read->output = asked->output;
-  read->deadline_milliseconds = asked->deadline_milliseconds;
-  const Cancel cancel(deadline_of(context, read->deadline_milliseconds));
-  auto prepared = context.engine().prepare(*asked, cancel);
+  const Result<SharedBody> read = read_body(context, format != nullptr ? format->name : "");
+  if (!read) return refuse(problem_reply(read.problems(), context.exchange()));
+  const SharedBody& body = *read;
+  const Digest identity = identity_of(*body);
+  Cache& known = context.application.known;
+  if (auto prepared = known.find<Prepared>(identity)) return CheckedRequest{body, std::move(prepared)};
+  const Cancel cancel(deadline_of(context, body->deadline_milliseconds));
+  auto prepared = context.engine().prepare(*body, cancel);
   if (!prepared) {
-    return refuse(problem_reply(prepared.problems(), context.exchange(), context.engine().blocked(*asked, cancel)));
+    return refuse(problem_reply(prepared.problems(), context.exchange(), context.engine().blocked(*body, cancel)));
   }
-  read->prepared = *std::move(prepared);
-  context.application.known.insert<KnownRequest>(digest, read, read->prepared->held);
-  return read;
+  known.insert<Prepared>(identity, *prepared, (*prepared)->held);
+  return CheckedRequest{body, *std::move(prepared)};
 }
 
 /// Whether a client has what it asks for. On anything but a GET `*` would mean "only if there is nothing yet", which
@@ -202,7 +209,7 @@ void evaluate(const Context& context) {
     return reply_problems(context, {{.code = "not-acceptable", .detail = "Available are " + list + "."}});
   }
   const auto request = read_request(context, *type);
-  if (request == nullptr) return take_over(context);  // a wrong request is newer all the same
+  if (!request) return take_over(context);  // a wrong request is newer all the same
   const SharedPrepared prepared = request->prepared;
   if (is_known_to_client(context, *type, *prepared)) {
     take_over(context);
@@ -220,10 +227,10 @@ void evaluate(const Context& context) {
       {.key = prepared->content,
        .bytes = prepared->bytes,
        .work = prepared->work,
-       .deadline = deadline_of(context, request->deadline_milliseconds)},
-      [&engine = context.engine(), prepared](const Cancel& cancel) { return engine.compute(*prepared, cancel); },
-      [context, request, type = *type](const SharedComputed& computed) {
-        return evaluated_reply(context, type, *request, *computed);
+       .deadline = deadline_of(context, request->body->deadline_milliseconds)},
+      [&engine = context.engine(), prepared](const Job& job) { return engine.compute(*prepared, job); },
+      [context, request = *request, type = *type](const SharedComputed& computed) {
+        return evaluated_reply(context, type, request, *computed);
       });
 }
 

@@ -14,7 +14,7 @@ Problem bad_example(const std::filesystem::path& path, const std::string& why) {
 
 /// The first thing that is wrong with a document, in words; empty when nothing is.
 std::string first_error(const Engine& engine, const Json& graph) {
-  const Result<Json> verdict = engine.validate(graph, Json::object(), {});
+  const Result<Json> verdict = engine.validate(*engine.read(graph), Json::object(), {});
   if (!verdict) return verdict.problems().front().detail;
   if (verdict->value("valid", false)) return {};
   const Json errors = verdict->value("errors", Json::array());

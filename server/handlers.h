@@ -46,6 +46,12 @@ Operation describe_inspect();
 /// The model, the report, or both.
 void evaluate(const Context& context);
 Operation describe_evaluate();
+/// Many settings of the parameters of a graph.
+void sweep(const Context& context);
+Operation describe_sweep();
+/// A file that was made.
+Reply artifact(const Context& context);
+Operation describe_artifact();
 /// A mesh file for `import`.
 void add_asset(const Context& context);
 Operation describe_add_asset();

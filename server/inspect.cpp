@@ -1,6 +1,7 @@
 #include "server/computing.h"
 #include "server/handlers.h"
 #include "server/responses.h"
+#include "service/identity.h"
 #include "service/requests/requests.h"
 #include "service/requests/schema.h"
 
@@ -27,15 +28,14 @@ Operation describe_inspect() {
 void inspect(const Context& context) {
   auto json = read_json(context);
   if (!json) return reply_problems(context, json.problems());
-  auto body = read_inspect_body(*std::move(json));
+  auto body = read_inspect_body(*std::move(json), context.engine());
   if (!body) return reply_problems(context, body.problems());
   const auto deadline = deadline_of(context, body->deadline_milliseconds);
   const auto request = std::make_shared<const InspectRequest>(*std::move(body));
 
-  const Digest key = DigestBuilder().text("inspect").text(context.request().body).finish();
   compute<std::string>(
-      context, {.key = key, .deadline = deadline},
-      [&engine = context.engine(), request](const Cancel& cancel) { return engine.inspect(*request, cancel); },
+      context, {.key = identity_of(*request), .deadline = deadline},
+      [&engine = context.engine(), request](const Job& job) { return engine.inspect(*request, job); },
       [](const SharedBytes& text) {
         return Reply{.type = "application/json", .body = {text}, .headers = {{"Cache-Control", "no-store"}}};
       });

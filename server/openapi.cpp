@@ -100,6 +100,9 @@ Json operation_json(const Operation& operation, const Route& route, bool head) {
   for (const auto& [status, codes] : by_status(operation, route)) {
     responses[std::to_string(status)] = problems_json(status, codes, head);
   }
+  if (head) {
+    for (const char* const of_ranges : {"206", "416"}) responses.erase(of_ranges);  // parts are for GET only
+  }
   Json json = {{"operationId", operation.id + (head ? "Head" : "")},
                {"tags", {operation.group}},
                {"summary", operation.title + (head ? " (the headers alone)" : "")},

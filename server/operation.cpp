@@ -11,6 +11,8 @@ constexpr std::array headers = {
     AnswerHeader{"ETag", "A hash of everything that can influence the answer; weak (`W/`) for one that holds times."},
     AnswerHeader{"Cache-Control", "How long the answer may be kept, and whether it must be asked about."},
     AnswerHeader{"Content-Disposition", "The name that a file would be saved under."},
+    AnswerHeader{"Accept-Ranges", "`bytes`: parts of the file can be asked for."},
+    AnswerHeader{"Content-Range", "Which part of how many bytes this is."},
     AnswerHeader{"Vary", "The headers of the request that the answer depends on."},
     AnswerHeader{"Allow", "The methods that the address takes; with 405."},
     AnswerHeader{"Retry-After", "Seconds to wait before the next try; with 503."},

@@ -6,14 +6,17 @@
 #include <vector>
 
 #include "graph/file.h"
+#include "server/body_stream.h"
 
 namespace dini::server {
 
-/// An answer before it is put on the wire. Its body is in pieces that may be shared with other answers: none is copied.
+/// An answer before it is put on the wire. Its body is in pieces that may be shared with other answers, none is copied; or
+/// it is a stream, made while it is sent.
 struct Reply {
   int status = 200;
   std::string type = {};  ///< media type; empty without a body
   std::vector<SharedBytes> body = {};
+  std::shared_ptr<BodyReader> stream = {};  ///< instead of `body`
   std::vector<std::pair<std::string, std::string>> headers = {};
   std::vector<std::pair<std::string, double>> timings = {};  ///< name and milliseconds, for Server-Timing
 

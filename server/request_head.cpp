@@ -182,7 +182,7 @@ std::optional<Problem> read_framing(RequestHead& head) {
     } else if (lower == "connection") {
       const std::string options = to_lower(value);
       head.close = head.close || std::ranges::count(split(options, ','), std::string_view("close")) > 0;
-    } else if (lower != "range" && lower != "if-range" && lower != "content-encoding") {
+    } else if (lower != "content-encoding") {
       hosts += lower == "host" ? 1 : 0;
       kept.emplace_back(std::move(name), std::move(value));
     }

@@ -20,6 +20,7 @@ struct StatusTitle {
 constexpr std::array status_titles = {
     StatusTitle{200, "OK", ""},
     StatusTitle{201, "Created", ""},
+    StatusTitle{206, "Partial Content", ""},
     StatusTitle{304, "Not Modified", ""},
     StatusTitle{400, "Bad Request", "The request could not be read"},
     StatusTitle{401, "Unauthorized", "A token is needed"},
@@ -33,6 +34,7 @@ constexpr std::array status_titles = {
     StatusTitle{413, "Payload Too Large", "The body is too large"},
     StatusTitle{414, "URI Too Long", "The address is too long"},
     StatusTitle{415, "Unsupported Media Type", "The body has the wrong media type"},
+    StatusTitle{416, "Range Not Satisfiable", "The file is shorter than that"},
     StatusTitle{417, "Expectation Failed", "The expectation cannot be met"},
     StatusTitle{421, "Misdirected Request", "This host is not served here"},
     StatusTitle{422, "Unprocessable Entity", "The graph cannot be evaluated"},

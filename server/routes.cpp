@@ -32,6 +32,8 @@ constexpr std::array all_routes = {
     Route{"POST", "/v1/evaluate", evaluate, describe_evaluate, graph_body},
     Route{"POST", "/v1/validate", validate, describe_validate, graph_body},
     Route{"POST", "/v1/inspect", inspect, describe_inspect, graph_body},
+    Route{"POST", "/v1/sweeps", sweep, describe_sweep, graph_body},
+    Route{"GET", "/v1/artifacts/{sha256}", artifact, describe_artifact},
     Route{"POST", "/v1/assets", add_asset, describe_add_asset, file_body},
 };
 

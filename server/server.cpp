@@ -62,6 +62,7 @@ struct Server::State {
                     .threads = threads,
                     .flights = flights,
                     .known = Cache(settings.known_bytes),
+                    .artifacts = Artifacts(settings.artifact_bytes),
                     .catalogue = static_answer(dump(engine.catalogue())),
                     .document_schema = static_answer(dump(document_schema(engine.catalogue()))),
                     .example_list = {},

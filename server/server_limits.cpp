@@ -22,6 +22,8 @@ constexpr std::array limits = {
                     "half of the machine's"},
     Limit<Settings>{"known_bytes", "bytes", &Settings::known_bytes,
                     "of memory for requests that need not be read again", 0},
+    Limit<Settings>{"artifact_bytes", "bytes", &Settings::artifact_bytes,
+                    "of memory for files that can be fetched by their hash", 0},
     Limit<Settings>{"head_bytes", "bytes", &Settings::head_bytes, "of the request line and all headers", 256, 1 << 24},
     Limit<Settings>{"line_bytes", "bytes", &Settings::line_bytes, "of the request line, and of each header", 128,
                     1 << 24},

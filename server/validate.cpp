@@ -23,10 +23,10 @@ Operation describe_validate() {
 Reply validate(const Context& context) {
   auto json = read_json(context);
   if (!json) return problem_reply(json.problems(), context.exchange());
-  const auto body = read_validate_body(*std::move(json));
+  const auto body = read_validate_body(*std::move(json), context.engine());
   if (!body) return problem_reply(body.problems(), context.exchange());
   const Cancel cancel(deadline_of(context, body->deadline_milliseconds));
-  const Result<Json> verdict = context.engine().validate(body->graph, body->parameters, cancel);
+  const Result<Json> verdict = context.engine().validate(*body->graph, body->parameters, cancel);
   if (!verdict) return problem_reply(verdict.problems(), context.exchange());
   Reply reply = json_reply(*verdict);
   reply.headers.emplace_back("Cache-Control", "no-store");

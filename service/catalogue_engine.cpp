@@ -12,6 +12,7 @@
 #include "nodes/all.h"
 #include "nodes/formats.h"
 #include "service/asset_reader.h"
+#include "service/document_graph.h"
 #include "service/places.h"
 #include "service/preview.h"
 #include "service/version.h"
@@ -108,16 +109,28 @@ Result<AssetSummary> CatalogueEngine::add_asset(std::string_view bytes, const st
                       .warnings = file.content.warnings};
 }
 
-Result<Json> CatalogueEngine::validate(const Json& graph, const Json& parameters, const Cancel& cancel,
+SharedGraph CatalogueEngine::read(const Json& document) const {
+  const Digest hash = graph_hash(document);
+  // Of what is in no hash, this can be wrong.
+  const auto schema = document.find("$schema");
+  const bool is_well = schema == document.end() || schema->is_string();
+  const Digest key = DigestBuilder().text("graph").digest(hash).finish();
+  if (auto known = is_well ? cache_.find<DocumentGraph>(key) : nullptr) return known;
+  auto graph = std::make_shared<const DocumentGraph>(document, hash, limits_, registry_);
+  if (graph->document) cache_.insert<DocumentGraph>(key, graph, graph->held);
+  return graph;
+}
+
+Result<Json> CatalogueEngine::validate(const Graph& graph, const Json& parameters, const Cancel& cancel,
                                        Sent sent) const {
+  const Result<Document>& document = static_cast<const DocumentGraph&>(graph).document;
   ProblemCollector problems;
   CheckReport report;
-  if (Result<Document> document = read_document(graph, limits_); !document) {
-    problems.add(std::move(document).problems());
+  if (!document) {
+    problems.add(document.problems());
   } else {
-    std::map<std::string, Json> values;
-    for (const auto& [name, parameter] : document->parameters) values[name] = parameter.default_value;
-    if (Result<std::map<std::string, Json>> given = resolve_parameters(*document, parameters); given) {
+    ParameterValues values = usual_parameters(*document);
+    if (Result<ParameterValues> given = resolve_parameters(*document, parameters); given) {
       values = std::move(*given);
     } else {
       problems.add(std::move(given).problems());
@@ -173,7 +186,7 @@ Result<SharedFile> CatalogueEngine::preview_file(const PreparedGraph& prepared, 
   return made;
 }
 
-Result<SharedComputed> CatalogueEngine::compute(const Prepared& asked, const Cancel& cancel) const {
+Result<SharedComputed> CatalogueEngine::compute(const Prepared& asked, const Job& job) const {
   const PreparedGraph& prepared = own(asked);
   const auto begin = std::chrono::steady_clock::now();
   std::vector<std::size_t> targets = prepared.targets;
@@ -182,7 +195,7 @@ Result<SharedComputed> CatalogueEngine::compute(const Prepared& asked, const Can
     const std::vector<std::size_t> drawn = drawn_nodes(prepared);
     targets.insert(targets.end(), drawn.begin(), drawn.end());
   }
-  Result<Evaluation> evaluation = dini::evaluate(prepared.plan, targets, cache_, cancel);
+  Result<Evaluation> evaluation = dini::evaluate(prepared.plan, targets, cache_, job);
   if (!evaluation) return evaluation.problems();
   auto computed = std::make_shared<ComputedGraph>();
   computed->milliseconds["evaluate"] = milliseconds_since(begin);
@@ -195,7 +208,7 @@ Result<SharedComputed> CatalogueEngine::compute(const Prepared& asked, const Can
   }
   if (!prepared.previews.empty()) {
     const auto drawing = std::chrono::steady_clock::now();
-    Result<SharedFile> drawn = preview_file(prepared, *evaluation, cancel);
+    Result<SharedFile> drawn = preview_file(prepared, *evaluation, job.cancel);
     if (!drawn) return drawn.problems();
     computed->preview = *std::move(drawn);
     computed->milliseconds["preview"] = milliseconds_since(drawing);
@@ -204,12 +217,12 @@ Result<SharedComputed> CatalogueEngine::compute(const Prepared& asked, const Can
   return SharedComputed(std::move(computed));
 }
 
-Json CatalogueEngine::report(const Prepared& prepared, const Computed& computed, Sent sent) const {
-  return evaluation_report(own(prepared), static_cast<const ComputedGraph&>(computed), sent);
+Json CatalogueEngine::report(const Prepared& prepared, const Computed& computed, Sent sent, Extent extent) const {
+  return evaluation_report(own(prepared), static_cast<const ComputedGraph&>(computed), sent, extent);
 }
 
-Result<SharedBytes> CatalogueEngine::inspect(const InspectRequest& request, const Cancel& cancel) const {
-  const Result<Plan> plan = prepare_inspection(environment(), request, cancel);
+Result<SharedBytes> CatalogueEngine::inspect(const InspectRequest& request, const Job& job) const {
+  const Result<Plan> plan = prepare_inspection(environment(), request, job.cancel);
   if (!plan) return plan.problems();
   const std::size_t index = plan->index.at(request.node);
   const PlannedNode& node = plan->nodes[index];
@@ -230,9 +243,11 @@ Result<SharedBytes> CatalogueEngine::inspect(const InspectRequest& request, cons
                    .pointer = "/output",
                    .in_request = true};
   }
-  const Result<Evaluation> evaluation = dini::evaluate(*plan, {index}, cache_, cancel);
+  const Result<Evaluation> evaluation = dini::evaluate(*plan, {index}, cache_, job);
   if (!evaluation) return evaluation.problems();
-  return share(dump(to_json(evaluation->value(*plan, index, output), request.full)));
+  std::string text = to_json_text(evaluation->value(*plan, index, output), request.full, job.cancel);
+  if (job.cancel.stopped()) return stopped_problem(job.cancel.reason());
+  return share(std::move(text));
 }
 
 std::span<const FileFormat> usual_formats() { return all_formats(); }

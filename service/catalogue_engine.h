@@ -17,14 +17,16 @@ class CatalogueEngine final : public Engine {
   std::span<const FileFormat> formats() const override { return formats_; }
   const Json& catalogue() const override { return catalogue_; }
   Result<AssetSummary> add_asset(std::string_view bytes, const std::string& name, const Cancel& cancel) const override;
-  Result<Json> validate(const Json& graph, const Json& parameters, const Cancel& cancel, Sent sent) const override;
+  SharedGraph read(const Json& document) const override;
+  Result<Json> validate(const Graph& graph, const Json& parameters, const Cancel& cancel, Sent sent) const override;
   Result<SharedPrepared> prepare(const EvaluateRequest& request, const Cancel& cancel) const override;
   std::vector<std::string> blocked(const EvaluateRequest& request, const Cancel& cancel) const override;
   SharedComputed find(const Prepared& prepared) const override;
-  Result<SharedComputed> compute(const Prepared& prepared, const Cancel& cancel) const override;
-  Json report(const Prepared& prepared, const Computed& computed, Sent sent) const override;
+  Result<SharedComputed> compute(const Prepared& prepared, const Job& job) const override;
+  using Engine::report;
+  Json report(const Prepared& prepared, const Computed& computed, Sent sent, Extent extent) const override;
   void forget() const override { cache_.clear(); }
-  Result<SharedBytes> inspect(const InspectRequest& request, const Cancel& cancel) const override;
+  Result<SharedBytes> inspect(const InspectRequest& request, const Job& job) const override;
 
  private:
   Environment environment() const { return {registry_, limits_, formats_, assets_.finder()}; }

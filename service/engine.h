@@ -16,19 +16,21 @@
 #include "geometry/cancel.h"
 #include "graph/context.h"
 #include "graph/file.h"
+#include "graph/job.h"
 #include "graph/json_reader.h"
 #include "graph/limits.h"
 #include "graph/problem.h"
+#include "service/graph.h"
 #include "service/problem_json.h"
 
 namespace dini {
 
-/// What to evaluate: a graph document, values for its parameters by name, the node to export, and nodes to draw.
+/// What to evaluate: a graph, values for its parameters by name, the node to export, and nodes to draw.
 struct EvaluateRequest {
   static constexpr std::int64_t least_triangle_budget = 100;
   static constexpr std::int64_t most_triangle_budget = 10'000'000;
 
-  Json graph;
+  SharedGraph graph;
   Json parameters = Json::object();
   /// Empty: nothing when something is previewed, else the only export node of the graph; several are a problem that
   /// lists them.
@@ -38,18 +40,24 @@ struct EvaluateRequest {
   std::optional<std::int64_t> triangle_budget = {};
   /// Nodes ("node") and single outputs ("node.output") to draw into a file of their own; their order does not count.
   std::vector<std::string> preview = {};
+  /// Outputs whose values the report tells, as "node" or "node.output".
+  std::vector<std::string> measures = {};
+  /// No model of an output is wanted, only measures and checks.
+  bool without_output = false;
   /// The name of the format that the output is written in; empty is the first. Previews are GLB always.
   std::string format = {};
   /// Whether the file carries the document, in `document` of what it says about itself.
   bool embed_graph = false;
+  /// What that document has besides the graph: see `notes_of`.
+  Json notes = Json::object();
 };
 
 /// What to look at: one output of one node. An empty `output` means the node's only or first output.
 struct InspectRequest {
-  Json graph;
+  SharedGraph graph;
   Json parameters = Json::object();
-  std::string node;
-  std::string output;
+  std::string node = {};
+  std::string output = {};
   bool full = false;  ///< meshes with positions and indices
 };
 
@@ -92,6 +100,9 @@ class Computed {
 using SharedPrepared = std::shared_ptr<const Prepared>;
 using SharedComputed = std::shared_ptr<const Computed>;
 
+/// How much a report tells: the files, measures, checks and warnings, or also times, sizes and nodes.
+enum class Extent { outcome, full };
+
 class Engine {
  public:
   virtual ~Engine() = default;
@@ -111,9 +122,13 @@ class Engine {
   virtual Result<AssetSummary> add_asset(std::string_view bytes, const std::string& name,
                                          const Cancel& cancel) const = 0;
 
+  /// Reads a document for whatever is asked of it. A graph that was read before is handed out again while there is room
+  /// for it. What is no graph says so when something is asked of it.
+  virtual SharedGraph read(const Json& document) const = 0;
+
   /// Every static problem at once, inferred types and axes per wire, predicted sizes. Never evaluates; fails only when
   /// `cancel` stops it. {"valid": bool, "errors": [...], "wires": {...}, "cost": {...}}
-  virtual Result<Json> validate(const Json& graph, const Json& parameters, const Cancel& cancel,
+  virtual Result<Json> validate(const Graph& graph, const Json& parameters, const Cancel& cancel,
                                 Sent sent = Sent::request) const = 0;
 
   /// Reads and checks what the output and the previews depend on; nothing is computed. Problems of other nodes never
@@ -126,18 +141,21 @@ class Engine {
   /// The answer, if nothing has to be computed for it; else null.
   virtual SharedComputed find(const Prepared& prepared) const = 0;
 
-  /// Evaluates and encodes. Problems with the codes of `stopped_problem` mean that `cancel` stopped the work.
-  virtual Result<SharedComputed> compute(const Prepared& prepared, const Cancel& cancel) const = 0;
+  /// Evaluates and encodes. Problems with the codes of `stopped_problem` mean that the job was stopped.
+  virtual Result<SharedComputed> compute(const Prepared& prepared, const Job& job) const = 0;
 
   /// Times, sizes, checks and warnings per node: see docs/http.md. `computed` is for the same content, and was not
   /// found without what a report needs.
-  virtual Json report(const Prepared& prepared, const Computed& computed, Sent sent = Sent::request) const = 0;
+  virtual Json report(const Prepared& prepared, const Computed& computed, Sent sent, Extent extent) const = 0;
+  Json report(const Prepared& prepared, const Computed& computed, Sent sent = Sent::request) const {
+    return report(prepared, computed, sent, Extent::full);
+  }
 
   /// Lets go of everything that could be computed again, for when memory has run out.
   virtual void forget() const = 0;
 
   /// The value on any wire, in full double precision, as JSON text.
-  virtual Result<SharedBytes> inspect(const InspectRequest& request, const Cancel& cancel) const = 0;
+  virtual Result<SharedBytes> inspect(const InspectRequest& request, const Job& job) const = 0;
 };
 
 /// Every format that is written, the usual one first.

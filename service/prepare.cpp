@@ -7,6 +7,7 @@
 #include "graph/nearest.h"
 #include "graph/parameters.h"
 #include "graph/stopped.h"
+#include "service/measures.h"
 #include "service/places.h"
 #include "service/preview.h"
 #include "service/report.h"
@@ -19,18 +20,20 @@ namespace {
 constexpr std::int64_t least_budget = EvaluateRequest::least_triangle_budget;
 constexpr std::int64_t largest_budget = EvaluateRequest::most_triangle_budget;
 
-/// A document with the values of its parameters.
-struct ReadGraph {
-  Document document;
-  std::map<std::string, Json> values;
+/// A graph with the values of its parameters.
+struct GivenGraph {
+  std::shared_ptr<const DocumentGraph> graph;
+  const Document& document;
+  ParameterValues values;
 };
 
-Result<ReadGraph> read_graph(const Environment& environment, const Json& graph, const Json& parameters) {
-  Result<Document> document = read_document(graph, environment.limits);
+Result<GivenGraph> with_parameters(const SharedGraph& graph, const Json& parameters) {
+  auto own = std::static_pointer_cast<const DocumentGraph>(graph);  // each engine is given its own kind only
+  const Result<Document>& document = own->document;
   if (!document) return document.problems();
-  Result<std::map<std::string, Json>> values = resolve_parameters(*document, parameters);
+  Result<ParameterValues> values = resolve_parameters(*document, parameters);
   if (!values) return values.problems();
-  return ReadGraph{*std::move(document), *std::move(values)};
+  return GivenGraph{std::move(own), *document, *std::move(values)};
 }
 
 Result<Detail> detail_of(const EvaluateRequest& request) {
@@ -131,22 +134,25 @@ Result<const FileFormat*> format_of(const Environment& environment, const Evalua
 
 /// What a file says about itself: the engine, the hash of what the model depends on, the parameters that shape it, and
 /// the document where that is asked for.
-Json about_file(const PreparedGraph& prepared, bool embed_graph) {
+Json about_file(const PreparedGraph& prepared, const EvaluateRequest& request) {
   Json parameters = Json::object();
   for (const std::string& parameter : parameters_behind(prepared.plan, *prepared.export_node)) {
-    parameters[parameter] = prepared.plan.parameters.at(parameter);
+    parameters[parameter] = prepared.plan.parameters.at(parameter).written;
   }
   Json about = {
       {"engine", engine_version}, {"fingerprint", to_hex(prepared.fingerprint)}, {"parameters", std::move(parameters)}};
-  if (embed_graph) about["document"] = write_document(prepared.document);
+  if (request.embed_graph) {
+    about["document"] = write_document(*prepared.graph->document);
+    about["document"].update(request.notes);
+  }
   return about;
 }
 
 /// Tells the node that exports what file is wanted, which its result depends on from then on.
-void want_file(PreparedGraph& prepared, const FileFormat& format, bool embed_graph) {
+void want_file(PreparedGraph& prepared, const FileFormat& format, const EvaluateRequest& request) {
   PlannedNode& node = prepared.plan.nodes[*prepared.export_node];
   prepared.fingerprint = node.fingerprint;
-  const auto wanted = std::make_shared<const WantedFile>(WantedFile{&format, about_file(prepared, embed_graph)});
+  const auto wanted = std::make_shared<const WantedFile>(WantedFile{&format, about_file(prepared, request)});
   const std::string about = wanted->about.dump();
   node.fingerprint = DigestBuilder().text("file").digest(node.fingerprint).text(format.name).text(about).finish();
   node.file = wanted;
@@ -157,21 +163,19 @@ void want_file(PreparedGraph& prepared, const FileFormat& format, bool embed_gra
 Digest content_digest(const PreparedGraph& prepared) {
   DigestBuilder digest;
   digest.text("content").text(engine_version).digest(prepared.preview_digest);
-  for (const std::size_t target : prepared.targets) digest.digest(prepared.plan.nodes[target].fingerprint);
+  for (const std::size_t target : prepared.targets) {
+    digest.digest(prepared.plan.nodes[standing_at(prepared.plan, target)].fingerprint);
+  }
   return digest.finish();
 }
 
 /// Everything that a report tells besides times: the content, and the graph with its names, types and other problems.
 Digest report_digest(const PreparedGraph& prepared) {
   DigestBuilder digest;
-  digest.text("report").digest(prepared.content);
-  Document document = prepared.document;
-  document.schema = std::nullopt;
-  document.meta = nullptr;
-  document.ui = nullptr;
-  digest.text(write_document(document).dump()).text(prepared.output);
-  for (const auto& [name, value] : prepared.plan.parameters) digest.text(name).text(value.dump());
+  digest.text("report").digest(prepared.content).digest(prepared.graph->hash).text(prepared.output);
+  for (const auto& [name, value] : prepared.plan.parameters) digest.text(name).text(value.written.dump());
   for (const Preview& preview : prepared.previews) digest.text(prepared.plan.nodes[preview.node].id);
+  for (const Measure& measure : prepared.measures) digest.text(measure.place);
   digest.text(prepared.plan.detail.quality == Quality::draft ? "draft" : "final");
   digest.text(to_json(prepared.elsewhere).dump());
   return digest.finish();
@@ -179,7 +183,7 @@ Digest report_digest(const PreparedGraph& prepared) {
 
 std::string tag_of(const Digest& digest) { return "\"" + to_hex(digest) + "\""; }
 
-/// About how much memory a plan holds, its document included.
+/// About how much memory a plan holds, its graph included.
 std::size_t memory_of(const PreparedGraph& prepared) {
   constexpr std::size_t per_node = 4096, per_item = 1024, per_parameter = 1024;
   std::size_t total = per_parameter * prepared.plan.parameters.size();
@@ -187,39 +191,49 @@ std::size_t memory_of(const PreparedGraph& prepared) {
     total += per_node;
     for (const PlannedInput& input : node.inputs) total += per_item * (1 + input.items.size());
   }
-  for (const auto& [name, value] : prepared.plan.parameters) total += 2 * value.dump().size();
-  return total + 2 * (prepared.document.meta.dump().size() + prepared.document.ui.dump().size());
+  for (const auto& [name, value] : prepared.plan.parameters) total += 2 * value.written.dump().size();
+  return total + prepared.graph->held;
 }
 
 /// A request with everything that the check says about it; whether that is good is not yet looked at.
 struct CheckedRequest {
-  Document document;
-  std::string output;  ///< empty when there is none
-  PreviewNames previews;
-  CheckReport report;
+  GivenGraph given;
+  std::string output = {};  ///< empty when there is none
+  PreviewNames previews = {};
+  std::vector<MeasureName> measures = {};
+  CheckReport report = {};
+  bool guarded = false;  ///< the checks of the graph count
 };
 
 Result<CheckedRequest> check_request(const Environment& environment, const EvaluateRequest& request,
                                      const Cancel& cancel) {
   const Result<Detail> detail = detail_of(request);
   if (!detail) return detail.problems();
-  Result<ReadGraph> read = read_graph(environment, request.graph, request.parameters);
-  if (!read) return read.problems();
-  CheckedRequest checked{std::move(read->document), {}, {}, {}};
+  Result<GivenGraph> given = with_parameters(request.graph, request.parameters);
+  if (!given) return given.problems();
+  CheckedRequest checked{.given = *std::move(given)};
+  const Document& document = checked.given.document;
   CheckScope scope{.cancel = &cancel};
-  scope.guards = request.preview.empty() || !request.output.empty();
-  if (scope.guards) {
-    Result<std::string> output = find_output(environment.registry, checked.document, request.output);
+  const bool wants_output = !request.without_output && (request.preview.empty() || !request.output.empty());
+  checked.guarded = wants_output || request.without_output;
+  scope.guards = checked.guarded;
+  if (wants_output) {
+    Result<std::string> output = find_output(environment.registry, document, request.output);
     if (!output) return output.problems();
     checked.output = *std::move(output);
     scope.targets.push_back(checked.output);
   }
   Result<PreviewNames> names =
-      read_previews(environment.registry, checked.document, request.preview, environment.limits);
+      read_previews(environment.registry, document, request.preview, environment.limits);
   if (!names) return names.problems();
   checked.previews = *std::move(names);
   for (const auto& [node, outputs] : checked.previews) scope.targets.push_back(node);
-  checked.report = check(environment.registry, checked.document, read->values, *detail, environment.limits,
+  Result<std::vector<MeasureName>> measures =
+      read_measures(environment.registry, document, request.measures, environment.limits);
+  if (!measures) return measures.problems();
+  checked.measures = *std::move(measures);
+  for (const MeasureName& measure : checked.measures) scope.targets.push_back(measure.node);
+  checked.report = check(environment.registry, document, checked.given.values, *detail, environment.limits,
                          environment.find_asset, scope);
   if (cancel.stopped()) return stopped_problem(cancel.reason());
   return checked;
@@ -244,20 +258,26 @@ Result<std::shared_ptr<const PreparedGraph>> prepare_evaluation(const Environmen
   if (!report.problems.empty()) return report.problems;
   auto prepared = std::make_shared<PreparedGraph>();
   if (!checked->output.empty()) {
-    Problems broken = broken_checks(environment.registry, checked->document, report);
-    if (!broken.empty()) return broken;
     prepared->output = checked->output;
     prepared->export_node = report.plan.index.at(checked->output);
     prepared->targets.push_back(*prepared->export_node);
+  }
+  if (checked->guarded) {
+    Problems broken = broken_checks(environment.registry, checked->given.document, report);
+    if (!broken.empty()) return broken;
     prepared->targets.insert(prepared->targets.end(), report.guards.begin(), report.guards.end());
   }
   prepared->elsewhere = std::move(report.elsewhere);
   prepared->plan = std::move(report.plan);
-  prepared->document = std::move(checked->document);
+  prepared->graph = checked->given.graph;
   Result<std::vector<Preview>> previews = plan_previews(prepared->plan, checked->previews, environment.limits);
   if (!previews) return previews.problems();
   prepared->previews = *std::move(previews);
-  if (prepared->export_node) want_file(*prepared, **format, request.embed_graph);
+  Result<std::vector<Measure>> measures = plan_measures(prepared->plan, checked->measures, environment.limits);
+  if (!measures) return measures.problems();
+  prepared->measures = *std::move(measures);
+  for (const Measure& measure : prepared->measures) prepared->targets.push_back(measure.node);
+  if (prepared->export_node) want_file(*prepared, **format, request);
   if (!prepared->previews.empty()) {
     prepared->preview_digest = preview_digest(prepared->plan, prepared->previews, environment.limits);
   }
@@ -272,12 +292,12 @@ Result<std::shared_ptr<const PreparedGraph>> prepare_evaluation(const Environmen
 }
 
 Result<Plan> prepare_inspection(const Environment& environment, const InspectRequest& request, const Cancel& cancel) {
-  Result<ReadGraph> read = read_graph(environment, request.graph, request.parameters);
-  if (!read) return read.problems();
-  if (!read->document.nodes.contains(request.node)) {
-    return unknown_node(read->document, request.node, "/node");
+  const Result<GivenGraph> given = with_parameters(request.graph, request.parameters);
+  if (!given) return given.problems();
+  if (!given->document.nodes.contains(request.node)) {
+    return unknown_node(given->document, request.node, "/node");
   }
-  CheckReport report = check(environment.registry, read->document, read->values, Quality::final, environment.limits,
+  CheckReport report = check(environment.registry, given->document, given->values, Quality::final, environment.limits,
                              environment.find_asset, {{request.node}, false, &cancel});
   if (cancel.stopped()) return stopped_problem(cancel.reason());
   if (!report.problems.empty()) return report.problems;

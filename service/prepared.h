@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "graph/plan.h"
+#include "service/document_graph.h"
 #include "service/engine.h"
 
 namespace dini {
@@ -17,14 +18,22 @@ struct Preview {
   std::vector<std::size_t> outputs;
 };
 
+/// An output whose values are told.
+struct Measure {
+  std::string place;  ///< as it was asked for
+  std::size_t node = 0;  ///< by index into the plan
+  std::size_t output = 0;
+};
+
 /// What the engine over the catalogue knows of a checked request.
 class PreparedGraph final : public Prepared {
  public:
-  Document document;
+  std::shared_ptr<const DocumentGraph> graph;  ///< whose document is one
   Plan plan;
   std::optional<std::size_t> export_node;  ///< by index into the plan
-  std::vector<std::size_t> targets;        ///< the export node and everything that always runs with it
+  std::vector<std::size_t> targets;        ///< the export node, everything that always runs with it, what is measured
   std::vector<Preview> previews;           ///< by the ids of their nodes
+  std::vector<Measure> measures;           ///< as they were asked for
   Digest fingerprint{};                    ///< of what the model depends on, whatever file it is written into
   Digest preview_digest{};                 ///< of everything that the drawn previews depend on
   Problems elsewhere;                      ///< of nodes that are not needed

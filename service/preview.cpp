@@ -41,16 +41,10 @@ std::optional<Problem> read_entry(const Registry& registry, const Document& docu
   return std::nullopt;
 }
 
-/// The node whose outputs stand at a planned node: itself unless it is bypassed.
-std::size_t resolved(const Plan& plan, std::size_t node) {
-  while (plan.nodes[node].bypass) node = std::get<Source>(plan.nodes[node].bypass->from).node;
-  return node;
-}
-
 /// The axis of a node's output along which its points make curves: one that a node before it made for curves.
 std::optional<std::size_t> curve_axis(const Plan& plan, std::size_t node, const Axes& axes) {
   std::set<std::size_t> seen;
-  std::vector<std::size_t> stack = {resolved(plan, node)};
+  std::vector<std::size_t> stack = {standing_at(plan, node)};
   std::set<std::string> curves;
   while (!stack.empty()) {
     const std::size_t at = stack.back();
@@ -177,7 +171,7 @@ Digest preview_digest(const Plan& plan, const std::vector<Preview>& previews, co
     const PlannedNode& node = plan.nodes[preview.node];
     digest.text(node.id).text(node.type->id).integer(preview.outputs.size());
     if (preview.outputs.empty()) continue;
-    digest.digest(plan.nodes[resolved(plan, preview.node)].fingerprint);
+    digest.digest(plan.nodes[standing_at(plan, preview.node)].fingerprint);
     if (node.bypass) digest.integer(std::get<Source>(node.bypass->from).output);
     for (const std::size_t output : preview.outputs) digest.integer(output);
   }

@@ -28,6 +28,7 @@ constexpr std::array codes = {
     ProblemCode{"uri-too-long", request, 414, "The request line is longer than `line_bytes`."},
     ProblemCode{"unsupported-media-type", request, 415,
                 "The body has a media type that the address does not take, or it is compressed."},
+    ProblemCode{"range-not-satisfiable", request, 416, "The part that `Range` names begins beyond the end of the file."},
     ProblemCode{"expectation-failed", request, 417, "Only `Expect: 100-continue` is understood."},
     ProblemCode{"misdirected-request", request, 421,
                 "The `Host` is not one of this server's names; `--allow-host` adds some."},

@@ -4,6 +4,7 @@
 #include "graph/thinning.h"
 #include "graph/value_json.h"
 #include "service/engine.h"
+#include "service/measures.h"
 #include "service/version.h"
 
 namespace dini {
@@ -41,7 +42,7 @@ std::set<std::string> needed_nodes(const PreparedGraph& prepared) {
   for (const Preview& preview : prepared.previews) {
     if (!preview.outputs.empty()) ids.push_back(prepared.plan.nodes[preview.node].id);
   }
-  return needed_for(prepared.document, ids);
+  return needed_for(*prepared.graph->document, ids);
 }
 
 /// What every node of the evaluation said, by what it computes.
@@ -61,62 +62,76 @@ void add_warnings(Json& list, const PlannedNode& node, const NodeWarnings& said)
   }
 }
 
-}  // namespace
+/// What the nodes of an evaluation have to tell.
+struct Told {
+  Json nodes = Json::object();
+  Json checks = Json::array();
+  Json warnings = Json::array();
+};
 
-Json evaluation_report(const PreparedGraph& prepared, const ComputedGraph& computed, Sent sent) {
+Told told_by_nodes(const PreparedGraph& prepared, const ComputedGraph& computed, Sent sent) {
   const Plan& plan = prepared.plan;
   const std::set<std::string> needed = needed_nodes(prepared);
   const std::map<Digest, std::shared_ptr<const NodeWarnings>> said = warnings_of(computed.evaluation);
-  Json nodes = Json::object();
-  Json warnings = Json::array();
-  Json checks = Json::array();
+  Told told;
   for (std::size_t index = 0; index < plan.nodes.size(); ++index) {
     const PlannedNode& node = plan.nodes[index];
     const bool is_needed = needed.contains(node.id);
     const NodeRun* run = is_needed ? computed.evaluation.run(node) : nullptr;
-    nodes[node.id] = node_json(node, run, is_needed);
+    told.nodes[node.id] = node_json(node, run, is_needed);
     if (!is_needed || node.bypass) continue;
     if (const auto found = said.find(node.fingerprint); found != said.end()) {
-      add_warnings(warnings, node, *found->second);
+      add_warnings(told.warnings, node, *found->second);
     }
     if (run != nullptr && node.type->always_evaluated) {
       const Value value = computed.evaluation.value(plan, index, 0);
-      checks.push_back({{"node", node.id}, {"passed", true}, {"values", to_json(value)["values"]}});
+      told.checks.push_back({{"node", node.id}, {"passed", true}, {"values", to_json(value)["values"]}});
     }
   }
-  for (Json& problem : to_json(prepared.elsewhere, sent)) warnings.push_back(std::move(problem));
-  std::map<std::string, double> milliseconds = computed.milliseconds;
-  milliseconds.emplace("prepare", prepared.milliseconds);
+  for (Json& problem : to_json(prepared.elsewhere, sent)) told.warnings.push_back(std::move(problem));
   if (computed.model != nullptr) {
     if (const auto warning = unkept_budget(plan, computed.model->triangles)) {
-      warnings.push_back({{"code", warning->code}, {"node", prepared.output}, {"detail", warning->detail}});
+      told.warnings.push_back({{"code", warning->code}, {"node", prepared.output}, {"detail", warning->detail}});
     }
   }
-  Json report = {{"engine", engine_version},
-                 {"etag", prepared.model_tag},
-                 {"quality", plan.detail.quality == Quality::draft ? "draft" : "final"},
-                 {"milliseconds", milliseconds},
-                 {"cost", cost_json(plan.cost)},
-                 {"nodes", std::move(nodes)},
-                 {"checks", std::move(checks)},
-                 {"warnings", std::move(warnings)}};
+  return told;
+}
+
+Json model_json(const File& model) {
+  return {{"bytes", model.bytes->size()},
+          {"vertices", model.vertices},
+          {"triangles", model.triangles},
+          {"position_error", model.position_error},
+          {"sha256", to_hex(model.sha256)}};
+}
+
+Json preview_json(const PreparedGraph& prepared, const File& file) {
+  Json shown = Json::array();
+  for (const Preview& preview : prepared.previews) shown.push_back(prepared.plan.nodes[preview.node].id);
+  return {{"bytes", file.bytes->size()}, {"nodes", std::move(shown)}, {"sha256", to_hex(file.sha256)}};
+}
+
+}  // namespace
+
+Json evaluation_report(const PreparedGraph& prepared, const ComputedGraph& computed, Sent sent, Extent extent) {
+  Told told = told_by_nodes(prepared, computed, sent);
+  Json report = {{"checks", std::move(told.checks)}, {"warnings", std::move(told.warnings)}};
   if (computed.model != nullptr) {
-    const File& model = *computed.model;
     report["fingerprint"] = to_hex(prepared.fingerprint);
     report["output"] = prepared.output;
-    report["model"] = {{"bytes", model.bytes->size()},
-                       {"vertices", model.vertices},
-                       {"triangles", model.triangles},
-                       {"position_error", model.position_error},
-                       {"sha256", to_hex(model.sha256)}};
+    report["model"] = model_json(*computed.model);
   }
-  if (computed.preview != nullptr) {
-    Json shown = Json::array();
-    for (const Preview& preview : prepared.previews) shown.push_back(plan.nodes[preview.node].id);
-    report["preview"] = {{"bytes", computed.preview->bytes->size()},
-                         {"nodes", std::move(shown)},
-                         {"sha256", to_hex(computed.preview->sha256)}};
-  }
+  if (!prepared.measures.empty()) report["measures"] = measures_of(prepared, computed.evaluation);
+  if (computed.preview != nullptr) report["preview"] = preview_json(prepared, *computed.preview);
+  if (extent == Extent::outcome) return report;
+  std::map<std::string, double> milliseconds = computed.milliseconds;
+  milliseconds.emplace("prepare", prepared.milliseconds);
+  report["engine"] = engine_version;
+  report["etag"] = prepared.model_tag;
+  report["quality"] = prepared.plan.detail.quality == Quality::draft ? "draft" : "final";
+  report["milliseconds"] = milliseconds;
+  report["cost"] = cost_json(prepared.plan.cost);
+  report["nodes"] = std::move(told.nodes);
   return report;
 }
 

@@ -15,7 +15,7 @@ class ComputedGraph final : public Computed {
 
 /// The report of an evaluation: times, what was cached, types and axes, the file, checks and warnings; see
 /// docs/http.md.
-Json evaluation_report(const PreparedGraph& prepared, const ComputedGraph& computed, Sent sent);
+Json evaluation_report(const PreparedGraph& prepared, const ComputedGraph& computed, Sent sent, Extent extent);
 
 /// The answer of a validation: whether the graph is well, its problems, its wires and its cost.
 Json validation_report(const CheckReport& report, const Problems& problems, Sent sent);

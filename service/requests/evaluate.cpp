@@ -1,12 +1,8 @@
+#include "service/requests/quality.h"
 #include "service/requests/request_type.h"
 #include "service/requests/requests.h"
 
 namespace dini {
-
-template <>
-struct ChoiceNames<Quality> {
-  static constexpr std::array names = {"draft", "final"};
-};
 
 namespace {
 
@@ -20,6 +16,9 @@ const RequestType<EvaluateBody>& request() {
                   left_out_means("the only one of the graph, or none beside a preview").example("out"))
           .member("preview", &EvaluateRequest::preview,
                   "Nodes (`node`) or single outputs (`node.output`) to draw into a file of their own, in any order.",
+                  left_out_means("none"))
+          .member("measures", &EvaluateRequest::measures,
+                  "Outputs (`node` or `node.output`) whose values the report tells, in any order.",
                   left_out_means("none"))
           .member("quality", &EvaluateRequest::quality, "A draft is made faster, of fewer triangles.", usually("final"))
           .member("triangle_budget", &EvaluateRequest::triangle_budget,
@@ -37,6 +36,10 @@ const RequestType<EvaluateBody>& request() {
 
 const RequestDescription& evaluate_description() { return request().description(); }
 
-Result<EvaluateBody> read_evaluate_body(Json body) { return request().read(std::move(body)); }
+Result<EvaluateBody> read_evaluate_body(Json body, const Engine& engine) {
+  Result<EvaluateBody> read = request().read(std::move(body), engine);
+  if (read && !read->embed_graph) read->notes = Json::object();  // nobody will ask for them
+  return read;
+}
 
 }  // namespace dini

@@ -22,6 +22,8 @@ const RequestType<InspectBody>& request() {
 
 const RequestDescription& inspect_description() { return request().description(); }
 
-Result<InspectBody> read_inspect_body(Json body) { return request().read(std::move(body)); }
+Result<InspectBody> read_inspect_body(Json body, const Engine& engine) {
+  return request().read(std::move(body), engine);
+}
 
 }  // namespace dini

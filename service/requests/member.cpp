@@ -32,6 +32,8 @@ bool has_kind(MemberKind kind, const Json& value) {
       return is_whole(value);
     case MemberKind::texts:
       return value.is_array() && std::ranges::all_of(value, [](const Json& item) { return item.is_string(); });
+    case MemberKind::objects:
+      return value.is_array() && std::ranges::all_of(value, [](const Json& item) { return item.is_object(); });
   }
   return false;
 }
@@ -66,6 +68,8 @@ std::string words_for(MemberKind kind) {
       return "a whole number";
     case MemberKind::texts:
       return "a list of texts";
+    case MemberKind::objects:
+      return "a list of objects";
     case MemberKind::text:
     case MemberKind::choice:
       break;
@@ -75,10 +79,11 @@ std::string words_for(MemberKind kind) {
 
 Json schema_of(const Member& member) {
   if (member.kind == MemberKind::graph) return {{"$ref", "#/components/schemas/Graph"}, {"description", member.doc}};
-  static const char* const types[] = {"object", "object", "string", "string", "boolean", "integer", "array"};
+  static const char* const types[] = {"object", "object", "string", "string", "boolean", "integer", "array", "array"};
   Json schema = {{"type", types[static_cast<std::size_t>(member.kind)]}, {"description", member.doc}};
   if (member.kind == MemberKind::object) schema["additionalProperties"] = true;
   if (member.kind == MemberKind::texts) schema["items"] = {{"type", "string"}};
+  if (member.kind == MemberKind::objects) schema["items"] = {{"type", "object"}};
   if (!member.choices.empty()) schema["enum"] = member.choices;
   if (member.spec.least) schema["minimum"] = *member.spec.least;
   if (member.spec.most) schema["maximum"] = *member.spec.most;

@@ -11,7 +11,7 @@
 namespace dini {
 
 /// What kind of value a member of a request takes.
-enum class MemberKind { graph, object, text, choice, boolean, integer, texts };
+enum class MemberKind { graph, object, text, choice, boolean, integer, texts, objects };
 
 /// What a description says about a member beside its name and sentence: default, range, unit, example.
 class MemberSpec {

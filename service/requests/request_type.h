@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "graph/arguments.h"
+#include "service/engine.h"
 #include "service/requests/description.h"
 
 namespace dini {
@@ -75,15 +76,21 @@ class RequestType {
       member.choices.assign(ChoiceNames<Value>::names.begin(), ChoiceNames<Value>::names.end());
     }
     description_.members.push_back(std::move(member));
-    setters_.push_back([place](T& request, Json&& value) { request.*place = Traits::taken(std::move(value)); });
+    setters_.push_back([place](T& request, Json&& value, const Engine&) {
+      request.*place = Traits::taken(std::move(value));
+    });
     return std::move(*this);
   }
-  /// The member that holds the graph document.
-  template <class Value, class Owner>
-  requires std::is_base_of_v<Owner, T> RequestType && graph(Value Owner::*place, std::string doc) && {
-    auto&& declared = std::move(*this).member("graph", place, std::move(doc), needed().example(example_graph()));
-    description_.members.back().kind = MemberKind::graph;
-    return std::move(declared);
+  /// The member that holds the graph document. What the document has besides goes to the notes of an evaluation.
+  template <class Owner>
+  requires std::is_base_of_v<Owner, T> RequestType && graph(SharedGraph Owner::*place, std::string doc) && {
+    description_.members.push_back(
+        {"graph", std::move(doc), MemberKind::graph, needed().example(example_graph())});
+    setters_.push_back([place](T& request, Json&& document, const Engine& engine) {
+      request.*place = engine.read(document);
+      if constexpr (std::is_base_of_v<EvaluateRequest, T>) request.notes = notes_of(document);
+    });
+    return std::move(*this);
   }
 
   /// The member that holds values for the parameters of that graph.
@@ -92,31 +99,40 @@ class RequestType {
     return std::move(*this).member("parameters", place, "Values for the parameters of the graph, by name.",
                                    left_out_means("their defaults").example({{"reach", 0.5}}));
   }
+  /// A member that is a list of objects.
+  template <class Owner>
+  requires std::is_base_of_v<Owner, T> RequestType && objects(std::string name, Json Owner::*place, std::string doc,
+                                                              MemberSpec spec) && {
+    auto&& declared = std::move(*this).member(std::move(name), place, std::move(doc), std::move(spec));
+    description_.members.back().kind = MemberKind::objects;
+    return std::move(declared);
+  }
   /// The member that says until when.
   template <class Owner>
-  requires std::is_base_of_v<Owner, T> RequestType && deadline(std::optional<std::int64_t> Owner::*place) && {
+  requires std::is_base_of_v<Owner, T> RequestType && deadline(std::optional<std::int64_t> Owner::*place, const std::string& limit =
+                                                                                               "interactive_milliseconds") && {
     return std::move(*this).member(
         "deadline_ms", place, "When the work is stopped, counted from the first byte of the request.",
-        left_out_means("`interactive_milliseconds`, which it never goes past").range(1, {}).unit("ms"));
+        left_out_means("`" + limit + "`, which it never goes past").range(1, {}).unit("ms"));
   }
 
   const RequestDescription& description() const { return description_; }
 
-  /// A body from outside. Members that are left out have the defaults of the struct.
-  Result<T> read(Json body) const {
+  /// A body from outside, whose graph the engine reads. Members that are left out have the defaults of the struct.
+  Result<T> read(Json body, const Engine& engine) const {
     ProblemCollector faults = faults_in(description_, body);
     if (!faults.empty()) return std::move(faults).take();
     T request{};
     for (std::size_t i = 0; i < setters_.size(); ++i) {
       const auto given = body.find(description_.members[i].name);
-      if (given != body.end()) setters_[i](request, std::move(*given));
+      if (given != body.end()) setters_[i](request, std::move(*given), engine);
     }
     return request;
   }
 
  private:
   RequestDescription description_;
-  std::vector<std::function<void(T&, Json&&)>> setters_;  ///< as the members of the description
+  std::vector<std::function<void(T&, Json&&, const Engine&)>> setters_;  ///< as the members of the description
 };
 
 }  // namespace dini

@@ -4,6 +4,7 @@
 
 #include "service/engine.h"
 #include "service/requests/description.h"
+#include "service/variants.h"
 
 namespace dini {
 
@@ -17,19 +18,29 @@ struct InspectBody : InspectRequest {
   std::optional<std::int64_t> deadline_milliseconds = {};
 };
 
+/// The body of POST /v1/sweeps. The parameters are those that all variants share.
+struct SweepBody : EvaluateRequest, SweepAxes {
+  bool models = true;
+  std::int64_t first = 0;  ///< the variant to begin with
+  std::optional<std::int64_t> deadline_milliseconds = {};
+};
+
 /// The body of POST /v1/validate.
 struct ValidateBody {
-  Json graph = {};
+  SharedGraph graph = {};
   Json parameters = Json::object();
   std::optional<std::int64_t> deadline_milliseconds = {};
 };
 
 const RequestDescription& evaluate_description();
 const RequestDescription& inspect_description();
+const RequestDescription& sweep_description();
 const RequestDescription& validate_description();
 
-Result<EvaluateBody> read_evaluate_body(Json body);
-Result<InspectBody> read_inspect_body(Json body);
-Result<ValidateBody> read_validate_body(Json body);
+// What such a body says. Its graph is read by the engine.
+Result<EvaluateBody> read_evaluate_body(Json body, const Engine& engine);
+Result<InspectBody> read_inspect_body(Json body, const Engine& engine);
+Result<SweepBody> read_sweep_body(Json body, const Engine& engine);
+Result<ValidateBody> read_validate_body(Json body, const Engine& engine);
 
 }  // namespace dini

@@ -83,35 +83,63 @@ Json check_result() {
                 "One check that ran.");
 }
 
+/// The file of an output, with what else the answer tells of it.
+Json model(std::vector<Property> more = {}) {
+  std::vector<Property> properties = {
+      {"bytes", whole("Of the file.")},
+      {"vertices", whole("Of all meshes.")},
+      {"triangles", whole("Of all meshes.")},
+      {"position_error",
+       number("In meters: no point in the file is farther than that from the one that was computed.")},
+      {"sha256", text("Of the file.")}};
+  properties.insert(properties.end(), more.begin(), more.end());
+  return object(properties, "The file of the output; there with an output.");
+}
+
+/// What a report and the line of a variant tell alike.
+std::vector<Property> outcome(Json model, bool optional) {
+  return {
+      {"checks", list(reference("CheckResult"), "Every check that ran."), optional},
+      {"warnings", list(reference("ProblemEntry"), "What is worth knowing although the request succeeded."), optional},
+      {"fingerprint", text("64 hexadecimal digits: the hash of what the output depends on; there with an output."),
+       true},
+      {"output", text("The `export` node; there with an output."), true},
+      {"model", std::move(model), true},
+      {"measures",
+       map_of(anything("The value of an output without axes, else the list of its values, the last axis fastest."),
+              "By the places that were asked for; there when some were."),
+       true}};
+}
+
 Json report() {
-  return object(
-      {{"engine", text("The version of the engine.")},
-       {"etag", text("The tag of the model, with its quotes.")},
-       {"quality", word({"draft", "final"}, "What was asked for.")},
-       {"milliseconds", map_of(number(""), "By step: prepare, evaluate, encode, preview; 0 for what was known.")},
-       {"cost", reference("Cost")},
-       {"nodes", map_of(reference("NodeRun"), "Every node by id.")},
-       {"checks", list(reference("CheckResult"), "Every check that ran.")},
-       {"warnings", list(reference("ProblemEntry"), "What is worth knowing although the request succeeded.")},
-       {"fingerprint", text("64 hexadecimal digits: the hash of what the output depends on; there with an output."),
-        true},
-       {"output", text("The `export` node; there with an output."), true},
-       {"model",
-        object({{"bytes", whole("Of the file.")},
-                {"vertices", whole("Of all meshes.")},
-                {"triangles", whole("Of all meshes.")},
-                {"position_error",
-                 number("In meters: no point in the file is farther than that from the one that was computed.")},
-                {"sha256", text("Of the file.")}},
-               "The file of the output; there with an output."),
-        true},
-       {"preview",
-        object({{"bytes", whole("Of the file.")},
-                {"nodes", list(text(""), "The nodes that are drawn.")},
-                {"sha256", text("Of the file.")}},
-               "The file of the preview; there when something is previewed."),
-        true}},
-      "Times, sizes, checks and warnings of an evaluation.");
+  std::vector<Property> properties = {
+      {"engine", text("The version of the engine.")},
+      {"etag", text("The tag of the model, with its quotes.")},
+      {"quality", word({"draft", "final"}, "What was asked for.")},
+      {"milliseconds", map_of(number(""), "By step: prepare, evaluate, encode, preview; 0 for what was known.")},
+      {"cost", reference("Cost")},
+      {"nodes", map_of(reference("NodeRun"), "Every node by id.")},
+      {"preview",
+       object({{"bytes", whole("Of the file.")},
+               {"nodes", list(text(""), "The nodes that are drawn.")},
+               {"sha256", text("Of the file.")}},
+              "The file of the preview; there when something is previewed."),
+       true}};
+  for (Property& property : outcome(model(), false)) properties.push_back(std::move(property));
+  return object(properties, "Times, sizes, checks and warnings of an evaluation.");
+}
+
+Json sweep_line() {
+  std::vector<Property> properties = {
+      {"index", whole("Of the variant; there unless the sweep was stopped."), true},
+      {"parameters", map_of(anything("A value."), "What varies; there unless the sweep was stopped."), true},
+      {"status",
+       word({"succeeded", "failed", "stopped"}, "How the variant fared; `stopped` is the last line of a sweep that was.")},
+      {"errors", list(reference("ProblemEntry"), "Why it failed, or why the sweep was stopped."), true},
+      {"next", whole("The first variant that was not told; there when the sweep was stopped."), true}};
+  const Json file = model({{"address", text("Where the file can be fetched while there is room for it.")}});
+  for (Property& property : outcome(file, true)) properties.push_back(std::move(property));
+  return object(properties, "One line of the answer to a sweep.");
 }
 
 Json asset_summary() {
@@ -174,6 +202,7 @@ const Json& result_schemas() {
                                {"NodeRun", node_run()},
                                {"CheckResult", check_result()},
                                {"Report", report()},
+                               {"SweepLine", sweep_line()},
                                {"AssetSummary", asset_summary()},
                                {"NodeCard", node_card()},
                                {"Catalogue", catalogue()}};

@@ -16,6 +16,8 @@ const RequestType<ValidateBody>& request() {
 
 const RequestDescription& validate_description() { return request().description(); }
 
-Result<ValidateBody> read_validate_body(Json body) { return request().read(std::move(body)); }
+Result<ValidateBody> read_validate_body(Json body, const Engine& engine) {
+  return request().read(std::move(body), engine);
+}
 
 }  // namespace dini

@@ -92,11 +92,11 @@ TEST_CASE("What a format says about a file is a warning of the export, and what 
   const Result<Answered> nothing = answered(*engine, {.graph = ring, .format = "counts"});
   REQUIRE_FALSE(nothing);
   CHECK(nothing.problems().front().code == "nothing-to-export");
-  const auto unknown = engine->prepare({.graph = graph(), .format = "count"}, Cancel());
+  const auto unknown = prepared_for(*engine, {.graph = graph(), .format = "count"});
   REQUIRE_FALSE(unknown);
   CHECK(unknown.problems().front().pointer == "/format");
   CHECK(unknown.problems().front().detail.find("counts") != std::string::npos);
-  CHECK_FALSE(engine->prepare({.graph = graph(), .preview = {"ring"}, .format = "counts"}, Cancel()));
+  CHECK_FALSE(prepared_for(*engine, {.graph = graph(), .preview = {"ring"}, .format = "counts"}));
 }
 
 TEST_CASE("A file carries the graph when that is asked for, and can be evaluated again from it") {

@@ -99,7 +99,7 @@ TEST_CASE("Parameters stand for literals of their type") {
   const CheckReport report = checked(registry, graph, {{"p", 3}});
   CHECK(parameters_behind(report.plan, report.plan.index.at("s")) == std::set<std::string>{"p"});
 
-  const Result<Document> read = read_document(graph, {});
+  const Result<Document> read = read_document(graph, {}, registry);
   const auto refused = [&](const Json& given) { return codes(resolve_parameters(*read, given).problems()); };
   CHECK(refused({{"p", 4}}) == std::multiset<std::string>{"out-of-range "});
   CHECK(refused({{"q", 4}}) == std::multiset<std::string>{"unknown-parameter "});
@@ -155,7 +155,7 @@ TEST_CASE("A check that is stopped ends at once") {
   cancel.stop(StopReason::client_gone);
   Json nodes = Json::object();
   for (int i = 0; i < 100; ++i) nodes["n" + std::to_string(i)] = toy_node("sum", {{"a", 1}});
-  const Result<Document> read = read_document(document(nodes), {});
+  const Result<Document> read = read_document(document(nodes), {}, registry);
   const CheckReport report = check(registry, *read, {}, Quality::final, {}, {}, {.cancel = &cancel});
   CHECK(report.plan.nodes.empty());
 }

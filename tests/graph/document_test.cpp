@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "graph/json_reader.h"
+#include "graph/registry.h"
 #include "tests/support/graphs.h"
 
 using namespace dini;
@@ -12,7 +13,7 @@ namespace {
 const Limits limits;
 
 std::multiset<std::string> pointers(const Json& json) {
-  const Result<Document> read = read_document(json, limits);
+  const Result<Document> read = read_document(json, limits, Registry());
   std::multiset<std::string> all;
   if (read) return all;
   for (const Problem& problem : read.problems()) all.insert(problem.code + " " + problem.pointer.value_or("nowhere"));
@@ -40,17 +41,17 @@ TEST_CASE("Writing what was read gives the same document") {
     },
     "ui": {"nodes": {"a": {"x": 1, "y": 2}}}
   })");
-  const Result<Document> read = read_document(json, limits);
+  const Result<Document> read = read_document(json, limits, Registry());
   REQUIRE(read.has_value());
   CHECK(write_document(*read) == json);
-  const Result<Document> again = read_document(write_document(*read), limits);
+  const Result<Document> again = read_document(write_document(*read), limits, Registry());
   REQUIRE(again.has_value());
   CHECK(*again == *read);
 }
 
 TEST_CASE("A document may say where its schema is, and keeps it") {
   const Json json = {{"$schema", "/schema/graph-1.json"}, {"format", 1}, {"nodes", Json::object()}};
-  const Result<Document> read = read_document(json, limits);
+  const Result<Document> read = read_document(json, limits, Registry());
   REQUIRE(read);
   CHECK(write_document(*read) == json);
   CHECK(pointers({{"$schema", 1}, {"format", 1}, {"nodes", Json::object()}}) ==

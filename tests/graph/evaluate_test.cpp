@@ -21,8 +21,8 @@ Problems failures(const Json& graph, const std::vector<std::string>& targets) {
   std::vector<std::size_t> indices;
   for (const std::string& target : targets) indices.push_back(report.plan.index.at(target));
   Cache cache(1 << 20);
-  const Cancel cancel;
-  const Result<Evaluation> evaluation = evaluate(report.plan, indices, cache, cancel);
+  const Job job;
+  const Result<Evaluation> evaluation = evaluate(report.plan, indices, cache, job);
   REQUIRE_FALSE(evaluation.has_value());
   return evaluation.problems();
 }
@@ -86,17 +86,50 @@ TEST_CASE("A cancelled evaluation ends with the reason") {
   for (const auto& [reason, code] :
        {std::pair{StopReason::superseded, "superseded"}, {StopReason::client_gone, "client-gone"}}) {
     Cache cache(1 << 20);
-    const Cancel cancel;
-    std::thread stopper([&, why = reason] { cancel.stop(why); });
-    const Result<Evaluation> evaluation = evaluate(report.plan, {0}, cache, cancel);
+    const Job job;
+    std::thread stopper([&, why = reason] { job.cancel.stop(why); });
+    const Result<Evaluation> evaluation = evaluate(report.plan, {0}, cache, job);
     stopper.join();
     REQUIRE_FALSE(evaluation.has_value());
     CHECK(evaluation.problems().front().code == code);
     CHECK(cache.size() == 0);
   }
   Cache cache(1 << 20);
-  const Cancel late(Cancel::Clock::now() + std::chrono::milliseconds(20));
+  const Job late{Cancel(Cancel::Clock::now() + std::chrono::milliseconds(20))};
   CHECK(evaluate(report.plan, {0}, cache, late).problems().front().code == "deadline");
+}
+
+TEST_CASE("Progress announces all work before the first of it, and ends where all is done") {
+  Json nodes = {{"r0", {{"type", "ramp"}, {"inputs", {{"count", 1000}}}}}};
+  for (int i = 0; i < 8; ++i) {
+    nodes["r" + std::to_string(i + 1)] = {
+        {"type", "sum"}, {"inputs", {{"a", from("r" + std::to_string(i))}, {"b", i}}}};
+  }
+  const CheckReport report = support::checked(registry, document(nodes));
+  const std::size_t last = report.plan.index.at("r8");
+  Cache cache(1 << 28);
+  const Job job;
+  std::atomic<bool> over = false;
+  bool went_back = false, grew = false;
+  std::thread watcher([&] {
+    Progress::State before;
+    while (!over) {
+      const Progress::State now = job.progress.state();
+      went_back = went_back || now.done < before.done;
+      grew = grew || (before.done > 0 && now.announced != before.announced);
+      before = now;
+    }
+  });
+  REQUIRE(evaluate(report.plan, {last}, cache, job));
+  over = true;
+  watcher.join();
+  CHECK_FALSE(went_back);
+  CHECK_FALSE(grew);
+  CHECK(job.progress.state().announced > 0);
+  CHECK(job.progress.state().done == job.progress.state().announced);
+  const Job again;
+  REQUIRE(evaluate(report.plan, {last}, cache, again));
+  CHECK(again.progress.state().announced == 0);
 }
 
 TEST_CASE("A node that fails by an exception spoils nobody else's result") {
@@ -115,8 +148,8 @@ TEST_CASE("A node that fails by an exception spoils nobody else's result") {
     std::vector<std::size_t> targets;
     for (const auto& [id, index] : report.plan.index) targets.push_back(index);
     Cache cache(1 << 28);
-    const Cancel cancel;
-    const Result<Evaluation> evaluation = evaluate(report.plan, targets, cache, cancel);
+    const Job job;
+    const Result<Evaluation> evaluation = evaluate(report.plan, targets, cache, job);
     REQUIRE_FALSE(evaluation.has_value());
     CHECK(evaluation.problems().front().code == code);
     for (int i = 0; i < 8; ++i) {
@@ -136,9 +169,9 @@ TEST_CASE("Warnings of the nodes before it stay with a result that comes from th
   const CheckReport report = support::checked(registry, graph);
   const std::size_t last = report.plan.index.at("c");
   Cache cache(1 << 20);
-  const Cancel cancel;
+  const Job job;
   CHECK_FALSE(find_evaluation(report.plan, {last}, cache));
-  REQUIRE(evaluate(report.plan, {last}, cache, cancel));
+  REQUIRE(evaluate(report.plan, {last}, cache, job));
   const std::optional<Evaluation> found = find_evaluation(report.plan, {last}, cache);
   REQUIRE(found);
   CHECK(found->runs.size() == 1);

@@ -85,14 +85,14 @@ TEST_CASE("One link less breaks a cycle, and every cycle is reported") {
 TEST_CASE("Values of parameters are mended where the request gives them") {
   Json graph = document({{"c", make("constant")}});
   graph["parameters"] = {{"reach", {{"type", "number"}, {"default", 1}, {"max", 3}}}};
-  const Result<Document> read = read_document(graph, {});
+  const Result<Document> read = read_document(graph, {}, registry);
   REQUIRE(read);
   const auto fix = [&](const Json& given) { return resolve_parameters(*read, given).problems().front().fix; };
   CHECK(Json{{"parameters", {{"reach", 9}}}}.patch(fix({{"reach", 9}}))["parameters"] == Json({{"reach", 3}}));
   CHECK(Json{{"parameters", {{"reech", 2}}}}.patch(fix({{"reech", 2}}))["parameters"] == Json({{"reach", 2}}));
   CHECK(fix({{"else", 2}})[0]["op"] == "remove");
   graph["parameters"]["reach"]["default"] = 5;
-  const Result<Document> wrong = read_document(graph, {});
+  const Result<Document> wrong = read_document(graph, {}, registry);
   REQUIRE_FALSE(wrong);
   CHECK(mended(graph, wrong.problems().front().fix)["parameters"]["reach"]["default"] == 3);
 }
@@ -121,7 +121,7 @@ TEST_CASE("What is not asked for is checked apart") {
                                {"b", make("sum", {{"a", from("a")}})},
                                {"c", make("sum", {{"a", from("gone")}})},
                                {"d", make("sum", {{"a", from("c")}})}});
-  const Result<Document> read = read_document(graph, {});
+  const Result<Document> read = read_document(graph, {}, registry);
   REQUIRE(read);
   const CheckReport report = check(registry, *read, {}, Quality::final, {}, {}, {{"b"}, true});
   CHECK(report.problems.empty());

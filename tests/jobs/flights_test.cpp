@@ -46,18 +46,18 @@ struct Field {
   ComputeQueue queue;
   Flights flights{queue, alarms};
 
-  auto ask(std::uint8_t key, std::function<Answer(const Cancel&)> work, Told& told,
+  auto ask(std::uint8_t key, std::function<Answer(const Job&)> work, Told& told,
            Flights::Clock::time_point deadline = Flights::Clock::time_point::max()) {
     return flights.ask<int>({.key = {key}, .deadline = deadline}, std::move(work), told.teller());
   }
 };
 
 /// Work that ends when it is stopped or let go.
-std::function<Answer(const Cancel&)> until(std::atomic<bool>& go, std::atomic<int>& runs, std::atomic<int>& stopped) {
-  return [&](const Cancel& cancel) -> Answer {
+std::function<Answer(const Job&)> until(std::atomic<bool>& go, std::atomic<int>& runs, std::atomic<int>& stopped) {
+  return [&](const Job& job) -> Answer {
     ++runs;
-    eventually([&] { return go || cancel.stopped(); });
-    if (cancel.stopped()) ++stopped;
+    eventually([&] { return go || job.cancel.stopped(); });
+    if (job.cancel.stopped()) ++stopped;
     return value(7);
   };
 }
@@ -158,9 +158,9 @@ TEST_CASE("Exceptions become problems and tell nothing of the inside") {
   Field field;
   Told memory, bug;
   field.ask(
-      1, [](const Cancel&) -> Answer { throw std::bad_alloc(); }, memory);
+      1, [](const Job&) -> Answer { throw std::bad_alloc(); }, memory);
   field.ask(
-      2, [](const Cancel&) -> Answer { throw std::runtime_error("secret"); }, bug);
+      2, [](const Job&) -> Answer { throw std::runtime_error("secret"); }, bug);
   REQUIRE(memory.wait());
   REQUIRE(bug.wait());
   CHECK(memory.code == "out-of-memory");
@@ -210,7 +210,7 @@ TEST_CASE("Asking, leaving and landing at the same time tell everybody exactly o
         for (int round = 0; round < rounds; ++round) {
           Told& one = told[static_cast<std::size_t>(asker * rounds + round)];
           const auto interest = field.ask(
-              static_cast<std::uint8_t>(round % 3), [](const Cancel&) { return value(1); }, one,
+              static_cast<std::uint8_t>(round % 3), [](const Job&) { return value(1); }, one,
               round % 5 == 0 ? Flights::Clock::now() : Flights::Clock::time_point::max());
           if (interest == nullptr) one.times = 1;
           if (interest != nullptr && round % 2 == 0) interest->stop(StopReason::superseded);

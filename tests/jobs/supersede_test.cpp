@@ -27,8 +27,8 @@ struct Field {
   std::shared_ptr<Flights::Interest> ask(std::string& code) {
     return flights.ask<int>(
         {.key = {++keys}},
-        [this](const Cancel& cancel) -> Answer {
-          eventually([&] { return go || cancel.stopped(); });
+        [this](const Job& job) -> Answer {
+          eventually([&] { return go || job.cancel.stopped(); });
           return std::make_shared<const int>(1);
         },
         [&code](const Answer& answer, Flights::Begun) { code = answer ? "done" : answer.problems().front().code; });

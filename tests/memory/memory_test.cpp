@@ -21,7 +21,7 @@ struct Memory {
 
 /// The plan of one node and all that it needs, within so much work.
 CheckReport planned(const Json& nodes, const std::string& node, std::size_t work) {
-  const Result<Document> read = read_document(document(nodes), Limits{});
+  const Result<Document> read = read_document(document(nodes), Limits{}, catalogue());
   REQUIRE(read);
   Limits limits;
   limits.work = work;
@@ -33,9 +33,9 @@ Memory memory_of(const Json& nodes, const std::string& node) {
   const CheckReport report = planned(nodes, node, Limits().work);
   for (const Problem& problem : report.problems) FAIL(problem.code << " at " << problem.node << ": " << problem.detail);
   Cache cache(std::size_t{4} << 30);
-  const Cancel cancel;
+  const Job job;
   restart_memory_meter();
-  const Result<Evaluation> evaluation = evaluate(report.plan, {report.plan.index.at(node)}, cache, cancel);
+  const Result<Evaluation> evaluation = evaluate(report.plan, {report.plan.index.at(node)}, cache, job);
   const std::size_t used = most_memory();
   for (const Problem& problem : evaluation ? Problems{} : evaluation.problems()) {
     FAIL(problem.code << " at " << problem.node << ": " << problem.detail);

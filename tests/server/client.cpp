@@ -17,6 +17,12 @@ constexpr std::chrono::seconds patience{15};
 
 }  // namespace
 
+std::vector<Json> Answer::lines() const {
+  std::vector<Json> lines;
+  for (const std::string_view line : server::split(body, '\n')) lines.push_back(Json::parse(line, nullptr, false));
+  return lines;
+}
+
 std::string Answer::code() const {
   const Json problem = json();
   if (!problem.is_object() || !problem.contains("errors") || problem.at("errors").empty()) return "";
@@ -85,6 +91,10 @@ std::optional<Answer> Client::receive(bool head_only) {
     if (value.ends_with('\r')) value.remove_suffix(1);
     answer.headers[server::to_lower(line.substr(0, colon))] = value;
   }
+  if (answer.header("transfer-encoding") == "chunked") {
+    if (!head_only && !receive_chunks(answer.body)) return std::nullopt;
+    return answer;
+  }
   const std::string length = answer.header("content-length");
   const std::size_t size = length.empty() || head_only ? 0 : std::stoul(length);
   while (buffer_.size() < size) {
@@ -93,6 +103,23 @@ std::optional<Answer> Client::receive(bool head_only) {
   answer.body = buffer_.substr(0, size);
   buffer_.erase(0, size);
   return answer;
+}
+
+bool Client::receive_chunks(std::string& body) {
+  for (;;) {
+    std::size_t line = 0;
+    while ((line = buffer_.find("\r\n")) == std::string::npos) {
+      if (!read_more()) return false;
+    }
+    const std::size_t size = std::stoul(buffer_.substr(0, line), nullptr, 16);
+    buffer_.erase(0, line + 2);
+    while (buffer_.size() < size + 2) {
+      if (!read_more()) return false;
+    }
+    body.append(buffer_, 0, size);
+    buffer_.erase(0, size + 2);
+    if (size == 0) return true;
+  }
 }
 
 std::string Client::rest() {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "graph/problem.h"
 
@@ -21,6 +22,8 @@ struct Answer {
     return found == headers.end() ? "" : found->second;
   }
   Json json() const { return Json::parse(body, nullptr, false); }
+  /// The lines of a body of NDJSON.
+  std::vector<Json> lines() const;
   /// The code of the first error of a problem; empty when the body is none.
   std::string code() const;
 };
@@ -56,6 +59,8 @@ class Client {
  private:
   bool readable(std::chrono::milliseconds wait) const;
   bool read_more();
+  /// A chunked body; false when it is cut off.
+  bool receive_chunks(std::string& body);
 
   int descriptor_ = -1;
   std::string buffer_;

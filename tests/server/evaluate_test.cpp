@@ -262,7 +262,7 @@ TEST_CASE("Evaluations beyond slots and queue are refused at once") {
   std::vector<std::future<std::optional<Answer>>> more;
   for (int i = 0; i < 2; ++i) {
     more.push_back(std::async(std::launch::async, [&server, i] {
-      return post(server.port(), "/v1/inspect", R"({"graph":{"nodes":{}},"node":"out"})" + std::string(i, ' '));
+      return post(server.port(), "/v1/inspect", Json{{"graph", {{"nodes", Json::object()}}}, {"node", "out"}, {"output", "o" + std::to_string(i)}}.dump());
     }));
   }
   // One of the two finds the place in the queue, the other one is told so before the first is done.

@@ -14,7 +14,7 @@ using namespace dini::support;
 
 namespace {
 
-EvaluateRequest request_for(const Json& graph, Json parameters = Json::object(), Quality quality = Quality::final) {
+Asked request_for(const Json& graph, Json parameters = Json::object(), Quality quality = Quality::final) {
   return {.graph = graph, .parameters = std::move(parameters), .output = "", .quality = quality};
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("Previews of every node of the examples can be drawn and are the same 
   const auto lowest = kernels::instruction_sets().back();
   for (const auto& [id, graph] : examples()) {
     CAPTURE(id);
-    EvaluateRequest request = request_for(graph, Json::object(), Quality::draft);
+    Asked request = request_for(graph, Json::object(), Quality::draft);
     for (const auto& [node, entry] : graph["nodes"].items()) {
       if (request.preview.size() < Limits().previews) request.preview.push_back(node);
     }

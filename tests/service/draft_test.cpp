@@ -33,15 +33,15 @@ Json large_graph() {
                                              from("box"), from("fine")}}})}});
 }
 
-EvaluateRequest draft_of(Json graph, std::optional<std::int64_t> budget) {
-  EvaluateRequest request;
+Asked draft_of(Json graph, std::optional<std::int64_t> budget) {
+  Asked request;
   request.graph = std::move(graph);
   request.quality = Quality::draft;
   request.triangle_budget = budget;
   return request;
 }
 
-std::size_t triangles_of(const EvaluateRequest& request) {
+std::size_t triangles_of(const Asked& request) {
   const Result<Answered> answer = answered(engine(), request);
   require_none(answer ? Problems{} : answer.problems());
   return answer->report()["model"]["triangles"];
@@ -106,15 +106,15 @@ TEST_CASE("A mesh that a family uses counts as often as it is used") {
 
 TEST_CASE("A draft that fits its budget is as fine as the final answer") {
   Json graph = document({{"ball", make("sphere_mesh")}, {"out", make("export", {{"model", from("ball")}})}});
-  EvaluateRequest final_request = draft_of(graph, std::nullopt);
+  Asked final_request = draft_of(graph, std::nullopt);
   final_request.quality = Quality::final;
   CHECK(triangles_of(draft_of(graph, 100'000)) == triangles_of(final_request));
   CHECK(triangles_of(draft_of(graph, 1000)) < 1100);
 }
 
 TEST_CASE("A budget outside its bounds, or for a final answer, is refused") {
-  const auto refused = [](const EvaluateRequest& request) {
-    const auto prepared = engine().prepare(request, Cancel());
+  const auto refused = [](const Asked& request) {
+    const auto prepared = prepared_for(engine(), request);
     REQUIRE_FALSE(prepared);
     CHECK(prepared.problems().front().code == "out-of-range");
     CHECK(prepared.problems().front().pointer == "/triangle_budget");
@@ -123,13 +123,13 @@ TEST_CASE("A budget outside its bounds, or for a final answer, is refused") {
   for (const std::int64_t budget : {std::int64_t{99}, std::int64_t{0}, std::int64_t{-5}, std::int64_t{10'000'001}}) {
     CHECK(refused(draft_of(large_graph(), budget)).detail.find("100 to 10000000") != std::string::npos);
   }
-  EvaluateRequest request = draft_of(large_graph(), 1000);
+  Asked request = draft_of(large_graph(), 1000);
   request.quality = Quality::final;
   CHECK(refused(request).detail == "a triangle_budget goes with quality draft only; a final answer is never thinned");
 }
 
 TEST_CASE("The tag of a draft depends on its budget where that thins something") {
-  const auto tag = [](const EvaluateRequest& request) { return (*engine().prepare(request, Cancel()))->model_tag; };
+  const auto tag = [](const Asked& request) { return (*prepared_for(engine(), request))->model_tag; };
   CHECK(tag(draft_of(large_graph(), 1000)) != tag(draft_of(large_graph(), 2000)));
   CHECK(tag(draft_of(large_graph(), 1000)) == tag(draft_of(large_graph(), 1000)));
 }

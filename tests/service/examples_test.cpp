@@ -66,8 +66,8 @@ Json random_setting(const Json& parameters, std::mt19937& random) {
   return setting;
 }
 
-std::string tag(const Engine& asked, const EvaluateRequest& request) {
-  const auto prepared = asked.prepare(request, Cancel());
+std::string tag(const Engine& asked, const Asked& request) {
+  const auto prepared = prepared_for(asked, request);
   require_none(prepared ? Problems{} : prepared.problems());
   return (*prepared)->model_tag;
 }
@@ -94,7 +94,7 @@ TEST_CASE("Every example is titled, has parameters with labels and bounds, and i
       CHECK(parameter["description"].get<std::string>().ends_with('.'));
       CHECK((parameter["type"] == "choice" || (parameter.contains("min") && parameter.contains("max"))));
     }
-    const Json verdict = *engine().validate(graph, Json::object(), Cancel());
+    const Json verdict = *engine().validate(*engine().read(graph), Json::object(), Cancel());
     CHECK(verdict["valid"] == true);
     CHECK(verdict["errors"] == Json::array());
     CHECK(verdict["blocked"] == Json::array());
@@ -132,8 +132,8 @@ TEST_CASE("Every parameter of every example works at its bounds and says so beyo
         require_none(answer ? Problems{} : answer.problems());
       }
       const Json beyond = parameter.contains("max") ? Json(parameter["max"].get<double>() + 1) : Json("none of them");
-      const auto refused = engine().prepare(
-          {.graph = graph, .parameters = {{name, beyond}}, .output = "", .quality = Quality::draft}, Cancel());
+      const auto refused = prepared_for(engine(), 
+          {.graph = graph, .parameters = {{name, beyond}}, .output = "", .quality = Quality::draft});
       CAPTURE(id, name);
       REQUIRE_FALSE(refused);
       CHECK(refused.problems().front().pointer == "/parameters/" + name);
@@ -148,7 +148,7 @@ TEST_CASE("Every example works with its sliders at every combination of ends, an
     for (int k = 0; k < 30; ++k) settings.push_back(random_setting(graph["parameters"], random));
     for (const Json& setting : settings) {
       CAPTURE(id, setting.dump());
-      EvaluateRequest request{.graph = graph, .parameters = setting, .output = "", .quality = Quality::draft};
+      Asked request{.graph = graph, .parameters = setting, .output = "", .quality = Quality::draft};
       request.triangle_budget = 2000;
       const Result<Answered> answer = answered(engine(), request);
       require_none(answer ? Problems{} : answer.problems());
@@ -162,7 +162,7 @@ TEST_CASE("An entity tag is the same for the same request and another for any ot
   const Engine& other = *other_owner;
   for (const auto& [id, graph] : examples()) {
     CAPTURE(id);
-    const EvaluateRequest request{
+    const Asked request{
         .graph = graph, .parameters = Json::object(), .output = "", .quality = Quality::final};
     const std::string usual = tag(engine(), request);
     CHECK(usual.size() == 66);
@@ -194,7 +194,7 @@ TEST_CASE("Where its schema is, its title and its drawing are in no tag of a rep
   moved["ui"] = {{"nodes", Json::object()}};
   moved["meta"]["title"] = "Another title";
   const auto report_tag = [](const Json& document) {
-    const auto prepared = engine().prepare({.graph = document}, Cancel());
+    const auto prepared = prepared_for(engine(), {.graph = document});
     require_none(prepared ? Problems{} : prepared.problems());
     return (*prepared)->report_tag;
   };

@@ -45,12 +45,12 @@ std::vector<Json> graphs() {
   return all;
 }
 
-EvaluateRequest request_for(const Json& graph, int round) {
+Asked request_for(const Json& graph, int round) {
   return {.graph = graph, .parameters = {{"reach", 0.5 + 0.001 * round}}, .preview = {}};
 }
 
 /// The file, or the code of the problem, with memory as it is; exceptions other than for want of memory fail the test.
-std::string outcome(const Engine& engine, const EvaluateRequest& request) {
+std::string outcome(const Engine& engine, const Asked& request) {
   try {
     const Result<Answered> answer = answered(engine, request);
     return answer ? *answer->glb : answer.problems().front().code;
@@ -74,7 +74,7 @@ TEST_CASE("Wherever memory runs out, the answer says so, nothing leaks, and the 
     const long before = live_allocations;
     std::size_t failures = 0;
     for (long place = 0;; ++place, ++round) {
-      const EvaluateRequest request = request_for(all[which], round);
+      const Asked request = request_for(all[which], round);
       allocations_left = place;
       const std::string failed = outcome(*engine, request);
       const bool reached = allocations_left < 0;
@@ -104,7 +104,7 @@ TEST_CASE("Wherever memory runs out while computations are shared, everybody is 
       try {
         const auto interest = flights.ask<int>(
             {.key = {static_cast<std::uint8_t>(asker / 2)}},
-            [](const Cancel&) -> Answer { return std::make_shared<const int>(1); },
+            [](const Job&) -> Answer { return std::make_shared<const int>(1); },
             [&](const Answer&, jobs::Flights::Begun) { ++told; });
         if (interest == nullptr) ++refused;
       } catch (const std::bad_alloc&) {

@@ -17,14 +17,14 @@ const Engine& engine() {
   return *one;
 }
 
-EvaluateRequest showing(Json nodes, std::vector<std::string> preview) {
-  EvaluateRequest request;
+Asked showing(Json nodes, std::vector<std::string> preview) {
+  Asked request;
   request.graph = document(std::move(nodes));
   request.preview = std::move(preview);
   return request;
 }
 
-std::string preview_of(const EvaluateRequest& request) {
+std::string preview_of(const Asked& request) {
   const Result<Answered> answer = answered(engine(), request);
   require_none(answer ? Problems{} : answer.problems());
   REQUIRE(answer->preview);
@@ -64,8 +64,8 @@ double extent_of(const Json& json) {
   return largest;
 }
 
-Problems refused(const EvaluateRequest& request) {
-  const auto prepared = engine().prepare(request, Cancel());
+Problems refused(const Asked& request) {
+  const auto prepared = prepared_for(engine(), request);
   REQUIRE_FALSE(prepared);
   return prepared.problems();
 }
@@ -225,7 +225,7 @@ TEST_CASE("A line crosses everything that is shown with it, wherever it runs") {
 }
 
 TEST_CASE("An evaluation gives the model, the preview, or both, and says so in its report") {
-  EvaluateRequest request = showing(ring_graph, {});
+  Asked request = showing(ring_graph, {});
   const Result<Answered> model = answered(engine(), request);
   REQUIRE(model);
   CHECK_FALSE(model->preview);
@@ -247,18 +247,18 @@ TEST_CASE("An evaluation gives the model, the preview, or both, and says so in i
 }
 
 TEST_CASE("The tag of an answer depends on what is drawn, and equal previews are equal bytes") {
-  const auto tag = [](const EvaluateRequest& request) {
-    const auto prepared = engine().prepare(request, Cancel());
+  const auto tag = [](const Asked& request) {
+    const auto prepared = prepared_for(engine(), request);
     require_none(prepared ? Problems{} : prepared.problems());
     return (*prepared)->model_tag;
   };
-  EvaluateRequest both = showing(ring_graph, {"ring"});
+  Asked both = showing(ring_graph, {"ring"});
   both.output = "out";
-  const std::vector<EvaluateRequest> requests = {showing(ring_graph, {}), showing(ring_graph, {"ring"}),
+  const std::vector<Asked> requests = {showing(ring_graph, {}), showing(ring_graph, {"ring"}),
                                                  showing(ring_graph, {"skin"}), showing(ring_graph, {"ring", "skin"}),
                                                  both};
   std::set<std::string> tags;
-  for (const EvaluateRequest& request : requests) tags.insert(tag(request));
+  for (const Asked& request : requests) tags.insert(tag(request));
   CHECK(tags.size() == requests.size());
   CHECK(tag(showing(ring_graph, {"skin", "ring"})) == tag(showing(ring_graph, {"ring", "skin"})));
   const std::unique_ptr<Engine> other_owner = make_engine();

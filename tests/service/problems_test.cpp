@@ -24,7 +24,7 @@ Json sound() {
   return graph;
 }
 
-EvaluateRequest request_for(Json graph, Json parameters = Json::object()) {
+Asked request_for(Json graph, Json parameters = Json::object()) {
   return {.graph = std::move(graph), .parameters = std::move(parameters), .output = "", .quality = Quality::final};
 }
 
@@ -92,7 +92,7 @@ std::vector<Fault> faults_elsewhere() {
 TEST_CASE("Every fault has its stable code and the pointer to its place") {
   for (const Fault& fault : faults()) {
     CAPTURE(fault.code, fault.pointer);
-    const auto prepared = engine().prepare(request_for(fault.graph, fault.parameters), Cancel());
+    const auto prepared = prepared_for(engine(), request_for(fault.graph, fault.parameters));
     REQUIRE_FALSE(prepared);
     CAPTURE(to_json(prepared.problems()).dump());
     REQUIRE(prepared.problems().size() == 1);
@@ -107,12 +107,12 @@ TEST_CASE("Every fault has its stable code and the pointer to its place") {
 TEST_CASE("Validation and evaluation find the same problems") {
   for (const Fault& fault : faults()) {
     CAPTURE(fault.code, fault.pointer);
-    const Json verdict = *engine().validate(fault.graph, fault.parameters, Cancel());
+    const Json verdict = *engine().validate(*engine().read(fault.graph), fault.parameters, Cancel());
     CHECK(verdict["valid"] == false);
     CHECK(verdict["errors"] ==
-          to_json(engine().prepare(request_for(fault.graph, fault.parameters), Cancel()).problems()));
+          to_json(prepared_for(engine(), request_for(fault.graph, fault.parameters)).problems()));
   }
-  CHECK((*engine().validate(sound(), Json::object(), Cancel()))["valid"] == true);
+  CHECK((*engine().validate(*engine().read(sound()), Json::object(), Cancel()))["valid"] == true);
 }
 
 TEST_CASE("A fault elsewhere is a warning of the evaluation and a problem of the validation") {
@@ -127,10 +127,10 @@ TEST_CASE("A fault elsewhere is a warning of the evaluation and a problem of the
     REQUIRE(warnings.size() == 1);
     CHECK(warnings[0]["code"] == fault.code);
     CHECK(warnings[0]["pointer"] == fault.pointer);
-    const Json verdict = *engine().validate(fault.graph, Json::object(), Cancel());
+    const Json verdict = *engine().validate(*engine().read(fault.graph), Json::object(), Cancel());
     CHECK(verdict["errors"] == warnings);
     const auto seen = engine().inspect(
-        {.graph = fault.graph, .parameters = Json::object(), .node = "ring", .output = "", .full = false}, Cancel());
+        {.graph = engine().read(fault.graph), .parameters = Json::object(), .node = "ring", .output = "", .full = false}, Job());
     CHECK(seen);
   }
 }
@@ -139,7 +139,7 @@ TEST_CASE("A check that cannot run fails the answer, and says why") {
   Json graph = with("/nodes/limit", make("check", {{"value", from("size")}, {"maximum", 5}}));
   graph["nodes"]["size"] = make("expression", {{"formula", "x"}, {"y", from("nowhere")}});
   graph["nodes"]["loose"] = make("check");
-  const auto refused = engine().prepare(request_for(graph), Cancel());
+  const auto refused = prepared_for(engine(), request_for(graph));
   REQUIRE_FALSE(refused);
   REQUIRE(refused.problems().size() == 2);
   CHECK(refused.problems()[0].code == "check-failed");
@@ -150,23 +150,23 @@ TEST_CASE("A check that cannot run fails the answer, and says why") {
   CHECK(refused.problems()[1].detail.starts_with("the check cannot run: value is not given"));
   graph["nodes"]["loose"]["bypass"] = true;
   graph["nodes"]["limit"]["bypass"] = true;
-  CHECK(engine().prepare(request_for(graph), Cancel()));
+  CHECK(prepared_for(engine(), request_for(graph)));
 }
 
 TEST_CASE("Outputs and nodes that are not there are named with what is") {
-  EvaluateRequest request = request_for(sound());
+  Asked request = request_for(sound());
   request.output = "skin";
-  const auto wrong_output = engine().prepare(request, Cancel());
+  const auto wrong_output = prepared_for(engine(), request);
   REQUIRE_FALSE(wrong_output);
   CHECK(wrong_output.problems().front().code == "unknown-output");
   CHECK(wrong_output.problems().front().detail.find("out") != std::string::npos);
   const auto no_node = engine().inspect(
-      {.graph = sound(), .parameters = Json::object(), .node = "rin", .output = "", .full = false}, Cancel());
+      {.graph = engine().read(sound()), .parameters = Json::object(), .node = "rin", .output = "", .full = false}, Job());
   REQUIRE_FALSE(no_node);
   CHECK(no_node.problems().front().code == "unknown-node");
   CHECK(no_node.problems().front().detail.find("ring") != std::string::npos);
   const auto no_port = engine().inspect(
-      {.graph = sound(), .parameters = Json::object(), .node = "ring", .output = "disk", .full = false}, Cancel());
+      {.graph = engine().read(sound()), .parameters = Json::object(), .node = "ring", .output = "disk", .full = false}, Job());
   REQUIRE_FALSE(no_port);
   CHECK(no_port.problems().front().code == "unknown-port");
 }
@@ -209,7 +209,7 @@ TEST_CASE("Graphs as large as the limit are answered, larger ones are refused") 
   const std::string last = "n" + std::to_string(engine().limits().nodes - 1);
   CHECK(inspected(engine(), graph, last) == Json{1.0});
   graph["nodes"]["one_more"] = make("number");
-  const auto refused = engine().prepare(request_for(graph), Cancel());
+  const auto refused = prepared_for(engine(), request_for(graph));
   REQUIRE_FALSE(refused);
   CHECK(refused.problems().front().code == "limit-exceeded");
   CHECK(refused.problems().front().pointer == "/nodes");
@@ -228,18 +228,18 @@ TEST_CASE("A deadline and a stop end a large evaluation inside its kernels") {
   nodes["skin"] = make("surface", {{"shape", from("bent")}});
   nodes["out"] = make("export", {{"model", from("skin")}});
   const Json graph = document(nodes);
-  const auto problem_with = [&](const Cancel& cancel) {
-    const Result<Answered> answer = answered(engine(), request_for(graph), cancel);
+  const auto problem_with = [&](const Job& job) {
+    const Result<Answered> answer = answered(engine(), request_for(graph), job);
     REQUIRE_FALSE(answer);
     REQUIRE(answer.problems().size() == 1);
     return answer.problems().front().code;
   };
-  CHECK(problem_with(Cancel(Cancel::Clock::now() + std::chrono::milliseconds(30))) == "deadline");
-  const Cancel gone;
-  gone.stop(StopReason::client_gone);
+  CHECK(problem_with(Job{Cancel(Cancel::Clock::now() + std::chrono::milliseconds(30))}) == "deadline");
+  const Job gone;
+  gone.cancel.stop(StopReason::client_gone);
   CHECK(problem_with(gone) == "client-gone");
-  const Cancel superseded;
-  superseded.stop(StopReason::superseded);
+  const Job superseded;
+  superseded.cancel.stop(StopReason::superseded);
   CHECK(problem_with(superseded) == "superseded");
   // What was stopped leaves nothing half done behind.
   const Json small = with("/nodes/ring/inputs/center", {1, 2, 3});

@@ -9,6 +9,8 @@ using namespace dini::support;
 
 namespace {
 
+const std::unique_ptr<Engine> engine = make_engine();
+
 struct Order {
   std::string item;
   std::optional<std::int64_t> count = {};
@@ -32,7 +34,7 @@ const RequestType<Order>& order() {
 
 /// The only problem of a body.
 Problem only_problem(const Json& body) {
-  const auto read = order().read(body);
+  const auto read = order().read(body, *engine);
   REQUIRE_FALSE(read);
   REQUIRE(read.problems().size() == 1);
   return read.problems().front();
@@ -42,7 +44,7 @@ Problem only_problem(const Json& body) {
 
 TEST_CASE("A body is read into the members that it names, and the others keep their defaults") {
   const auto full = order().read(Json::parse(
-      R"({"item": "cup", "count": 3.0, "finish": "plain", "wrapped": true, "notes": ["a", "b"], "extras": {"x": 1}})"));
+      R"({"item": "cup", "count": 3.0, "finish": "plain", "wrapped": true, "notes": ["a", "b"], "extras": {"x": 1}})"), *engine);
   REQUIRE(full);
   CHECK(full->item == "cup");
   CHECK(full->count == 3);
@@ -50,7 +52,7 @@ TEST_CASE("A body is read into the members that it names, and the others keep th
   CHECK(full->wrapped);
   CHECK(full->notes == std::vector<std::string>{"a", "b"});
   CHECK(full->extras == Json{{"x", 1}});
-  const auto least = order().read({{"item", "cup"}});
+  const auto least = order().read({{"item", "cup"}}, *engine);
   REQUIRE(least);
   CHECK_FALSE(least->count);
   CHECK(least->finish == Finish::shiny);
@@ -59,7 +61,7 @@ TEST_CASE("A body is read into the members that it names, and the others keep th
 
 TEST_CASE("Every member says what is wrong with it, in one answer") {
   const auto read = order().read(
-      Json::parse(R"({"itm": 1, "count": 1.5, "finish": 2, "wrapped": "yes", "notes": ["a", 1], "extras": []})"));
+      Json::parse(R"({"itm": 1, "count": 1.5, "finish": 2, "wrapped": "yes", "notes": ["a", 1], "extras": []})"), *engine);
   REQUIRE_FALSE(read);
   std::map<std::string, std::string> codes;
   for (const Problem& problem : read.problems()) codes[problem.pointer.value()] = problem.code;
@@ -111,23 +113,26 @@ TEST_CASE("The schema of a request says what the reader enforces") {
 }
 
 TEST_CASE("What the description of a request calls a default is what reading leaves in its place") {
-  const auto evaluate = read_evaluate_body({{"graph", Json::object()}});
+  const auto evaluate = read_evaluate_body({{"graph", Json::object()}}, *engine);
   REQUIRE(evaluate);
   const RequestDescription& description = evaluate_description();
   CHECK(description.find("quality")->spec.default_value == "final");
   CHECK(evaluate->quality == Quality::final);
   CHECK(description.find("embed_graph")->spec.default_value == evaluate->embed_graph);
   CHECK(description.find("triangle_budget")->spec.default_value == Detail(Quality::draft).triangle_budget);
-  const auto inspect = read_inspect_body({{"graph", Json::object()}, {"node", "a"}});
+  const auto inspect = read_inspect_body({{"graph", Json::object()}, {"node", "a"}}, *engine);
   REQUIRE(inspect);
   CHECK(inspect_description().find("full")->spec.default_value == inspect->full);
 }
 
 TEST_CASE("The example of every request can be read, and every member says what it is in one sentence") {
-  CHECK(read_evaluate_body(example_of(evaluate_description())));
-  CHECK(read_inspect_body(example_of(inspect_description())));
-  CHECK(read_validate_body(example_of(validate_description())));
-  for (const RequestDescription* request : {&evaluate_description(), &inspect_description(), &validate_description()}) {
+  CHECK(read_evaluate_body(example_of(evaluate_description()), *engine));
+  CHECK(read_inspect_body(example_of(inspect_description()), *engine));
+  const auto sweep = read_sweep_body(example_of(sweep_description()), *engine);
+  REQUIRE(sweep);
+  CHECK(Variants::read(*sweep, sweep->parameters, 100));
+  CHECK(read_validate_body(example_of(validate_description()), *engine));
+  for (const RequestDescription* request : {&evaluate_description(), &inspect_description(), &sweep_description(), &validate_description()}) {
     for (const Member& member : request->members) {
       CAPTURE(request->name, member.name);
       CHECK(member.doc.ends_with('.'));

@@ -105,13 +105,13 @@ class CatalogueGraph {
   friend CatalogueGraph graph_of(const Json& nodes, Quality quality);
 
   CatalogueGraph(const Json& nodes, Quality quality) {
-    const Result<Document> read = read_document(document(nodes), Limits{});
+    const Result<Document> read = read_document(document(nodes), Limits{}, catalogue());
     for (const Problem& problem : read ? Problems{} : read.problems())
       FAIL(problem.pointer.value_or("") << ": " << problem.detail);
     report_ = check(catalogue(), *read, {}, quality, {}, test_file);
   }
 
-  Result<Evaluation> run(const std::string& node) { return evaluate(plan(), {plan().index.at(node)}, cache_, cancel_); }
+  Result<Evaluation> run(const std::string& node) { return evaluate(plan(), {plan().index.at(node)}, cache_, job_); }
 
   std::size_t output_index(const std::string& node, const std::string& place) const {
     if (place == node) return 0;
@@ -121,7 +121,7 @@ class CatalogueGraph {
 
   CheckReport report_;
   Cache cache_{std::size_t{256} << 20};
-  Cancel cancel_;
+  Job job_;
   std::vector<Warning> warnings_;
 };
 

@@ -13,7 +13,7 @@ namespace dini::support {
 
 inline CheckReport checked(const Registry& registry, const Json& json, const Json& parameters = Json::object(),
                            const Limits& limits = {}) {
-  const Result<Document> read = read_document(json, limits);
+  const Result<Document> read = read_document(json, limits, registry);
   REQUIRE(read.has_value());
   const auto values = resolve_parameters(*read, parameters);
   REQUIRE(values.has_value());
@@ -35,8 +35,7 @@ inline std::vector<double> numbers(const Registry& registry, const Json& json, c
   INFO(codes(report.problems).size());
   for (const Problem& problem : report.problems) FAIL(problem.code << ": " << problem.detail);
   const std::size_t index = report.plan.index.at(node);
-  const Cancel cancel;
-  const Result<Evaluation> evaluation = evaluate(report.plan, {index}, cache, cancel);
+  const Result<Evaluation> evaluation = evaluate(report.plan, {index}, cache, Job());
   REQUIRE(evaluation.has_value());
   const Value value = evaluation->value(report.plan, index, 0);
   const Column<double>& column = column_of<double>(value);

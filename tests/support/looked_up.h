@@ -21,10 +21,9 @@ inline Json example(const std::string& name) {
 inline Json looked_up(const Json& graph, const std::string& place, const Json& parameters = Json::object(),
                       bool full = false) {
   static const std::unique_ptr<Engine> engine = example_engine();
-  const Cancel cancel;
   const std::size_t dot = place.find('.');
   const std::string output = dot == std::string::npos ? "" : place.substr(dot + 1);
-  const Result<SharedBytes> answer = engine->inspect({graph, parameters, place.substr(0, dot), output, full}, cancel);
+  const Result<SharedBytes> answer = engine->inspect({engine->read(graph), parameters, place.substr(0, dot), output, full}, Job());
   if (!answer) FAIL(to_json(answer.problems()).dump());
   return Json::parse(**answer);
 }

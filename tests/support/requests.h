@@ -13,6 +13,38 @@
 
 namespace dini::support {
 
+/// What is asked for, as tests write it: with the document of its graph.
+struct Asked {
+  Json graph;
+  Json parameters = Json::object();
+  std::string output = {};
+  Quality quality = Quality::final;
+  std::optional<std::int64_t> triangle_budget = {};
+  std::vector<std::string> preview = {};
+  std::vector<std::string> measures = {};
+  bool without_output = false;
+  std::string format = {};
+  bool embed_graph = false;
+};
+
+inline EvaluateRequest request_to(const Engine& engine, const Asked& asked) {
+  return {.graph = engine.read(asked.graph),
+          .parameters = asked.parameters,
+          .output = asked.output,
+          .quality = asked.quality,
+          .triangle_budget = asked.triangle_budget,
+          .preview = asked.preview,
+          .measures = asked.measures,
+          .without_output = asked.without_output,
+          .format = asked.format,
+          .embed_graph = asked.embed_graph,
+          .notes = notes_of(asked.graph)};
+}
+
+inline Result<SharedPrepared> prepared_for(const Engine& engine, const Asked& asked, const Cancel& cancel = Cancel()) {
+  return engine.prepare(request_to(engine, asked), cancel);
+}
+
 /// Fails the test when there are problems, and shows them.
 inline void require_none(const Problems& problems) {
   for (const Problem& problem : problems) {
@@ -28,8 +60,8 @@ inline Json inspected(const Engine& engine, const Json& graph, const std::string
   const std::size_t dot = place.find('.');
   const std::string output = dot == std::string::npos ? "" : place.substr(dot + 1);
   const InspectRequest request{
-      .graph = graph, .parameters = parameters, .node = place.substr(0, dot), .output = output};
-  const Result<SharedBytes> answer = engine.inspect(request, Cancel());
+      .graph = engine.read(graph), .parameters = parameters, .node = place.substr(0, dot), .output = output};
+  const Result<SharedBytes> answer = engine.inspect(request, Job());
   require_none(answer ? Problems{} : answer.problems());
   return Json::parse(**answer).at("values");
 }
@@ -44,21 +76,20 @@ struct Answered {
 };
 
 /// A request from checking to the file; the problems of whichever stage has some.
-inline Result<Answered> answered(const Engine& engine, const EvaluateRequest& request,
-                                 const Cancel& cancel = Cancel()) {
-  const auto prepared = engine.prepare(request, cancel);
-  if (!prepared) return prepared.problems();
-  const auto computed = engine.compute(**prepared, cancel);
+inline Result<Answered> answered(const Engine& engine, const Asked& asked, const Job& job = Job()) {
+  const auto ready = prepared_for(engine, asked, job.cancel);
+  if (!ready) return ready.problems();
+  const auto computed = engine.compute(**ready, job);
   if (!computed) return computed.problems();
   const auto bytes_of = [](const SharedFile& file) { return file == nullptr ? nullptr : file->bytes; };
   return Answered{
-      *prepared, *computed, bytes_of((*computed)->model), bytes_of((*computed)->preview),
-      [&engine, prepared = *prepared, computed = *computed] { return engine.report(*prepared, *computed); }};
+      *ready, *computed, bytes_of((*computed)->model), bytes_of((*computed)->preview),
+      [&engine, prepared = *ready, computed = *computed] { return engine.report(*prepared, *computed); }};
 }
 
 /// The file of a request that must succeed.
-inline std::string file_of(const Engine& engine, const EvaluateRequest& request) {
-  const Result<Answered> answer = answered(engine, request);
+inline std::string file_of(const Engine& engine, const Asked& asked) {
+  const Result<Answered> answer = answered(engine, asked);
   require_none(answer ? Problems{} : answer.problems());
   return *answer->glb;
 }

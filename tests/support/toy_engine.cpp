@@ -13,6 +13,15 @@ namespace dini::toy {
 
 namespace {
 
+class ToyGraph final : public Graph {
+ public:
+  explicit ToyGraph(const Json& json) : document(json) { hash = graph_hash(json); }
+
+  const Json document;
+};
+
+const Json& document_of(const Graph& graph) { return static_cast<const ToyGraph&>(graph).document; }
+
 class ToyPrepared final : public Prepared {
  public:
   Json inputs;
@@ -107,8 +116,10 @@ Result<AssetSummary> ToyEngine::add_asset(std::string_view bytes, const std::str
   return AssetSummary{std::string(64, 'a'), bytes.size(), "obj", 3, 1, {"1 line (l) is left out"}};
 }
 
-Result<Json> ToyEngine::validate(const Json& graph, const Json& parameters, const Cancel&, Sent sent) const {
-  const Problems problems = check(graph, parameters);
+SharedGraph ToyEngine::read(const Json& document) const { return std::make_shared<const ToyGraph>(document); }
+
+Result<Json> ToyEngine::validate(const Graph& graph, const Json& parameters, const Cancel&, Sent sent) const {
+  const Problems problems = check(document_of(graph), parameters);
   return Json{{"valid", problems.empty()},
               {"errors", to_json(problems, sent)},
               {"wires", Json::object()},
@@ -116,11 +127,12 @@ Result<Json> ToyEngine::validate(const Json& graph, const Json& parameters, cons
 }
 
 Result<SharedPrepared> ToyEngine::prepare(const EvaluateRequest& request, const Cancel&) const {
-  Problems problems = check(request.graph, request.parameters);
+  const Json& document = document_of(*request.graph);
+  Problems problems = check(document, request.parameters);
   if (!problems.empty()) return problems;
   auto prepared = std::make_shared<ToyPrepared>();
-  prepared->inputs = inputs_of(request.graph);
-  prepared->nodes = request.graph["nodes"];
+  prepared->inputs = inputs_of(document);
+  prepared->nodes = document["nodes"];
   prepared->preview = request.preview;
   prepared->output = request.output.empty() && request.preview.empty() ? "out" : request.output;
   prepared->format = request.format.empty() ? &formats_.front() : format_named(formats_, request.format);
@@ -146,13 +158,13 @@ SharedComputed ToyEngine::find(const Prepared& prepared) const {
   return found == known_.end() ? nullptr : found->second;
 }
 
-Result<SharedComputed> ToyEngine::compute(const Prepared& asked, const Cancel& cancel) const {
+Result<SharedComputed> ToyEngine::compute(const Prepared& asked, const Job& job) const {
   const auto& prepared = static_cast<const ToyPrepared&>(asked);
   counters().started++;
   struct Finish {
     ~Finish() { counters().finished++; }
   } const finish;
-  if (!spend(prepared.inputs, cancel)) return stopped_problem(cancel.reason());
+  if (!spend(prepared.inputs, job.cancel)) return stopped_problem(job.cancel.reason());
   if (prepared.inputs.value("throws", false)) throw std::runtime_error("a secret of the inside");
   if (prepared.inputs.value("memory", false)) throw std::bad_alloc();
   if (prepared.inputs.contains("problem")) return problem_of(prepared.inputs.at("problem").get<std::string>());
@@ -166,10 +178,11 @@ Result<SharedComputed> ToyEngine::compute(const Prepared& asked, const Cancel& c
   return SharedComputed(std::move(computed));
 }
 
-Json ToyEngine::report(const Prepared& asked, const Computed& computed, Sent) const {
+Json ToyEngine::report(const Prepared& asked, const Computed& computed, Sent, Extent extent) const {
   const auto& prepared = static_cast<const ToyPrepared&>(asked);
   Json nodes = Json::object();
   for (const auto& [id, node] : prepared.nodes.items()) nodes[id] = {{"type", "toy"}};
+  if (extent == Extent::outcome) return {{"output", prepared.output}, {"checks", Json::array()}};
   return {{"etag", prepared.model_tag},
           {"output", prepared.output},
           {"nodes", std::move(nodes)},
@@ -184,9 +197,11 @@ void ToyEngine::forget() const {
   known_.clear();
 }
 
-Result<SharedBytes> ToyEngine::inspect(const InspectRequest& request, const Cancel& cancel) const {
+Result<SharedBytes> ToyEngine::inspect(const InspectRequest& request, const Job& job) const {
   if (request.node != "out") return problem_of("unknown-node", request.node.c_str());
-  if (!spend(inputs_of(request.graph), cancel)) return stopped_problem(cancel.reason());
+  if (!spend(inputs_of(document_of(*request.graph)), job.cancel)) {
+    return stopped_problem(job.cancel.reason());
+  };
   return share(R"({"type":"number","axes":[],"values":[1]})");
 }
 

@@ -26,7 +26,8 @@ class TroubledEngine final : public Engine {
     if (auto problem = meet_trouble(cancel)) return *std::move(problem);
     return engine_->add_asset(bytes, name, cancel);
   }
-  Result<Json> validate(const Json& graph, const Json& parameters, const Cancel& cancel,
+  SharedGraph read(const Json& document) const override { return engine_->read(document); }
+  Result<Json> validate(const Graph& graph, const Json& parameters, const Cancel& cancel,
                         dini::Sent sent) const override {
     if (auto problem = meet_trouble(cancel)) return *std::move(problem);
     return engine_->validate(graph, parameters, cancel, sent);
@@ -40,16 +41,17 @@ class TroubledEngine final : public Engine {
   SharedComputed find(const Prepared& prepared) const override {
     return trouble_ == Trouble::none ? engine_->find(prepared) : nullptr;
   }
-  Result<SharedComputed> compute(const Prepared& prepared, const Cancel& cancel) const override {
-    if (auto problem = meet_trouble(cancel)) return *std::move(problem);
-    return engine_->compute(prepared, cancel);
+  Result<SharedComputed> compute(const Prepared& prepared, const Job& job) const override {
+    if (auto problem = meet_trouble(job.cancel)) return *std::move(problem);
+    return engine_->compute(prepared, job);
   }
-  Json report(const Prepared& prepared, const Computed& computed, dini::Sent sent) const override {
-    return engine_->report(prepared, computed, sent);
+  using Engine::report;
+  Json report(const Prepared& prepared, const Computed& computed, dini::Sent sent, Extent extent) const override {
+    return engine_->report(prepared, computed, sent, extent);
   }
-  Result<SharedBytes> inspect(const InspectRequest& request, const Cancel& cancel) const override {
-    if (auto problem = meet_trouble(cancel)) return *std::move(problem);
-    return engine_->inspect(request, cancel);
+  Result<SharedBytes> inspect(const InspectRequest& request, const Job& job) const override {
+    if (auto problem = meet_trouble(job.cancel)) return *std::move(problem);
+    return engine_->inspect(request, job);
   }
 
   void forget() const override { engine_->forget(); }

@@ -22,7 +22,7 @@ struct Planned {
 };
 
 std::optional<Planned> planned(const Json& nodes, std::size_t work) {
-  const Result<Document> read = read_document(document(nodes), Limits{});
+  const Result<Document> read = read_document(document(nodes), Limits{}, catalogue());
   REQUIRE(read);
   Limits limits;
   limits.work = work;
@@ -43,19 +43,19 @@ void compute_sources(const Planned& planned, Cache& cache) {
       if (const auto* source = std::get_if<Source>(&item.from)) sources.push_back(source->node);
     }
   }
-  REQUIRE(evaluate(planned.plan, sources, cache, Cancel()));
+  REQUIRE(evaluate(planned.plan, sources, cache, Job()));
 }
 
 /// What the subject still computes when it is stopped after so much work; nothing when it was ready before.
 std::optional<std::uint64_t> work_after_stop(const Planned& planned, Cache& cache, std::uint64_t stop_at) {
-  const Cancel cancel;
-  if (stop_at == 0) cancel.stop(StopReason::superseded);
+  const Job job;
+  if (stop_at == 0) job.cancel.stop(StopReason::superseded);
   const std::uint64_t begin = work_done();
-  if (stop_at > 0) stop_after(cancel, stop_at);
-  const Result<Evaluation> evaluation = evaluate(planned.plan, {planned.subject}, cache, cancel);
+  if (stop_at > 0) stop_after(job.cancel, stop_at);
+  const Result<Evaluation> evaluation = evaluate(planned.plan, {planned.subject}, cache, job);
   if (stop_at == 0) return work_done() - begin;
   if (work_at_stop() == 0) {
-    stop_after(cancel, std::numeric_limits<std::uint32_t>::max());  // no alarm is left behind
+    stop_after(job.cancel, std::numeric_limits<std::uint32_t>::max());  // no alarm is left behind
     return std::nullopt;
   }
   CHECK_FALSE(evaluation);

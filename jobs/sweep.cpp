@@ -1,0 +1,142 @@
+#include "jobs/sweep.h"
+
+#include <algorithm>
+#include <optional>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "graph/stopped.h"
+
+namespace dini::jobs {
+
+namespace {
+
+/// After so long others may have the place.
+constexpr std::chrono::milliseconds slice_time{100};
+/// How long a sweep waits that is not let in.
+constexpr std::chrono::milliseconds busy_pause{50};
+
+std::size_t at_once() { return static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency())); }
+
+/// No two sweeps have an outcome in common.
+Digest new_name() {
+  static std::atomic<std::uint64_t> count = 0;
+  return DigestBuilder().text("sweep").integer(++count).finish();
+}
+
+}  // namespace
+
+EvaluateRequest SweepRequest::at(std::size_t index) const {
+  EvaluateRequest request = base;
+  request.parameters.update(variants.at(index));
+  return request;
+}
+
+Result<std::shared_ptr<const SweepCost>> predict(const Engine& engine, const SweepRequest& request, const Job& job) {
+  SweepCost cost;
+  for (std::size_t index = request.first; index < request.variants.size(); ++index) {
+    const Result<SharedPrepared> prepared = engine.prepare(request.at(index), job.cancel);
+    if (job.cancel.stopped()) return stopped_problem(job.cancel.reason());
+    if (!prepared) continue;
+    if ((*prepared)->work != ComputeQueue::unknown_work) cost.work += (*prepared)->work;
+    cost.bytes = std::max(cost.bytes, (*prepared)->bytes);
+    if (cost.work <= engine.limits().sweep_work) continue;
+    constexpr std::size_t units_per_second = 1'000'000'000;
+    return Problem{.code = "limit-exceeded",
+                   .detail = "up to variant " + std::to_string(index) + " the sweep would compute for about " +
+                             std::to_string(cost.work / units_per_second) + " seconds of one processor, at most " +
+                             std::to_string(engine.limits().sweep_work / units_per_second) + " are accepted",
+                   .in_request = true};
+  }
+  return std::make_shared<const SweepCost>(cost);
+}
+
+Sweep::Sweep(const Engine& engine, Flights& flights, SweepRequest request, const SweepCost& cost,
+             std::unique_ptr<Taker> taker)
+    : engine_(engine),
+      flights_(flights),
+      request_(std::move(request)),
+      cost_(cost),
+      name_(new_name()),
+      taker_(std::move(taker)),
+      next_(request_.first) {}
+
+void Sweep::stop(StopReason reason) {
+  std::shared_ptr<Flights::Interest> interest;
+  Alarms::Alarm again;  // taken back without the lock, which it may be waiting for
+  {
+    const std::lock_guard lock(mutex_);
+    over_ = true;
+    again = std::move(again_);
+    interest = std::move(interest_);
+  }
+  if (interest) interest->stop(reason);
+}
+
+/// Asks for a place for the next slice.
+void Sweep::go_on() {
+  const std::lock_guard lock(mutex_);
+  if (over_) return;
+  const std::shared_ptr<Sweep> self = shared_from_this();
+  const std::size_t left = request_.variants.size() - next_;
+  interest_ = flights_.ask<bool>(
+      {.key = name_,
+       .bytes = cost_.bytes * std::min(left, at_once()),
+       .work = static_cast<std::size_t>(std::chrono::nanoseconds(slice_time).count()),
+       .deadline = request_.deadline},
+      [self](const Job& job) { return self->run_slice(job); },
+      [self](const Result<std::shared_ptr<const bool>>& outcome, Flights::Begun) { self->slice_told(outcome); });
+  if (interest_ != nullptr) return;
+  again_ = flights_.alarms().at(Clock::now() + busy_pause, [self] { self->go_on(); });
+}
+
+Result<std::shared_ptr<const bool>> Sweep::run_slice(const Job& job) {
+  const Clock::time_point until = Clock::now() + slice_time;
+  const std::size_t size = request_.variants.size();
+  bool has_room = true;
+  while (has_room && wanted_ && next_ < size && Clock::now() < until) {
+    const std::size_t count = std::min(size - next_, at_once());
+    std::vector<std::optional<VariantOutcome>> outcomes(count);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { outcomes[i] = evaluate(next_ + i, job); });
+    const std::lock_guard lock(taking_);  // who stops this work does not wait for it
+    if (job.cancel.stopped() || ended_) return stopped_problem(job.cancel.reason());
+    for (std::size_t i = 0; i < count && wanted_; ++i, ++next_) wanted_ = taker_->take(*outcomes[i]);
+    has_room = taker_->has_room(nullptr);
+  }
+  return std::make_shared<const bool>(true);
+}
+
+VariantOutcome Sweep::evaluate(std::size_t index, const Job& job) const {
+  Json setting = request_.variants.at(index);
+  EvaluateRequest request = request_.base;
+  request.parameters.update(setting);
+  Result<SharedPrepared> prepared = engine_.prepare(request, job.cancel);
+  if (!prepared) return {index, std::move(setting), prepared.problems(), prepared.problems()};
+  SharedComputed known = engine_.find(**prepared);
+  Result<SharedComputed> computed = known != nullptr ? std::move(known) : engine_.compute(**prepared, job);
+  return {index, std::move(setting), std::move(prepared), std::move(computed)};
+}
+
+void Sweep::slice_told(const Result<std::shared_ptr<const bool>>& outcome) {
+  {
+    const std::lock_guard lock(mutex_);
+    interest_ = nullptr;
+    if (over_) return;
+  }
+  if (!outcome) return end(outcome.problems());
+  if (next_ == request_.variants.size() || !wanted_) return end({});
+  // A taker that has no room holds this until there is.
+  if (taker_->has_room([self = shared_from_this()] { self->go_on(); })) go_on();
+}
+
+void Sweep::end(const Problems& reasons) {
+  {
+    const std::lock_guard lock(mutex_);
+    over_ = true;
+  }
+  const std::lock_guard lock(taking_);
+  ended_ = true;
+  taker_->end(reasons, next_);
+}
+
+}  // namespace dini::jobs

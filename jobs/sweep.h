@@ -1,0 +1,92 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "jobs/alarms.h"
+#include "jobs/flights.h"
+#include "service/engine.h"
+#include "service/variants.h"
+
+namespace dini::jobs {
+
+/// What a sweep asks of the engine: one request for many settings of its parameters.
+struct SweepRequest {
+  EvaluateRequest base;
+  Variants variants;
+  std::size_t first = 0;  ///< the variant to begin with
+  Alarms::Clock::time_point deadline = Alarms::Clock::time_point::max();
+
+  /// The request of one variant.
+  EvaluateRequest at(std::size_t index) const;
+};
+
+/// What is known of a sweep before it begins.
+struct SweepCost {
+  std::size_t work = 0;   ///< predicted nanoseconds of one processor, as if its variants had nothing in common
+  std::size_t bytes = 0;  ///< predicted memory of the largest variant
+};
+
+/// Checks every variant. Those that are wrong cost nothing and are told when it is their turn; a sweep over the limit is
+/// a problem.
+Result<std::shared_ptr<const SweepCost>> predict(const Engine& engine, const SweepRequest& request, const Job& job);
+
+/// How one variant fared.
+struct VariantOutcome {
+  std::size_t index = 0;
+  Json setting;  ///< its values by parameter
+  Result<SharedPrepared> prepared;
+  Result<SharedComputed> computed;  ///< the problems of preparing where there are some
+};
+
+/// Evaluates variants, as many at once as there are threads, and tells how they fared in their order. It gives its place
+/// to compute up after every slice, so that nobody waits behind a long sweep, and while its taker has no room.
+class Sweep : public std::enable_shared_from_this<Sweep> {
+ public:
+  /// Whoever is told. One call at a time, on a thread that computes but for `end`, which may be on any.
+  class Taker {
+   public:
+    virtual ~Taker() = default;
+    /// False when nobody wants any more.
+    virtual bool take(const VariantOutcome& outcome) = 0;
+    /// Whether to go on now; if not, `resume` is called once there is room.
+    virtual bool has_room(std::function<void()> resume) = 0;
+    /// All were told, or there are reasons why not: then `next` is the first one that was not.
+    virtual void end(const Problems& reasons, std::size_t next) = 0;
+  };
+
+  Sweep(const Engine& engine, Flights& flights, SweepRequest request, const SweepCost& cost,
+        std::unique_ptr<Taker> taker);
+
+  /// Begins it. It lives until it has ended.
+  void start() { go_on(); }
+  void stop(StopReason reason);
+
+ private:
+  using Clock = Alarms::Clock;
+
+  void go_on();
+  Result<std::shared_ptr<const bool>> run_slice(const Job& job);
+  VariantOutcome evaluate(std::size_t index, const Job& job) const;
+  void slice_told(const Result<std::shared_ptr<const bool>>& outcome);
+  void end(const Problems& reasons);
+
+  const Engine& engine_;
+  Flights& flights_;
+  const SweepRequest request_;
+  const SweepCost cost_;
+  const Digest name_;
+  const std::unique_ptr<Taker> taker_;
+  std::mutex taking_;   ///< of what is told, and of what follows
+  std::size_t next_;    ///< the first variant that was not told
+  bool wanted_ = true;  ///< its taker wants more
+  bool ended_ = false;
+  std::mutex mutex_;  ///< of what follows
+  std::shared_ptr<Flights::Interest> interest_;
+  Alarms::Alarm again_;
+  bool over_ = false;
+};
+
+}  // namespace dini::jobs

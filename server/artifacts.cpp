@@ -1,0 +1,83 @@
+#include "server/artifacts.h"
+
+#include <optional>
+
+#include "server/handlers.h"
+#include "server/negotiation.h"
+#include "server/ranges.h"
+#include "server/responses.h"
+
+namespace dini::server {
+namespace {
+
+Digest key_of(const Digest& sha256) { return DigestBuilder().text("artifact").digest(sha256).finish(); }
+
+std::optional<Digest> digest_of(std::string_view hex) {
+  Digest digest;
+  if (hex.size() != 2 * digest.size()) return std::nullopt;
+  for (std::size_t i = 0; i < digest.size(); ++i) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    const auto high = digits.find(hex[2 * i]), low = digits.find(hex[2 * i + 1]);
+    if (high == std::string_view::npos || low == std::string_view::npos) return std::nullopt;
+    digest[i] = static_cast<std::uint8_t>(high << 4 | low);
+  }
+  return digest;
+}
+
+}  // namespace
+
+void Artifacts::add(const SharedFile& file) {
+  files_.insert<File>(key_of(file->sha256), file, sizeof(File) + file->bytes->size());
+}
+
+SharedFile Artifacts::find(const Digest& sha256) { return files_.find<File>(key_of(sha256)); }
+
+std::string artifact_address(const File& file) { return "/v1/artifacts/" + to_hex(file.sha256); }
+
+Operation describe_artifact() {
+  std::vector<Content> contents;
+  for (const FileFormat& format : usual_formats()) contents.push_back({.type = format.media_types.front()});
+  return {.id = "getArtifact",
+          .group = "Graphs",
+          .title = "A file that was made, by its hash",
+          .doc = "Answers with the bytes of a file that a sweep or an evaluation has made. They are kept while there is "
+                 "room (`artifact_bytes`); after that the graph has to be evaluated again.",
+          .parameters = {{.place = Parameter::Place::path,
+                          .name = "sha256",
+                          .doc = "The SHA-256 of the file, 64 hexadecimal digits in lower case.",
+                          .schema = {{"type", "string"}, {"pattern", "^[0-9a-f]{64}$"}},
+                          .example = std::string(64, '0')},
+                         if_none_match_header(), range_header()},
+          .answers = {{.doc = "The file.",
+                       .contents = contents,
+                       .headers = {"ETag", "Cache-Control", "Accept-Ranges", "Content-Disposition"}},
+                      {.status = 206,
+                       .doc = "The part that `Range` names.",
+                       .contents = contents,
+                       .headers = {"ETag", "Cache-Control", "Accept-Ranges", "Content-Range"}},
+                      not_modified()},
+          .problems = {"not-found", "range-not-satisfiable"}};
+}
+
+Reply artifact(const Context& context) {
+  const std::string& name = context.arguments.front();
+  const std::optional<Digest> digest = digest_of(name);
+  const SharedFile file = digest ? context.application.artifacts.find(*digest) : nullptr;
+  if (file == nullptr) {
+    return problem_reply(
+        Problem{.code = "not-found", .detail = "No file of that hash is kept here; evaluate its graph again."},
+        context.exchange());
+  }
+  const std::string tag = "\"" + name + "\"";
+  Reply reply{.headers = {{"ETag", tag}, {"Cache-Control", "public, max-age=31536000, immutable"}}};
+  if (names_tag(context.request().header("If-None-Match"), tag)) {
+    reply.status = 304;
+    return reply;
+  }
+  reply.type = file->media_type;
+  reply.body = {file->bytes};
+  reply.headers.emplace_back("Content-Disposition", "inline; filename=\"" + name.substr(0, 16) + file->extension + "\"");
+  return with_range(std::move(reply), context, tag);
+}
+
+}  // namespace dini::server

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "graph/document.h"
+#include "graph/limits.h"
+#include "service/graph.h"
+
+namespace dini {
+
+/// What the engine over the catalogue knows of a graph: the document without its notes, or what is wrong with it.
+class DocumentGraph final : public Graph {
+ public:
+  DocumentGraph(const Json& json, const Digest& known_hash, const Limits& limits, const Registry& registry);
+
+  const Result<Document> document;
+};
+
+}  // namespace dini

@@ -1,0 +1,26 @@
+#include "service/graph.h"
+
+#include <array>
+
+#include "graph/canonical_json.h"
+
+namespace dini {
+
+namespace {
+
+constexpr std::array<std::string_view, 3> notes = {"$schema", "meta", "ui"};
+
+}  // namespace
+
+Digest graph_hash(const Json& document) { return sha256(canonical_json(document, notes)); }
+
+Json notes_of(const Json& document) {
+  Json found = Json::object();
+  for (const std::string_view name : notes) {
+    const auto note = document.find(name);
+    if (note != document.end() && !note->is_null()) found[std::string(name)] = *note;
+  }
+  return found;
+}
+
+}  // namespace dini

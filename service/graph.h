@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "graph/digest.h"
+#include "geometry/json.h"
+
+namespace dini {
+
+/// A graph document as it is handed around: read once, immutable, shared. Each engine has its own kind.
+class Graph {
+ public:
+  virtual ~Graph() = default;
+
+  Digest hash{};         ///< as `graph_hash` of its document
+  std::size_t held = 0;  ///< memory, about
+};
+
+using SharedGraph = std::shared_ptr<const Graph>;
+
+/// SHA-256 of the canonical form (RFC 8785) of a document without `$schema`, `meta` and `ui`, which never influence
+/// anything.
+Digest graph_hash(const Json& document);
+
+/// These three, where a document has them: what a file that carries the document has besides the graph.
+Json notes_of(const Json& document);
+
+}  // namespace dini

@@ -1,0 +1,214 @@
+// Sweeps over a running server: lines as they are made, to clients of every patience.
+
+#include <set>
+
+#include "tests/server/fixture.h"
+#include "tests/support/documents.h"
+
+using namespace dini;
+using namespace dini::support;
+
+namespace {
+
+/// A ball whose radius varies, with its volume measured.
+Json ball() {
+  Json graph = document({{"ball", make("sphere_mesh", {{"radius", {{"parameter", "radius"}}}, {"segments", 8}, {"rings", 4}})},
+                         {"size", make("measure", {{"model", from("ball")}})},
+                         {"out", make("export", {{"model", from("ball")}})}});
+  graph["parameters"] = {{"radius", {{"type", "number"}, {"default", 1}, {"min", 0}, {"max", 100}}},
+                         {"unused", {{"type", "integer"}, {"default", 1}}}};
+  return graph;
+}
+
+Json radii(int count) {
+  Json values = Json::array();
+  for (int i = 1; i <= count; ++i) values.push_back(i);
+  return values;
+}
+
+Json sweep_of(const Json& axes) {
+  Json body = {{"graph", ball()}};
+  body.update(axes);
+  return body;
+}
+
+std::optional<Answer> sweep(int port, const Json& axes, const std::string& headers = "") {
+  return post(port, "/v1/sweeps", sweep_of(axes).dump(), headers);
+}
+
+}  // namespace
+
+TEST_CASE("A sweep answers a line for every variant, with the bytes of single evaluations") {
+  const RunningReal server;
+  const auto answer = sweep(server.port(), {{"grid", {{"radius", radii(40)}}}, {"measures", {"size.volume"}}});
+  REQUIRE(answer);
+  CHECK(answer->status == 200);
+  CHECK(answer->header("content-type") == "application/x-ndjson");
+  const std::vector<Json> lines = answer->lines();
+  REQUIRE(lines.size() == 40);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    CAPTURE(lines[i].dump());
+    CHECK(lines[i]["index"] == i);
+    CHECK(lines[i]["parameters"] == Json{{"radius", i + 1}});
+    CHECK(lines[i]["status"] == "succeeded");
+    const double radius = static_cast<double>(i + 1);
+    CHECK(lines[i]["measures"]["size.volume"].get<double>() / (radius * radius * radius) ==
+          Approx(lines[0]["measures"]["size.volume"].get<double>()));
+    const Json single = {{"graph", ball()}, {"parameters", {{"radius", i + 1}}}};
+    const auto file = get(server.port(), lines[i]["model"]["address"]);
+    REQUIRE(file);
+    CHECK(file->body == post(server.port(), "/v1/evaluate", single.dump())->body);
+    CHECK(file->body.size() == lines[i]["model"]["bytes"]);
+  }
+}
+
+TEST_CASE("A variant that fails has its errors in its line, and the others go on") {
+  const RunningReal server;
+  const auto answer = sweep(server.port(), {{"list", {{{"radius", 2}}, {{"radius", 101}}, {{"nothing", 1}}, {{"radius", 3}}}}});
+  REQUIRE(answer);
+  const std::vector<Json> lines = answer->lines();
+  REQUIRE(lines.size() == 4);
+  CHECK(lines[0]["status"] == "succeeded");
+  CHECK(lines[1]["status"] == "failed");
+  CHECK(lines[1]["errors"][0]["code"] == "out-of-range");
+  CHECK(lines[2]["errors"][0]["code"] == "unknown-parameter");
+  CHECK_FALSE(lines[2].contains("model"));
+  CHECK(lines[3]["status"] == "succeeded");
+}
+
+TEST_CASE("Without models a sweep tells measures only") {
+  const RunningReal server;
+  const auto answer = sweep(server.port(), {{"zip", {{"radius", {1, 2}}, {"unused", {7, 8}}}},
+                                            {"models", false},
+                                            {"measures", {"size.volume", "size.area"}}});
+  REQUIRE(answer);
+  const std::vector<Json> lines = answer->lines();
+  REQUIRE(lines.size() == 2);
+  for (const Json& line : lines) {
+    CHECK(line["status"] == "succeeded");
+    CHECK_FALSE(line.contains("model"));
+    CHECK(line["measures"].size() == 2);
+  }
+}
+
+TEST_CASE("A sweep goes on where it is told to") {
+  const RunningReal server;
+  const Json axes = {{"grid", {{"radius", radii(6)}}}};
+  Json rest = axes;
+  rest["first"] = 4;
+  const auto whole = sweep(server.port(), axes)->lines(), last = sweep(server.port(), rest)->lines();
+  REQUIRE(last.size() == 2);
+  CHECK(last[0] == whole[4]);
+  CHECK(last[1] == whole[5]);
+  rest["first"] = 6;
+  CHECK(sweep(server.port(), rest)->lines().empty());
+}
+
+TEST_CASE("What is wrong with a whole sweep is a problem before it begins") {
+  Limits limits;
+  limits.sweep_work = 1'000'000;
+  const RunningReal server(quick_settings(), limits);
+  CHECK(sweep(server.port(), Json::object())->code() == "required-input-missing");
+  CHECK(sweep(server.port(), {{"grid", {{"radius", 1}}}})->code() == "type-mismatch");
+  CHECK(sweep(server.port(), {{"list", {1}}})->code() == "type-mismatch");
+  const auto large = sweep(server.port(), {{"grid", {{"radius", radii(100)}, {"unused", radii(100)}}}});
+  CHECK(large->code() == "limit-exceeded");
+  CHECK(large->json()["detail"].get<std::string>().find("up to variant") != std::string::npos);
+}
+
+TEST_CASE("A client that reads slowly slows its sweep down and nobody else") {
+  auto settings = quick_settings();
+  settings.write_rate = 0;
+  const Running server(settings);
+  const std::size_t before = toy::counters().started;
+  const Json graph = Json::parse(toy_body({{"bytes", 1}}))["graph"];
+  Json variants = Json::array();
+  for (int i = 0; i < 10'000; ++i) variants.push_back({{"x", std::string(500, 'x') + std::to_string(i)}});
+  Json with_parameter = graph;
+  with_parameter["parameters"] = {{"x", {{"type", "text"}}}};
+  Client slow(server.port());
+  slow.send(post_text("/v1/sweeps", Json{{"graph", with_parameter}, {"list", variants}}.dump()));
+  REQUIRE(eventually([&] { return toy::counters().started > before; }));
+  // It fills the stream and the socket, then it waits.
+  std::size_t seen = 0;
+  REQUIRE(eventually([&] { return seen == std::exchange(seen, toy::counters().started.load()) && seen > before + 10; }));
+  CHECK(toy::counters().started < before + 10'000);
+  CHECK(post(server.port(), "/v1/evaluate", toy_body({{"bytes", 2}}))->status == 200);
+  const auto answer = slow.receive();
+  REQUIRE(answer);
+  CHECK(answer->lines().size() == 10'000);
+}
+
+TEST_CASE("A client that leaves ends its sweep") {
+  const Running server;
+  const std::size_t before = toy::counters().started;
+  Json graph = Json::parse(toy_body({{"milliseconds", 20}}))["graph"];
+  graph["parameters"] = {{"x", {{"type", "integer"}}}};
+  Json body = {{"graph", graph}, {"grid", {{"x", radii(2'000)}}}};
+  {
+    Client client(server.port());
+    client.send(post_text("/v1/sweeps", body.dump()));
+    REQUIRE(eventually([&] { return toy::counters().started > before + 4; }));
+  }
+  REQUIRE(eventually([&] { return toy::counters().started == toy::counters().finished; }));
+  CHECK(toy::counters().started < before + 1'000);
+  CHECK(post(server.port(), "/v1/evaluate", toy_body({{"bytes", 3}}))->status == 200);
+}
+
+TEST_CASE("A sweep past its deadline ends with a line that says where to go on") {
+  const Running server;
+  Json graph = Json::parse(toy_body({{"milliseconds", 20}}))["graph"];
+  graph["parameters"] = {{"x", {{"type", "integer"}}}};
+  const Json body = {{"graph", graph}, {"grid", {{"x", radii(2'000)}}}, {"deadline_ms", 400}};
+  const auto answer = post(server.port(), "/v1/sweeps", body.dump());
+  REQUIRE(answer);
+  const std::vector<Json> lines = answer->lines();
+  REQUIRE(lines.size() > 1);
+  CHECK(lines.back()["status"] == "stopped");
+  CHECK(lines.back()["errors"][0]["code"] == "deadline");
+  CHECK(lines.back()["next"] == lines.size() - 1);
+}
+
+TEST_CASE("To HTTP/1.0 a sweep ends with its connection, and HEAD has no such address") {
+  const RunningReal server;
+  const std::string body = sweep_of({{"grid", {{"radius", {1, 2}}}}}).dump();
+  Client old(server.port());
+  old.send("POST /v1/sweeps HTTP/1.0\r\nContent-Type: application/json\r\nContent-Length: " + std::to_string(body.size()) +
+           "\r\n\r\n" + body);
+  const std::string all = old.rest();
+  CHECK(all.find("Transfer-Encoding") == std::string::npos);
+  CHECK(all.find("\"index\":1") != std::string::npos);
+  CHECK(all.ends_with("}\n"));
+}
+
+TEST_CASE("A file that was made can be had whole, in parts, and not twice") {
+  const RunningReal server;
+  const Json line = sweep(server.port(), {{"grid", {{"radius", {5}}}}})->lines().front();
+  const std::string address = line["model"]["address"];
+  const auto whole = get(server.port(), address);
+  REQUIRE(whole);
+  CHECK(whole->header("etag") == "\"" + line["model"]["sha256"].get<std::string>() + "\"");
+  CHECK(whole->header("cache-control").find("immutable") != std::string::npos);
+  const auto part = [&](const std::string& range) { return get(server.port(), address, "Range: " + range + "\r\n"); };
+  const std::size_t size = whole->body.size();
+  CHECK(part("bytes=0-3")->status == 206);
+  CHECK(part("bytes=0-3")->body == "glTF");
+  CHECK(part("bytes=0-3")->header("content-range") == "bytes 0-3/" + std::to_string(size));
+  CHECK(part("bytes=4-")->body == whole->body.substr(4));
+  CHECK(part("bytes=-4")->body == whole->body.substr(size - 4));
+  CHECK(part("bytes=-999999")->body == whole->body);
+  CHECK(part("bytes=2-999999")->body == whole->body.substr(2));
+  CHECK(part("bytes=" + std::to_string(size) + "-")->status == 416);
+  CHECK(part("bytes=-0")->status == 416);
+  for (const std::string whole_file : {"bytes=3-1", "bytes=0-1,3-4", "lines=0-3", "bytes=a-b", "bytes=-", "bytes"}) {
+    CAPTURE(whole_file);
+    CHECK(part(whole_file)->status == 200);
+    CHECK(part(whole_file)->body == whole->body);
+  }
+  const std::string tag = whole->header("etag");
+  CHECK(get(server.port(), address, "Range: bytes=0-3\r\nIf-Range: " + tag + "\r\n")->status == 206);
+  CHECK(get(server.port(), address, "Range: bytes=0-3\r\nIf-Range: \"other\"\r\n")->status == 200);
+  CHECK(get(server.port(), address, "If-None-Match: " + tag + "\r\n")->status == 304);
+  CHECK(get(server.port(), "/v1/artifacts/" + std::string(64, '0'))->status == 404);
+  CHECK(get(server.port(), "/v1/artifacts/xyz")->status == 404);
+}
