@@ -63,7 +63,7 @@ std::span<const LayerRule> layer_rules() {
       {"graph", {"geometry/", "algebra/"}},
       {"nodes", {"graph/", "gltf/", "geometry/", "algebra/"}},
       {"service", {"nodes/", "graph/", "gltf/", "geometry/", "algebra/"}},
-      {"jobs", {"service/", "graph/problem.h", "graph/digest.h", "graph/stopped.h", "geometry/cancel.h"}},
+      {"jobs", {"service/", "graph/problem.h", "graph/digest.h", "graph/job.h", "graph/stopped.h", "geometry/cancel.h"}},
       {"server",
        {"jobs/", "service/", "graph/problem.h", "graph/limits.h", "graph/nearest.h", "graph/cache.h", "graph/digest.h",
         "graph/file.h", "geometry/cancel.h"}},
