@@ -111,7 +111,7 @@ void GlbModel::add_runs(const FloatRuns& runs, const Color& color, const Cancel&
   if (runs.ends.size() <= most_strips) {
     std::size_t first = 0;
     for (const std::size_t end : runs.ends) {
-      const std::size_t positions = add_positions(view, first * stride, points.data() + first, end - first);
+      const std::size_t positions = add_positions(view, first * stride, points.data() + first, end - first, cancel);
       add_primitive({{"mode", line_strip_mode}, {"attributes", {{"POSITION", positions}}}, {"material", material}});
       first = end;
     }
@@ -130,17 +130,17 @@ void GlbModel::add_runs(const FloatRuns& runs, const Color& color, const Cancel&
   }
   Json indices = accessor_of(unsigned_int, "SCALAR", segments.size());
   indices["bufferView"] = add_bytes(segments.data(), segments.size() * sizeof(segments[0]), element_array_buffer);
-  const std::size_t positions = add_positions(view, 0, points.data(), points.size());
+  const std::size_t positions = add_positions(view, 0, points.data(), points.size(), cancel);
   add_primitive({{"mode", lines_mode},
                  {"attributes", {{"POSITION", positions}}},
                  {"indices", accessors_.add(indices.dump())},
                  {"material", material}});
 }
 
-void GlbModel::add_points(const FloatPoints& points, const Color& color) {
+void GlbModel::add_points(const FloatPoints& points, const Color& color, const Cancel& cancel) {
   constexpr std::size_t stride = sizeof(points[0]);
   const std::size_t view = add_bytes(points.data(), points.size() * stride, array_buffer);
-  const std::size_t positions = add_positions(view, 0, points.data(), points.size());
+  const std::size_t positions = add_positions(view, 0, points.data(), points.size(), cancel);
   add_primitive(
       {{"mode", points_mode}, {"attributes", {{"POSITION", positions}}}, {"material", add_material(color, false)}});
 }
@@ -181,9 +181,10 @@ std::size_t GlbModel::add_bytes(const void* data, std::size_t size, int target, 
 }
 
 std::size_t GlbModel::add_positions(std::size_t view, std::size_t offset, const std::array<float, 3>* points,
-                                    std::size_t count) {
+                                    std::size_t count, const Cancel& cancel) {
   FloatBox box;
-  for (std::size_t i = 0; i < count; ++i) box.include(points[i]);
+  CancelEvery steps(cancel);
+  for (std::size_t i = 0; i < count && !steps.stopped(); ++i) box.include(points[i]);
   Json accessor = accessor_of(real, "VEC3", count);
   accessor["bufferView"] = view;
   if (offset > 0) accessor["byteOffset"] = offset;

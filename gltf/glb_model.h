@@ -43,7 +43,7 @@ class GlbModel {
   void add_runs(const FloatRuns& runs, const Color& color, const Cancel& cancel);
 
   /// One POINTS primitive; `points` is not empty.
-  void add_points(const FloatPoints& points, const Color& color);
+  void add_points(const FloatPoints& points, const Color& color, const Cancel& cancel);
 
   /// Bytes of binary data so far.
   std::size_t binary_size() const { return binary_.size(); }
@@ -68,7 +68,7 @@ class GlbModel {
   std::size_t add_bytes(const void* data, std::size_t size, int target, std::size_t stride = 0);
   std::size_t add_material(const Color& color, bool translucent);
   std::size_t add_positions(std::size_t view, std::size_t offset, const std::array<float, 3>* points,
-                            std::size_t count);
+                            std::size_t count, const Cancel& cancel);
   void add_primitive(const Json& primitive);
   void finish_mesh();
   std::string buffer_object(GltfContainer container) const;

@@ -169,7 +169,7 @@ bool SceneEncoding::write_runs(const Part& part, const FloatRuns& runs, GlbModel
 bool SceneEncoding::write(const Part& part, const SharedColumn<Point>& points, GlbModel& model) {
   const FloatPoints drawable = points == nullptr ? FloatPoints() : drawable_points(*points, cancel_);
   if (drawable.empty()) return false;
-  model.add_points(drawable, part.color);
+  model.add_points(drawable, part.color, cancel_);
   count_plain_points(drawable);
   return true;
 }
@@ -178,7 +178,8 @@ bool SceneEncoding::write(const Part& part, const SharedColumn<Point>& points, G
 void SceneEncoding::count_plain_points(const FloatPoints& points) {
   result_.vertices += points.size();
   FloatBox box;
-  for (const auto& point : points) box.include(point);
+  CancelEvery steps(cancel_);
+  for (std::size_t i = 0; i < points.size() && !steps.stopped(); ++i) box.include(points[i]);
   const double rounding = std::ldexp(static_cast<double>(box.largest()), -24);
   result_.position_error = std::max(result_.position_error, rounding);
 }
