@@ -67,8 +67,8 @@ class GlbModel {
 
   std::size_t add_bytes(const void* data, std::size_t size, int target, std::size_t stride = 0);
   std::size_t add_material(const Color& color, bool translucent);
-  std::size_t add_positions(std::size_t view, std::size_t offset, const std::array<float, 3>* points,
-                            std::size_t count, const Cancel& cancel);
+  std::size_t add_positions(std::size_t view, std::size_t offset, const std::array<float, 3>* points, std::size_t count,
+                            const Cancel& cancel);
   void add_primitive(const Json& primitive);
   void finish_mesh();
   std::string buffer_object(GltfContainer container) const;
