@@ -52,7 +52,7 @@ class SceneEncoding {
   bool write(const Part& part, const CurveSource& curves, GlbModel& model);
   bool write(const Part& part, const SharedColumn<Point>& points, GlbModel& model);
   bool write_runs(const Part& part, const FloatRuns& runs, GlbModel& model);
-  void count_plain_points(const FloatPoints& points);
+  void count_plain_points(std::size_t count, const FloatBox& box);
 
   const Scene& scene_;
   const EncodeOptions& options_;
