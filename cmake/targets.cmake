@@ -20,7 +20,7 @@ endif()
 
 # What the layers call when they count their work; it does not count itself.
 if(DINI_COUNT_WORK)
-  add_library(dini_work_count STATIC ${PROJECT_SOURCE_DIR}/tests/work/work_count.cpp)
+  add_library(dini_work_count STATIC ${PROJECT_SOURCE_DIR}/tests/work_count/work_count.cpp)
   target_include_directories(dini_work_count PRIVATE ${PROJECT_SOURCE_DIR})
 endif()
 

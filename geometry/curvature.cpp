@@ -70,7 +70,7 @@ bool shape_of_triangle(const std::array<Vector, 3>& corners, const std::array<Ve
 
 Curvatures estimate_curvatures(const Mesh& mesh, const Cancel& cancel) {
   const std::size_t size = mesh.positions.size();
-  Curvatures result{std::vector<double>(size), std::vector<double>(size)};
+  Curvatures result{Zeroed<double>(size), Zeroed<double>(size)};
   const Column<Vector> computed = mesh.normals.empty() ? smooth_normals(mesh, cancel) : Column<Vector>();
   const Column<Vector>& normals = mesh.normals.empty() ? computed : mesh.normals;
   Zeroed<Tensor> shapes(size);

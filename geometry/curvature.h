@@ -1,17 +1,16 @@
 #pragma once
 
-#include <vector>
-
 #include "geometry/cancel.h"
 #include "geometry/mesh.h"
+#include "geometry/zeroed.h"
 
 namespace dini {
 
 /// Curvatures at the vertices of a mesh, in 1/m and 1/m^2. The mean curvature of a sphere with outward faces is
 /// +1/radius.
 struct Curvatures {
-  std::vector<double> gauss;
-  std::vector<double> mean;
+  Zeroed<double> gauss;
+  Zeroed<double> mean;
 };
 
 /// Estimates curvatures from how the normals turn across each triangle (Rusinkiewicz, "Estimating curvatures and their

@@ -36,6 +36,8 @@ class Zeroed {
   bool empty() const { return size_ == 0; }
   T* data() { return elements_.get(); }
   const T* data() const { return elements_.get(); }
+  const T* begin() const { return data(); }
+  const T* end() const { return data() + size_; }
   T& operator[](std::size_t index) { return elements_[index]; }
   const T& operator[](std::size_t index) const { return elements_[index]; }
 

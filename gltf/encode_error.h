@@ -23,6 +23,9 @@ struct EncodeError {
   std::string part;
 };
 
+/// That the caller's cancel flag was raised.
+inline EncodeError canceled() { return {EncodeError::Code::canceled, "Encoding was stopped.", ""}; }
+
 /// A value or the reason why there is none. Nothing in this layer throws but std::bad_alloc.
 template <class T>
 using EncodeResult = Expected<T, EncodeError>;

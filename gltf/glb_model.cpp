@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "gltf/base64.h"
@@ -26,6 +27,16 @@ Json accessor_of(int component_type, const char* type, std::size_t count) {
 void set_bounds(Json& accessor, const FloatBox& box) {
   accessor["min"] = box.minimum;
   accessor["max"] = box.maximum;
+}
+
+FloatBox box_of(std::span<const std::array<float, 3>> points, const Cancel& cancel) {
+  FloatBox box;
+  CancelEvery steps(cancel);
+  for (const auto& point : points) {
+    if (steps.stopped()) break;
+    box.include(point);
+  }
+  return box;
 }
 
 std::string list_of(const char* name, const std::string& objects) {
@@ -103,19 +114,22 @@ void GlbModel::add_tile(const EncodedTile& tile, const FloatBox& bounds, const C
                  {"extensions", {{draco_extension, {{"bufferView", view}, {"attributes", ids}}}}}});
 }
 
-void GlbModel::add_runs(const FloatRuns& runs, const Color& color, const Cancel& cancel) {
+FloatBox GlbModel::add_runs(const FloatRuns& runs, const Color& color, const Cancel& cancel) {
   const FloatPoints& points = runs.points;
   constexpr std::size_t stride = sizeof(points[0]);
   const std::size_t view = add_bytes(points.data(), points.size() * stride, array_buffer, stride);
   const std::size_t material = add_material(color, false);
   if (runs.ends.size() <= most_strips) {
+    FloatBox all;
     std::size_t first = 0;
     for (const std::size_t end : runs.ends) {
-      const std::size_t positions = add_positions(view, first * stride, points.data() + first, end - first);
+      const FloatBox box = box_of(std::span(points).subspan(first, end - first), cancel);
+      all.include(box);
+      const std::size_t positions = add_positions(view, first * stride, end - first, box);
       add_primitive({{"mode", line_strip_mode}, {"attributes", {{"POSITION", positions}}}, {"material", material}});
       first = end;
     }
-    return;
+    return all;
   }
   std::vector<std::uint32_t> segments;
   segments.reserve(2 * (points.size() - runs.ends.size()));
@@ -130,19 +144,23 @@ void GlbModel::add_runs(const FloatRuns& runs, const Color& color, const Cancel&
   }
   Json indices = accessor_of(unsigned_int, "SCALAR", segments.size());
   indices["bufferView"] = add_bytes(segments.data(), segments.size() * sizeof(segments[0]), element_array_buffer);
-  const std::size_t positions = add_positions(view, 0, points.data(), points.size());
+  const FloatBox box = box_of(points, cancel);
+  const std::size_t positions = add_positions(view, 0, points.size(), box);
   add_primitive({{"mode", lines_mode},
                  {"attributes", {{"POSITION", positions}}},
                  {"indices", accessors_.add(indices.dump())},
                  {"material", material}});
+  return box;
 }
 
-void GlbModel::add_points(const FloatPoints& points, const Color& color) {
+FloatBox GlbModel::add_points(const FloatPoints& points, const Color& color, const Cancel& cancel) {
   constexpr std::size_t stride = sizeof(points[0]);
   const std::size_t view = add_bytes(points.data(), points.size() * stride, array_buffer);
-  const std::size_t positions = add_positions(view, 0, points.data(), points.size());
+  const FloatBox box = box_of(points, cancel);
+  const std::size_t positions = add_positions(view, 0, points.size(), box);
   add_primitive(
       {{"mode", points_mode}, {"attributes", {{"POSITION", positions}}}, {"material", add_material(color, false)}});
+  return box;
 }
 
 std::string GlbModel::write(GltfContainer container) {
@@ -180,10 +198,7 @@ std::size_t GlbModel::add_bytes(const void* data, std::size_t size, int target, 
   return views_.add(view.dump());
 }
 
-std::size_t GlbModel::add_positions(std::size_t view, std::size_t offset, const std::array<float, 3>* points,
-                                    std::size_t count) {
-  FloatBox box;
-  for (std::size_t i = 0; i < count; ++i) box.include(points[i]);
+std::size_t GlbModel::add_positions(std::size_t view, std::size_t offset, std::size_t count, const FloatBox& box) {
   Json accessor = accessor_of(real, "VEC3", count);
   accessor["bufferView"] = view;
   if (offset > 0) accessor["byteOffset"] = offset;

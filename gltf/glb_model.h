@@ -38,12 +38,12 @@ class GlbModel {
   /// A compressed tile, given its exact decoded bounds. A tile with vertex colors takes white as its material color.
   void add_tile(const EncodedTile& tile, const FloatBox& bounds, const Color& color, bool translucent);
 
-  /// Polylines: one LINE_STRIP each; beyond 64 of them one LINES primitive, which viewers draw in one call. Stopped
-  /// early: not all of them.
-  void add_runs(const FloatRuns& runs, const Color& color, const Cancel& cancel);
+  /// Polylines: one LINE_STRIP each; beyond 64 of them one LINES primitive, which viewers draw in one call.
+  /// Returns their bounds. Stopped early: not all of them.
+  FloatBox add_runs(const FloatRuns& runs, const Color& color, const Cancel& cancel);
 
-  /// One POINTS primitive; `points` is not empty.
-  void add_points(const FloatPoints& points, const Color& color);
+  /// One POINTS primitive; `points` is not empty. Returns their bounds. Stopped early: not those of all.
+  FloatBox add_points(const FloatPoints& points, const Color& color, const Cancel& cancel);
 
   /// Bytes of binary data so far.
   std::size_t binary_size() const { return binary_.size(); }
@@ -67,8 +67,7 @@ class GlbModel {
 
   std::size_t add_bytes(const void* data, std::size_t size, int target, std::size_t stride = 0);
   std::size_t add_material(const Color& color, bool translucent);
-  std::size_t add_positions(std::size_t view, std::size_t offset, const std::array<float, 3>* points,
-                            std::size_t count);
+  std::size_t add_positions(std::size_t view, std::size_t offset, std::size_t count, const FloatBox& box);
   void add_primitive(const Json& primitive);
   void finish_mesh();
   std::string buffer_object(GltfContainer container) const;

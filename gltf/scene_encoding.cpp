@@ -18,8 +18,6 @@ constexpr double rough_uv_error = 1e-3;
 // GLB counts bytes in 32 bits, the JSON included, and many readers in an int.
 constexpr std::size_t largest_binary = std::numeric_limits<std::int32_t>::max();
 
-EncodeError canceled() { return {EncodeError::Code::canceled, "Encoding was stopped.", ""}; }
-
 }  // namespace
 
 std::optional<EncodeError> SceneEncoding::prepare() {
@@ -81,7 +79,7 @@ std::optional<EncodeError> SceneEncoding::for_each_job(const Work& work) {
 }
 
 void SceneEncoding::build(TileJob& job) const {
-  auto built = build_tile(mesh_of(job), job.begin, job.end, options_);
+  auto built = build_tile(mesh_of(job), job.begin, job.end, options_, cancel_);
   if (built) {
     job.tile = *std::move(built);
   } else {
@@ -161,24 +159,20 @@ bool SceneEncoding::write(const Part& part, const CurveSource& curves, GlbModel&
 
 bool SceneEncoding::write_runs(const Part& part, const FloatRuns& runs, GlbModel& model) {
   if (runs.ends.empty()) return false;
-  model.add_runs(runs, part.color, cancel_);
-  count_plain_points(runs.points);
+  count_plain_points(runs.points.size(), model.add_runs(runs, part.color, cancel_));
   return true;
 }
 
 bool SceneEncoding::write(const Part& part, const SharedColumn<Point>& points, GlbModel& model) {
   const FloatPoints drawable = points == nullptr ? FloatPoints() : drawable_points(*points, cancel_);
   if (drawable.empty()) return false;
-  model.add_points(drawable, part.color);
-  count_plain_points(drawable);
+  count_plain_points(drawable.size(), model.add_points(drawable, part.color, cancel_));
   return true;
 }
 
 // Plain points are rounded to float, nothing else.
-void SceneEncoding::count_plain_points(const FloatPoints& points) {
-  result_.vertices += points.size();
-  FloatBox box;
-  for (const auto& point : points) box.include(point);
+void SceneEncoding::count_plain_points(std::size_t count, const FloatBox& box) {
+  result_.vertices += count;
   const double rounding = std::ldexp(static_cast<double>(box.largest()), -24);
   result_.position_error = std::max(result_.position_error, rounding);
 }

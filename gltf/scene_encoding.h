@@ -14,7 +14,8 @@
 namespace dini {
 
 /// The parts of a scene on their way into a file: first all are prepared together, tile by tile in parallel, then each
-/// is written where the caller wants it, in their order. Looks at the flag before every tile and part.
+/// is written where the caller wants it, in their order. Looks at the flag before every tile and part, and within both
+/// but for the compressor.
 class SceneEncoding {
  public:
   SceneEncoding(const Scene& scene, const EncodeOptions& options, const Cancel& cancel, const MeshEncoder& encoder)
@@ -52,7 +53,7 @@ class SceneEncoding {
   bool write(const Part& part, const CurveSource& curves, GlbModel& model);
   bool write(const Part& part, const SharedColumn<Point>& points, GlbModel& model);
   bool write_runs(const Part& part, const FloatRuns& runs, GlbModel& model);
-  void count_plain_points(const FloatPoints& points);
+  void count_plain_points(std::size_t count, const FloatBox& box);
 
   const Scene& scene_;
   const EncodeOptions& options_;

@@ -43,10 +43,13 @@ std::uint16_t color_channel(float value) {
 }
 
 // Fills `tile.triangles` and returns the vertices of the mesh in the order of first use.
-EncodeResult<std::vector<std::uint32_t>> renumber(const Mesh& mesh, std::size_t begin, std::size_t end, Tile& tile) {
+EncodeResult<std::vector<std::uint32_t>> renumber(const Mesh& mesh, std::size_t begin, std::size_t end,
+                                                  const Cancel& cancel, Tile& tile) {
+  CancelEvery steps(cancel);
   std::uint32_t first = unused;
   std::uint32_t last = 0;
   for (std::size_t i = begin; i < end; ++i) {
+    if (steps.stopped()) return canceled();
     for (const std::uint32_t vertex : mesh.triangles[i]) {
       if (vertex >= mesh.positions.size()) {
         return invalid("Triangle " + std::to_string(i) + " uses vertex " + std::to_string(vertex) + " of " +
@@ -61,6 +64,7 @@ EncodeResult<std::vector<std::uint32_t>> renumber(const Mesh& mesh, std::size_t 
   std::vector<std::uint32_t> renumbered(last - first + 1, unused);
   tile.triangles.reserve(end - begin);
   for (std::size_t i = begin; i < end; ++i) {
+    if (steps.stopped()) return canceled();
     const auto& triangle = mesh.triangles[i];
     if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
     auto& target = tile.triangles.emplace_back();
@@ -76,9 +80,12 @@ EncodeResult<std::vector<std::uint32_t>> renumber(const Mesh& mesh, std::size_t 
   return vertices;
 }
 
-std::optional<EncodeError> gather_positions(const Mesh& mesh, const std::vector<std::uint32_t>& vertices, Tile& tile) {
+std::optional<EncodeError> gather_positions(const Mesh& mesh, const std::vector<std::uint32_t>& vertices,
+                                            const Cancel& cancel, Tile& tile) {
   tile.positions.reserve(vertices.size());
+  CancelEvery steps(cancel);
   for (const std::uint32_t vertex : vertices) {
+    if (steps.stopped()) return canceled();
     const Vector position = to_vector(mesh.positions[vertex]);
     for (const double value : {position.x, position.y, position.z}) {
       if (auto error = check_coordinate("position", vertex, value)) return error;
@@ -89,9 +96,12 @@ std::optional<EncodeError> gather_positions(const Mesh& mesh, const std::vector<
   return std::nullopt;
 }
 
-std::optional<EncodeError> gather_uvs(const Mesh& mesh, const std::vector<std::uint32_t>& vertices, Tile& tile) {
+std::optional<EncodeError> gather_uvs(const Mesh& mesh, const std::vector<std::uint32_t>& vertices,
+                                      const Cancel& cancel, Tile& tile) {
   tile.uvs.reserve(vertices.size());
+  CancelEvery steps(cancel);
   for (const std::uint32_t vertex : vertices) {
+    if (steps.stopped()) return canceled();
     const auto& [u, v] = mesh.uvs[vertex];
     for (const double value : {u, v}) {
       if (auto error = check_coordinate("texture coordinate", vertex, value)) return error;
@@ -146,22 +156,28 @@ std::optional<EncodeError> check_mesh(const Mesh& mesh) {
   return std::nullopt;
 }
 
-EncodeResult<Tile> build_tile(const Mesh& mesh, std::size_t begin, std::size_t end, const EncodeOptions& options) {
+EncodeResult<Tile> build_tile(const Mesh& mesh, std::size_t begin, std::size_t end, const EncodeOptions& options,
+                              const Cancel& cancel) {
   Tile tile;
-  auto renumbered = renumber(mesh, begin, end, tile);
+  auto renumbered = renumber(mesh, begin, end, cancel, tile);
   if (!renumbered) return std::move(renumbered).error();
   const std::vector<std::uint32_t>& vertices = *renumbered;
-  if (auto error = gather_positions(mesh, vertices, tile)) return std::move(*error);
+  CancelEvery steps(cancel);
+  if (auto error = gather_positions(mesh, vertices, cancel, tile)) return std::move(*error);
   if (options.uvs && !mesh.uvs.empty()) {
-    if (auto error = gather_uvs(mesh, vertices, tile)) return std::move(*error);
+    if (auto error = gather_uvs(mesh, vertices, cancel, tile)) return std::move(*error);
   }
   if (options.normals && !mesh.normals.empty()) {
     tile.normals.reserve(vertices.size());
-    for (const std::uint32_t vertex : vertices) tile.normals.push_back(drawable_normal(mesh.normals[vertex]));
+    for (const std::uint32_t vertex : vertices) {
+      if (steps.stopped()) return canceled();
+      tile.normals.push_back(drawable_normal(mesh.normals[vertex]));
+    }
   }
   if (options.colors && !mesh.colors.empty()) {
     tile.colors.reserve(vertices.size());
     for (const std::uint32_t vertex : vertices) {
+      if (steps.stopped()) return canceled();
       const auto& [red, green, blue, alpha] = mesh.colors[vertex];
       tile.colors.push_back({color_channel(red), color_channel(green), color_channel(blue), color_channel(alpha)});
     }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/cancel.h"
 #include "geometry/mesh.h"
 #include "gltf/mesh_encoder.h"
 
@@ -31,7 +32,8 @@ std::optional<EncodeError> check_mesh(const Mesh& mesh);
 /// Triangles [begin, end) as a compact mesh: vertices renumbered in the order of first use, triangles with a repeated
 /// index left out, so the tile can be empty. Zero or non-finite normals become the z axis.
 /// Errors: `non_finite`, `too_large` (beyond 1e18) for a used position or texture coordinate, `invalid_input` for an
-/// index out of range.
-EncodeResult<Tile> build_tile(const Mesh& mesh, std::size_t begin, std::size_t end, const EncodeOptions& options);
+/// index out of range, `canceled`.
+EncodeResult<Tile> build_tile(const Mesh& mesh, std::size_t begin, std::size_t end, const EncodeOptions& options,
+                              const Cancel& cancel);
 
 }  // namespace dini

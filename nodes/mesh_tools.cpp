@@ -74,18 +74,23 @@ struct CurvatureColorInputs {
 std::tuple<SharedMesh, double, double> colored_by_curvature(const Context& context, const SharedMesh& shape,
                                                             const CurvatureColorInputs& in) {
   const Curvatures estimated = estimate_curvatures(*shape, context.cancel());
-  const std::vector<double>& values = in.kind == CurvatureKind::gauss ? estimated.gauss : estimated.mean;
+  const Zeroed<double>& values = in.kind == CurvatureKind::gauss ? estimated.gauss : estimated.mean;
   if (values.empty()) return {shape, 0.0, 0.0};
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  const double bound = in.range > 0 ? in.range : std::max(-*least, *most);
+  CancelEvery steps(context.cancel());
+  double least = values[0], most = values[0];
+  for (const double value : values) {
+    if (steps.stopped()) break;
+    if (value < least) least = value;
+    if (value >= most) most = value;
+  }
+  const double bound = in.range > 0 ? in.range : std::max(-least, most);
   auto copy = std::make_shared<Mesh>(copied_without_colors(*shape, context.cancel()));
   copy->colors.reserve(values.size());
-  CancelEvery steps(context.cancel());
   for (const double value : values) {
     if (steps.stopped()) break;
     copy->colors.push_back(palette_color(in.palette, bound > 0 ? 0.5 + 0.5 * value / bound : 0.5));
   }
-  return {copy, *least, *most};
+  return {copy, least, most};
 }
 
 struct ColorByInputs {

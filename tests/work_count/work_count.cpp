@@ -1,4 +1,4 @@
-#include "tests/work/work_count.h"
+#include "tests/work_count/work_count.h"
 
 #include <atomic>
 #include <limits>
