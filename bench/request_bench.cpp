@@ -26,9 +26,7 @@ Json document() {
           {"nodes", nodes}};
 }
 
-std::string body(double reach) {
-  return Json{{"graph", document()}, {"parameters", {{"reach", reach}}}}.dump();
-}
+std::string body(double reach) { return Json{{"graph", document()}, {"parameters", {{"reach", reach}}}}.dump(); }
 
 EvaluateRequest read(const Engine& engine, const std::string& text) {
   return *read_evaluate_body(*parse_json(text, engine.limits()), engine);

@@ -28,8 +28,8 @@ std::vector<std::string> keys_of(const Map& map) {
 
 class Checker {
  public:
-  Checker(const Registry& registry, const Document& document, const ParameterValues& parameters,
-          Detail detail, const Limits& limits, const AssetFinder& find_asset, const CheckScope& scope)
+  Checker(const Registry& registry, const Document& document, const ParameterValues& parameters, Detail detail,
+          const Limits& limits, const AssetFinder& find_asset, const CheckScope& scope)
       : registry_(registry), document_(document), limits_(limits), find_asset_(find_asset), scope_(scope) {
     report_.plan.parameters = parameters;
     report_.plan.detail = detail;
@@ -269,8 +269,8 @@ class Checker {
 
 }  // namespace
 
-CheckReport check(const Registry& registry, const Document& document, const ParameterValues& parameters,
-                  Detail detail, const Limits& limits, const AssetFinder& find_asset, const CheckScope& scope) {
+CheckReport check(const Registry& registry, const Document& document, const ParameterValues& parameters, Detail detail,
+                  const Limits& limits, const AssetFinder& find_asset, const CheckScope& scope) {
   return Checker(registry, document, parameters, detail, limits, find_asset, scope).run();
 }
 

@@ -36,8 +36,7 @@ struct CheckScope {
 
 /// Checks ids, types, links, cycles, literals, ranges, axes, sizes and limits, all at once, finds the files that the
 /// graph names, and shares the triangles of a draft. Takes time proportional to the graph.
-CheckReport check(const Registry& registry, const Document& document, const ParameterValues& parameters,
-                  Detail detail, const Limits& limits, const AssetFinder& find_asset = {},
-                  const CheckScope& scope = {});
+CheckReport check(const Registry& registry, const Document& document, const ParameterValues& parameters, Detail detail,
+                  const Limits& limits, const AssetFinder& find_asset = {}, const CheckScope& scope = {});
 
 }  // namespace dini

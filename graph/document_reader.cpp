@@ -184,7 +184,8 @@ class DocumentReader {
     const char* const member = link ? "from" : "parameter";
     if (json.size() != 1 || !json.contains(member) || !json[member].is_string()) {
       add("type-mismatch", pointer,
-          "got " + excerpt(json) + R"(, expected {"from": "node.output"} or {"parameter": "name"})", place.node, place.port);
+          "got " + excerpt(json) + R"(, expected {"from": "node.output"} or {"parameter": "name"})", place.node,
+          place.port);
       return WrittenLiteral{json};
     }
     const auto& text = json[member].get_ref<const std::string&>();

@@ -35,8 +35,8 @@ struct Evaluation {
 /// Computes what `targets` need, each fingerprint once, independent nodes in parallel, results taken from and put into
 /// the cache. Fails with all problems found: a failed node spoils those behind it and lets the others finish, whether
 /// it failed by its own word, by an exception (`internal`) or for want of memory (`out-of-memory`). When the job stops
-/// the work, the only problem is that of `stopped_problem`. Nothing but complete results enters the cache. The predicted
-/// work of every node that has to run is announced before the first one runs, and is done when the node is.
+/// the work, the only problem is that of `stopped_problem`. Nothing but complete results enters the cache. The
+/// predicted work of every node that has to run is announced before the first one runs, and is done when the node is.
 Result<Evaluation> evaluate(const Plan& plan, const std::vector<std::size_t>& targets, Cache& cache, const Job& job);
 
 /// What `evaluate` would answer if nothing had to be computed; nothing when something has to be.

@@ -7,8 +7,8 @@
 
 namespace dini {
 
-/// How far a piece of work is, in units of about a nanosecond of one processor. Told by those who do it, read by anybody
-/// at any time. It never goes back as long as everything is announced before the first of it is done.
+/// How far a piece of work is, in units of about a nanosecond of one processor. Told by those who do it, read by
+/// anybody at any time. It never goes back as long as everything is announced before the first of it is done.
 class Progress {
  public:
   struct State {

@@ -29,8 +29,8 @@ struct SweepCost {
   std::size_t bytes = 0;  ///< predicted memory of the largest variant
 };
 
-/// Checks every variant. Those that are wrong cost nothing and are told when it is their turn; a sweep over the limit is
-/// a problem.
+/// Checks every variant. Those that are wrong cost nothing and are told when it is their turn; a sweep over the limit
+/// is a problem.
 Result<std::shared_ptr<const SweepCost>> predict(const Engine& engine, const SweepRequest& request, const Job& job);
 
 /// How one variant fared.
@@ -41,8 +41,8 @@ struct VariantOutcome {
   Result<SharedComputed> computed;  ///< the problems of preparing where there are some
 };
 
-/// Evaluates variants, as many at once as there are threads, and tells how they fared in their order. It gives its place
-/// to compute up after every slice, so that nobody waits behind a long sweep, and while its taker has no room.
+/// Evaluates variants, as many at once as there are threads, and tells how they fared in their order. It gives its
+/// place to compute up after every slice, so that nobody waits behind a long sweep, and while its taker has no room.
 class Sweep : public std::enable_shared_from_this<Sweep> {
  public:
   /// Whoever is told. One call at a time, on a thread that computes but for `end`, which may be on any.

@@ -40,14 +40,16 @@ Operation describe_artifact() {
   return {.id = "getArtifact",
           .group = "Graphs",
           .title = "A file that was made, by its hash",
-          .doc = "Answers with the bytes of a file that a sweep or an evaluation has made. They are kept while there is "
-                 "room (`artifact_bytes`); after that the graph has to be evaluated again.",
+          .doc =
+              "Answers with the bytes of a file that a sweep or an evaluation has made. They are kept while there is "
+              "room (`artifact_bytes`); after that the graph has to be evaluated again.",
           .parameters = {{.place = Parameter::Place::path,
                           .name = "sha256",
                           .doc = "The SHA-256 of the file, 64 hexadecimal digits in lower case.",
                           .schema = {{"type", "string"}, {"pattern", "^[0-9a-f]{64}$"}},
                           .example = std::string(64, '0')},
-                         if_none_match_header(), range_header()},
+                         if_none_match_header(),
+                         range_header()},
           .answers = {{.doc = "The file.",
                        .contents = contents,
                        .headers = {"ETag", "Cache-Control", "Accept-Ranges", "Content-Disposition"}},
@@ -76,7 +78,8 @@ Reply artifact(const Context& context) {
   }
   reply.type = file->media_type;
   reply.body = {file->bytes};
-  reply.headers.emplace_back("Content-Disposition", "inline; filename=\"" + name.substr(0, 16) + file->extension + "\"");
+  reply.headers.emplace_back("Content-Disposition",
+                             "inline; filename=\"" + name.substr(0, 16) + file->extension + "\"");
   return with_range(std::move(reply), context, tag);
 }
 

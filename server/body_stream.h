@@ -1,8 +1,8 @@
 #pragma once
 
 // A body that is made while it is sent, such as lines of NDJSON or server-sent events. Its maker adds pieces, from any
-// thread; the connection takes them as fast as its client does. What waits to be taken is bounded: the maker is told when
-// to pause, and when nobody reads any more.
+// thread; the connection takes them as fast as its client does. What waits to be taken is bounded: the maker is told
+// when to pause, and when nobody reads any more.
 
 #include <cstddef>
 #include <functional>

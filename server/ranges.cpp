@@ -57,9 +57,9 @@ Reply with_range(Reply whole, const Context& context, std::string_view tag) {
   const std::optional<Part> part = part_of(context.request().header("Range"), size);
   if (context.request().method != "GET" || !part || (!if_range.empty() && if_range != tag)) return whole;
   if (part->first >= size) {
-    Reply reply = problem_reply(Problem{.code = "range-not-satisfiable",
-                                        .detail = "The file has " + std::to_string(size) + " bytes."},
-                                context.exchange());
+    Reply reply = problem_reply(
+        Problem{.code = "range-not-satisfiable", .detail = "The file has " + std::to_string(size) + " bytes."},
+        context.exchange());
     reply.headers.emplace_back("Content-Range", "bytes */" + std::to_string(size));
     return reply;
   }

@@ -10,8 +10,8 @@
 
 namespace dini::server {
 
-/// An answer before it is put on the wire. Its body is in pieces that may be shared with other answers, none is copied; or
-/// it is a stream, made while it is sent.
+/// An answer before it is put on the wire. Its body is in pieces that may be shared with other answers, none is copied;
+/// or it is a stream, made while it is sent.
 struct Reply {
   int status = 200;
   std::string type = {};  ///< media type; empty without a body

@@ -55,8 +55,8 @@ jobs::Flights::Clock::time_point end_of(const Context& context, std::optional<st
 Reply begin(const Context& context, const jobs::SweepRequest& request, const jobs::SweepCost& cost) {
   BodyStream stream = make_body_stream();
   auto lines = std::make_unique<LineWriter>(context.application, stream.writer);
-  const auto sweep = std::make_shared<jobs::Sweep>(context.engine(), context.application.flights, request, cost,
-                                                   std::move(lines));
+  const auto sweep =
+      std::make_shared<jobs::Sweep>(context.engine(), context.application.flights, request, cost, std::move(lines));
   stream.writer->when_abandoned([weak = std::weak_ptr(sweep)] {
     if (const auto left = weak.lock()) left->stop(StopReason::client_gone);
   });
@@ -69,25 +69,26 @@ Reply begin(const Context& context, const jobs::SweepRequest& request, const job
 }  // namespace
 
 Operation describe_sweep() {
-  return {.id = "sweep",
-          .group = "Graphs",
-          .title = "One graph for many settings of its parameters",
-          .doc =
-              "Evaluates a graph for every variant of a grid, a zip or a list of settings, and answers with one line of "
-              "JSON for each, in their order, as they are done. What variants have in common is computed once. A "
-              "variant that fails has its errors in its line and the others go on. Everything is checked first: a "
-              "sweep that would take more than `sweep_work` is refused before it begins. A sweep that is stopped ends "
-              "with a line that says why and which variant is the `next`; a body that ends without its last line was "
-              "cut off. Both go on with `first`.",
-          .request = &sweep_description(),
-          .answers = {{.doc = "A line for each variant: its index, its parameters, its status, and what came of it.",
-                       .contents = {{.type = std::string(line_type), .schema = schema::reference("SweepLine")}},
-                       .headers = {"Cache-Control"}}},
-          .problems = [] {
-            auto codes = codes_of(ProblemKind::graph);
-            codes.insert(codes.end(), {"deadline", "shutting-down"});
-            return codes;
-          }()};
+  return {
+      .id = "sweep",
+      .group = "Graphs",
+      .title = "One graph for many settings of its parameters",
+      .doc =
+          "Evaluates a graph for every variant of a grid, a zip or a list of settings, and answers with one line of "
+          "JSON for each, in their order, as they are done. What variants have in common is computed once. A "
+          "variant that fails has its errors in its line and the others go on. Everything is checked first: a "
+          "sweep that would take more than `sweep_work` is refused before it begins. A sweep that is stopped ends "
+          "with a line that says why and which variant is the `next`; a body that ends without its last line was "
+          "cut off. Both go on with `first`.",
+      .request = &sweep_description(),
+      .answers = {{.doc = "A line for each variant: its index, its parameters, its status, and what came of it.",
+                   .contents = {{.type = std::string(line_type), .schema = schema::reference("SweepLine")}},
+                   .headers = {"Cache-Control"}}},
+      .problems = [] {
+        auto codes = codes_of(ProblemKind::graph);
+        codes.insert(codes.end(), {"deadline", "shutting-down"});
+        return codes;
+      }()};
 }
 
 void sweep(const Context& context) {
@@ -99,8 +100,8 @@ void sweep(const Context& context) {
   if (!variants) return reply_problems(context, variants.problems());
   const auto deadline = end_of(context, body->deadline_milliseconds);
   const auto first = static_cast<std::size_t>(body->first);
-  const auto request =
-      std::make_shared<const jobs::SweepRequest>(jobs::SweepRequest{*std::move(body), *std::move(variants), first, deadline});
+  const auto request = std::make_shared<const jobs::SweepRequest>(
+      jobs::SweepRequest{*std::move(body), *std::move(variants), first, deadline});
   const Digest key = DigestBuilder().text("sweep cost").text(context.request().body).finish();
   ask<jobs::SweepCost>(
       context, {.key = key, .deadline = deadline},

@@ -36,8 +36,7 @@ std::size_t memory_of(const Document& document) {
 
 }  // namespace
 
-DocumentGraph::DocumentGraph(const Json& json, const Digest& known_hash, const Limits& limits,
-                             const Registry& registry)
+DocumentGraph::DocumentGraph(const Json& json, const Digest& known_hash, const Limits& limits, const Registry& registry)
     : document(document_of(json, limits, registry)) {
   hash = known_hash;
   held = sizeof(DocumentGraph) + (document ? memory_of(*document) : 0);

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <memory>
 
-#include "graph/digest.h"
 #include "geometry/json.h"
+#include "graph/digest.h"
 
 namespace dini {
 

@@ -26,8 +26,8 @@ Result<MeasureName> read_place(const Registry& registry, const Document& documen
 
 Problem too_many(std::size_t count, std::size_t most, const std::string& what, std::string pointer) {
   return {.code = "limit-exceeded",
-          .detail = "there are " + std::to_string(count) + " " + what + ", at most " + std::to_string(most) +
-                    " are accepted",
+          .detail =
+              "there are " + std::to_string(count) + " " + what + ", at most " + std::to_string(most) + " are accepted",
           .pointer = std::move(pointer),
           .in_request = true};
 }

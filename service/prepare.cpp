@@ -223,8 +223,7 @@ Result<CheckedRequest> check_request(const Environment& environment, const Evalu
     checked.output = *std::move(output);
     scope.targets.push_back(checked.output);
   }
-  Result<PreviewNames> names =
-      read_previews(environment.registry, document, request.preview, environment.limits);
+  Result<PreviewNames> names = read_previews(environment.registry, document, request.preview, environment.limits);
   if (!names) return names.problems();
   checked.previews = *std::move(names);
   for (const auto& [node, outputs] : checked.previews) scope.targets.push_back(node);

@@ -20,7 +20,7 @@ struct Preview {
 
 /// An output whose values are told.
 struct Measure {
-  std::string place;  ///< as it was asked for
+  std::string place;     ///< as it was asked for
   std::size_t node = 0;  ///< by index into the plan
   std::size_t output = 0;
 };

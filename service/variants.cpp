@@ -12,7 +12,9 @@ Problem problem_at(std::string pointer, std::string code, std::string detail) {
   return {.code = std::move(code), .detail = std::move(detail), .pointer = std::move(pointer), .in_request = true};
 }
 
-std::string place_of(const std::string& member, const std::string& name) { return "/" + member + "/" + pointer_token(name); }
+std::string place_of(const std::string& member, const std::string& name) {
+  return "/" + member + "/" + pointer_token(name);
+}
 
 /// What is wrong with values that are listed by parameter.
 Problems faults_in_lists(const Json& lists, const std::string& member, const Json& fixed) {
@@ -27,8 +29,8 @@ Problems faults_in_lists(const Json& lists, const std::string& member, const Jso
       problems.push_back(problem_at(place_of(member, name), "required-input-missing", name + " lists no value"));
     }
     if (fixed.contains(name)) {
-      problems.push_back(
-          problem_at(place_of(member, name), "out-of-range", name + " is given by parameters as well; one of them goes"));
+      problems.push_back(problem_at(place_of(member, name), "out-of-range",
+                                    name + " is given by parameters as well; one of them goes"));
     }
   }
   return problems;

@@ -76,16 +76,14 @@ class RequestType {
       member.choices.assign(ChoiceNames<Value>::names.begin(), ChoiceNames<Value>::names.end());
     }
     description_.members.push_back(std::move(member));
-    setters_.push_back([place](T& request, Json&& value, const Engine&) {
-      request.*place = Traits::taken(std::move(value));
-    });
+    setters_.push_back(
+        [place](T& request, Json&& value, const Engine&) { request.*place = Traits::taken(std::move(value)); });
     return std::move(*this);
   }
   /// The member that holds the graph document. What the document has besides goes to the notes of an evaluation.
   template <class Owner>
   requires std::is_base_of_v<Owner, T> RequestType && graph(SharedGraph Owner::*place, std::string doc) && {
-    description_.members.push_back(
-        {"graph", std::move(doc), MemberKind::graph, needed().example(example_graph())});
+    description_.members.push_back({"graph", std::move(doc), MemberKind::graph, needed().example(example_graph())});
     setters_.push_back([place](T& request, Json&& document, const Engine& engine) {
       request.*place = engine.read(document);
       if constexpr (std::is_base_of_v<EvaluateRequest, T>) request.notes = notes_of(document);
@@ -101,19 +99,19 @@ class RequestType {
   }
   /// A member that is a list of objects.
   template <class Owner>
-  requires std::is_base_of_v<Owner, T> RequestType && objects(std::string name, Json Owner::*place, std::string doc,
-                                                              MemberSpec spec) && {
+  requires std::is_base_of_v<Owner, T> RequestType &&
+      objects(std::string name, Json Owner::*place, std::string doc, MemberSpec spec) && {
     auto&& declared = std::move(*this).member(std::move(name), place, std::move(doc), std::move(spec));
     description_.members.back().kind = MemberKind::objects;
     return std::move(declared);
   }
   /// The member that says until when.
   template <class Owner>
-  requires std::is_base_of_v<Owner, T> RequestType && deadline(std::optional<std::int64_t> Owner::*place, const std::string& limit =
-                                                                                               "interactive_milliseconds") && {
-    return std::move(*this).member(
-        "deadline_ms", place, "When the work is stopped, counted from the first byte of the request.",
-        left_out_means("`" + limit + "`, which it never goes past").range(1, {}).unit("ms"));
+  requires std::is_base_of_v<Owner, T> RequestType &&
+      deadline(std::optional<std::int64_t> Owner::*place, const std::string& limit = "interactive_milliseconds") && {
+    return std::move(*this).member("deadline_ms", place,
+                                   "When the work is stopped, counted from the first byte of the request.",
+                                   left_out_means("`" + limit + "`, which it never goes past").range(1, {}).unit("ms"));
   }
 
   const RequestDescription& description() const { return description_; }

@@ -133,8 +133,8 @@ Json sweep_line() {
   std::vector<Property> properties = {
       {"index", whole("Of the variant; there unless the sweep was stopped."), true},
       {"parameters", map_of(anything("A value."), "What varies; there unless the sweep was stopped."), true},
-      {"status",
-       word({"succeeded", "failed", "stopped"}, "How the variant fared; `stopped` is the last line of a sweep that was.")},
+      {"status", word({"succeeded", "failed", "stopped"},
+                      "How the variant fared; `stopped` is the last line of a sweep that was.")},
       {"errors", list(reference("ProblemEntry"), "Why it failed, or why the sweep was stopped."), true},
       {"next", whole("The first variant that was not told; there when the sweep was stopped."), true}};
   const Json file = model({{"address", text("Where the file can be fetched while there is room for it.")}});

@@ -27,7 +27,8 @@ const RequestType<SweepBody>& request() {
           .member("measures", &EvaluateRequest::measures,
                   "Outputs (`node` or `node.output`) whose values are told for each variant.", left_out_means("none"))
           .member("quality", &EvaluateRequest::quality, "A draft is made faster, of fewer triangles.", usually("final"))
-          .member("first", &SweepBody::first, "The variant to begin with, counted from 0: to go on with a sweep that broke off.",
+          .member("first", &SweepBody::first,
+                  "The variant to begin with, counted from 0: to go on with a sweep that broke off.",
                   usually(0).range(0, {}))
           .deadline(&SweepBody::deadline_milliseconds, "sweep_milliseconds");
   return declared;

@@ -57,7 +57,8 @@ TEST_CASE("Texts and names are written as RFC 8785 shows") {
 
 TEST_CASE("Names stand in the order of their UTF-16 code units") {
   // A smiling face is beyond the first 65,536 characters, a Hebrew letter with a point is among the last of those.
-  const Json names = {{"\u20ac", 1}, {"\r", 2}, {"\ufb33", 3}, {"1", 4}, {"\U0001F600", 5}, {"\u0080", 6}, {"\u00f6", 7}};
+  const Json names = {{"\u20ac", 1},     {"\r", 2},     {"\ufb33", 3}, {"1", 4},
+                      {"\U0001F600", 5}, {"\u0080", 6}, {"\u00f6", 7}};
   CHECK(canonical_json(names) ==
         "{\"\\r\":2,\"1\":4,\"\u0080\":6,\"\u00f6\":7,\"\u20ac\":1,\"\U0001F600\":5,\"\ufb33\":3}");
 }

@@ -102,8 +102,8 @@ TEST_CASE("A cancelled evaluation ends with the reason") {
 TEST_CASE("Progress announces all work before the first of it, and ends where all is done") {
   Json nodes = {{"r0", {{"type", "ramp"}, {"inputs", {{"count", 1000}}}}}};
   for (int i = 0; i < 8; ++i) {
-    nodes["r" + std::to_string(i + 1)] = {
-        {"type", "sum"}, {"inputs", {{"a", from("r" + std::to_string(i))}, {"b", i}}}};
+    nodes["r" + std::to_string(i + 1)] = {{"type", "sum"},
+                                          {"inputs", {{"a", from("r" + std::to_string(i))}, {"b", i}}}};
   }
   const CheckReport report = support::checked(registry, document(nodes));
   const std::size_t last = report.plan.index.at("r8");

@@ -132,8 +132,8 @@ TEST_CASE("Every parameter of every example works at its bounds and says so beyo
         require_none(answer ? Problems{} : answer.problems());
       }
       const Json beyond = parameter.contains("max") ? Json(parameter["max"].get<double>() + 1) : Json("none of them");
-      const auto refused = prepared_for(engine(), 
-          {.graph = graph, .parameters = {{name, beyond}}, .output = "", .quality = Quality::draft});
+      const auto refused = prepared_for(
+          engine(), {.graph = graph, .parameters = {{name, beyond}}, .output = "", .quality = Quality::draft});
       CAPTURE(id, name);
       REQUIRE_FALSE(refused);
       CHECK(refused.problems().front().pointer == "/parameters/" + name);
@@ -162,8 +162,7 @@ TEST_CASE("An entity tag is the same for the same request and another for any ot
   const Engine& other = *other_owner;
   for (const auto& [id, graph] : examples()) {
     CAPTURE(id);
-    const Asked request{
-        .graph = graph, .parameters = Json::object(), .output = "", .quality = Quality::final};
+    const Asked request{.graph = graph, .parameters = Json::object(), .output = "", .quality = Quality::final};
     const std::string usual = tag(engine(), request);
     CHECK(usual.size() == 66);
     CHECK(usual == tag(engine(), request));

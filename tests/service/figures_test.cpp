@@ -213,9 +213,12 @@ TEST_CASE("Figure 16 in a graph: products of weighted points carry the equator, 
     if (item.contains("centre")) {
       require_circle(value_at(nodes, "image"), item, false);
     } else if (item["w"] == -1) {
-      const auto refused = engine().inspect(
-          {.graph = engine().read(document(nodes)), .parameters = Json::object(), .node = "image", .output = "", .full = false},
-          Job());
+      const auto refused = engine().inspect({.graph = engine().read(document(nodes)),
+                                             .parameters = Json::object(),
+                                             .node = "image",
+                                             .output = "",
+                                             .full = false},
+                                            Job());
       REQUIRE_FALSE(refused);
       CHECK(refused.problems().front().code == "degenerate");
     } else {

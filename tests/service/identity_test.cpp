@@ -80,12 +80,16 @@ TEST_CASE("Requests of equal identity are those that ask for the same") {
   const std::set<Digest> different = {
       identity(plain),
       with([](Asked& asked) { asked.graph["nodes"]["ring"]["inputs"]["radius"] = 0.5; }),
-      with([](Asked& asked) { asked.parameters = {{"reach", 2}}; }),
+      with([](Asked& asked) {
+        asked.parameters = {{"reach", 2}};
+      }),
       with([](Asked& asked) { asked.output = "out"; }),
       with([](Asked& asked) { asked.quality = Quality::draft; }),
       with([](Asked& asked) { asked.triangle_budget = 0; }),
       with([](Asked& asked) { asked.preview = {"ring"}; }),
-      with([](Asked& asked) { asked.preview = {"ring", "ball"}; }),
+      with([](Asked& asked) {
+        asked.preview = {"ring", "ball"};
+      }),
       with([](Asked& asked) { asked.format = "glb"; }),
       with([](Asked& asked) { asked.embed_graph = true; }),
       with([](Asked& asked) {

@@ -47,7 +47,8 @@ TEST_CASE("A measure is the value that inspect shows, bare where there are no ax
 }
 
 TEST_CASE("Without an output only measures and checks are made") {
-  const auto answer = answered(engine(), {.graph = document(nodes), .measures = {"size.volume"}, .without_output = true});
+  const auto answer =
+      answered(engine(), {.graph = document(nodes), .measures = {"size.volume"}, .without_output = true});
   REQUIRE(answer);
   CHECK(answer->glb == nullptr);
   const Json report = answer->report();

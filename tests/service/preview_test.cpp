@@ -255,8 +255,7 @@ TEST_CASE("The tag of an answer depends on what is drawn, and equal previews are
   Asked both = showing(ring_graph, {"ring"});
   both.output = "out";
   const std::vector<Asked> requests = {showing(ring_graph, {}), showing(ring_graph, {"ring"}),
-                                                 showing(ring_graph, {"skin"}), showing(ring_graph, {"ring", "skin"}),
-                                                 both};
+                                       showing(ring_graph, {"skin"}), showing(ring_graph, {"ring", "skin"}), both};
   std::set<std::string> tags;
   for (const Asked& request : requests) tags.insert(tag(request));
   CHECK(tags.size() == requests.size());

@@ -109,8 +109,7 @@ TEST_CASE("Validation and evaluation find the same problems") {
     CAPTURE(fault.code, fault.pointer);
     const Json verdict = *engine().validate(*engine().read(fault.graph), fault.parameters, Cancel());
     CHECK(verdict["valid"] == false);
-    CHECK(verdict["errors"] ==
-          to_json(prepared_for(engine(), request_for(fault.graph, fault.parameters)).problems()));
+    CHECK(verdict["errors"] == to_json(prepared_for(engine(), request_for(fault.graph, fault.parameters)).problems()));
   }
   CHECK((*engine().validate(*engine().read(sound()), Json::object(), Cancel()))["valid"] == true);
 }
@@ -129,8 +128,12 @@ TEST_CASE("A fault elsewhere is a warning of the evaluation and a problem of the
     CHECK(warnings[0]["pointer"] == fault.pointer);
     const Json verdict = *engine().validate(*engine().read(fault.graph), Json::object(), Cancel());
     CHECK(verdict["errors"] == warnings);
-    const auto seen = engine().inspect(
-        {.graph = engine().read(fault.graph), .parameters = Json::object(), .node = "ring", .output = "", .full = false}, Job());
+    const auto seen = engine().inspect({.graph = engine().read(fault.graph),
+                                        .parameters = Json::object(),
+                                        .node = "ring",
+                                        .output = "",
+                                        .full = false},
+                                       Job());
     CHECK(seen);
   }
 }
@@ -161,12 +164,14 @@ TEST_CASE("Outputs and nodes that are not there are named with what is") {
   CHECK(wrong_output.problems().front().code == "unknown-output");
   CHECK(wrong_output.problems().front().detail.find("out") != std::string::npos);
   const auto no_node = engine().inspect(
-      {.graph = engine().read(sound()), .parameters = Json::object(), .node = "rin", .output = "", .full = false}, Job());
+      {.graph = engine().read(sound()), .parameters = Json::object(), .node = "rin", .output = "", .full = false},
+      Job());
   REQUIRE_FALSE(no_node);
   CHECK(no_node.problems().front().code == "unknown-node");
   CHECK(no_node.problems().front().detail.find("ring") != std::string::npos);
   const auto no_port = engine().inspect(
-      {.graph = engine().read(sound()), .parameters = Json::object(), .node = "ring", .output = "disk", .full = false}, Job());
+      {.graph = engine().read(sound()), .parameters = Json::object(), .node = "ring", .output = "disk", .full = false},
+      Job());
   REQUIRE_FALSE(no_port);
   CHECK(no_port.problems().front().code == "unknown-port");
 }

@@ -43,8 +43,10 @@ Problem only_problem(const Json& body) {
 }  // namespace
 
 TEST_CASE("A body is read into the members that it names, and the others keep their defaults") {
-  const auto full = order().read(Json::parse(
-      R"({"item": "cup", "count": 3.0, "finish": "plain", "wrapped": true, "notes": ["a", "b"], "extras": {"x": 1}})"), *engine);
+  const auto full = order().read(
+      Json::parse(
+          R"({"item": "cup", "count": 3.0, "finish": "plain", "wrapped": true, "notes": ["a", "b"], "extras": {"x": 1}})"),
+      *engine);
   REQUIRE(full);
   CHECK(full->item == "cup");
   CHECK(full->count == 3);
@@ -61,7 +63,8 @@ TEST_CASE("A body is read into the members that it names, and the others keep th
 
 TEST_CASE("Every member says what is wrong with it, in one answer") {
   const auto read = order().read(
-      Json::parse(R"({"itm": 1, "count": 1.5, "finish": 2, "wrapped": "yes", "notes": ["a", 1], "extras": []})"), *engine);
+      Json::parse(R"({"itm": 1, "count": 1.5, "finish": 2, "wrapped": "yes", "notes": ["a", 1], "extras": []})"),
+      *engine);
   REQUIRE_FALSE(read);
   std::map<std::string, std::string> codes;
   for (const Problem& problem : read.problems()) codes[problem.pointer.value()] = problem.code;
@@ -132,7 +135,8 @@ TEST_CASE("The example of every request can be read, and every member says what 
   REQUIRE(sweep);
   CHECK(Variants::read(*sweep, sweep->parameters, 100));
   CHECK(read_validate_body(example_of(validate_description()), *engine));
-  for (const RequestDescription* request : {&evaluate_description(), &inspect_description(), &sweep_description(), &validate_description()}) {
+  for (const RequestDescription* request :
+       {&evaluate_description(), &inspect_description(), &sweep_description(), &validate_description()}) {
     for (const Member& member : request->members) {
       CAPTURE(request->name, member.name);
       CHECK(member.doc.ends_with('.'));

@@ -23,7 +23,8 @@ inline Json looked_up(const Json& graph, const std::string& place, const Json& p
   static const std::unique_ptr<Engine> engine = example_engine();
   const std::size_t dot = place.find('.');
   const std::string output = dot == std::string::npos ? "" : place.substr(dot + 1);
-  const Result<SharedBytes> answer = engine->inspect({engine->read(graph), parameters, place.substr(0, dot), output, full}, Job());
+  const Result<SharedBytes> answer =
+      engine->inspect({engine->read(graph), parameters, place.substr(0, dot), output, full}, Job());
   if (!answer) FAIL(to_json(answer.problems()).dump());
   return Json::parse(**answer);
 }

@@ -82,9 +82,8 @@ inline Result<Answered> answered(const Engine& engine, const Asked& asked, const
   const auto computed = engine.compute(**ready, job);
   if (!computed) return computed.problems();
   const auto bytes_of = [](const SharedFile& file) { return file == nullptr ? nullptr : file->bytes; };
-  return Answered{
-      *ready, *computed, bytes_of((*computed)->model), bytes_of((*computed)->preview),
-      [&engine, prepared = *ready, computed = *computed] { return engine.report(*prepared, *computed); }};
+  return Answered{*ready, *computed, bytes_of((*computed)->model), bytes_of((*computed)->preview),
+                  [&engine, prepared = *ready, computed = *computed] { return engine.report(*prepared, *computed); }};
 }
 
 /// The file of a request that must succeed.
