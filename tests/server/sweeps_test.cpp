@@ -161,9 +161,9 @@ TEST_CASE("A client that leaves ends its sweep") {
 
 TEST_CASE("A sweep past its deadline ends with a line that says where to go on") {
   const Running server;
-  Json graph = Json::parse(toy_body({{"milliseconds", 20}}))["graph"];
+  Json graph = Json::parse(toy_body({{"milliseconds", 50}}))["graph"];
   graph["parameters"] = {{"x", {{"type", "integer"}}}};
-  const Json body = {{"graph", graph}, {"grid", {{"x", radii(2'000)}}}, {"deadline_ms", 400}};
+  const Json body = {{"graph", graph}, {"grid", {{"x", radii(1'000)}}}, {"deadline_ms", 3'000}};
   const auto answer = post(server.port(), "/v1/sweeps", body.dump());
   REQUIRE(answer);
   const std::vector<Json> lines = answer->lines();
