@@ -15,6 +15,7 @@ void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine
 void add_validate(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_inspect(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_nodes(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
+void add_store(CLI::App& program, Command& chosen);
 void add_describe(CLI::App& program, Command& chosen);
 
 }  // namespace dini::cli

@@ -1,5 +1,7 @@
 #include "cli/folders.h"
 
+#include <cstdlib>
+
 namespace dini::cli {
 
 std::filesystem::path find_folder(const std::string& given, const char* in_build_tree, const char* installed) {
@@ -15,6 +17,18 @@ std::filesystem::path find_folder(const std::string& given, const char* in_build
 
 std::filesystem::path find_examples(const std::string& given) {
   return find_folder(given, "../../examples", "../share/dini/examples");
+}
+
+std::filesystem::path data_folder(const std::string& given) {
+  if (!given.empty()) return given;
+  const auto variable = [](const char* name) -> std::filesystem::path {
+    const char* value = std::getenv(name);
+    return value != nullptr ? value : "";
+  };
+  // What is relative there is to be taken for nothing (XDG Base Directory Specification).
+  if (const auto data = variable("XDG_DATA_HOME"); data.is_absolute()) return data / "dini";
+  const auto home = variable("HOME");
+  return home.is_absolute() ? home / ".local/share/dini" : std::filesystem::path();
 }
 
 }  // namespace dini::cli

@@ -26,10 +26,14 @@ struct Options {
   Limits limits;
   std::string web;
   std::string examples;
+  std::string data;
   std::string port_file;
   std::string log_level = "info";
   Computing computing;
 };
+
+/// For --data: graphs are kept in memory, as long as the server runs.
+constexpr const char* no_data = "none";
 
 /// Enough to tell everybody that there is no more.
 constexpr std::size_t memory_reserve = std::size_t{8} << 20;
@@ -72,6 +76,10 @@ int run(Options& options, const EngineMaker& make_engine) {
   spdlog::set_level(spdlog::level::from_str(options.log_level));
   options.settings.web = find_folder(options.web, "../../web/dist", "../share/dini/web");
   options.settings.examples = find_examples(options.examples);
+  if (options.data != no_data) {
+    options.settings.data = data_folder(options.data);
+    options.settings.needs_data = !options.data.empty();
+  }
 
   jobs::use_few_memory_pools();
   const jobs::MemoryReserve reserve(memory_reserve);
@@ -109,6 +117,11 @@ void add_serve(CLI::App& program, Command& chosen, const EngineMaker& make_engin
       ->envname("DINI_TOKEN");
   command->add_option("--web", options->web, "The folder of the built page");
   command->add_option("--examples", options->examples, "The folder of the example graphs");
+  command
+      ->add_option("--data", options->data,
+                   "The folder that graphs are kept in, or `none` to keep them as long as the server runs (default: "
+                   "dini in the user's data folder)")
+      ->envname("DINI_DATA");
   command->add_option("--log-level", options->log_level, "Least level to log (default info)")
       ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}));
   options->computing.add_options(*command);

@@ -14,6 +14,7 @@
 #include "server/page.h"
 #include "server/settings.h"
 #include "service/engine.h"
+#include "store/graph_store.h"
 
 namespace dini::server {
 
@@ -28,6 +29,7 @@ struct Application {
   jobs::Supersede supersede = {};
   Cache known;  ///< bodies that were read, by their bytes, and requests that were checked, by their identity
   Artifacts artifacts;
+  store::GraphStore& graphs;
   StaticAnswer catalogue;
   StaticAnswer document_schema;
   StaticAnswer example_list;

@@ -37,6 +37,7 @@ std::string operation_html(const Route& route, const Operation& operation) {
     text += titled("Members of the body", members_table(*operation.request));
     text += folded("An example", json_block(example_of(*operation.request)));
   }
+  if (operation.takes_document) text += folded("An example", json_block(example_graph()));
   if (!operation.file_types.empty()) {
     std::string types;
     for (const std::string& type : operation.file_types) types += (types.empty() ? "" : ", ") + element("code", type);

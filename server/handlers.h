@@ -49,6 +49,24 @@ Operation describe_evaluate();
 /// Many settings of the parameters of a graph.
 void sweep(const Context& context);
 Operation describe_sweep();
+/// Graphs that are kept: the list, one of them, its versions and what differs between two, how it looks from outside,
+/// and the model of an output.
+Reply graph_list(const Context& context);
+Operation describe_graph_list();
+Reply get_graph(const Context& context);
+Operation describe_get_graph();
+Reply put_graph(const Context& context);
+Operation describe_put_graph();
+Reply delete_graph(const Context& context);
+Operation describe_delete_graph();
+Reply graph_versions(const Context& context);
+Operation describe_graph_versions();
+Reply graph_difference(const Context& context);
+Operation describe_graph_difference();
+Reply graph_interface(const Context& context);
+Operation describe_graph_interface();
+void graph_output(const Context& context);
+Operation describe_graph_output();
 /// A file that was made.
 Reply artifact(const Context& context);
 Operation describe_artifact();

@@ -90,6 +90,9 @@ Json body_json(const Operation& operation) {
     content["application/json"] = {{"schema", schema::reference(operation.request->name)},
                                    {"example", example_of(*operation.request)}};
   }
+  if (operation.takes_document) {
+    content["application/json"] = {{"schema", schema::reference("Graph")}, {"example", example_graph()}};
+  }
   for (const std::string& type : operation.file_types) content[type] = Json::object();
   return {{"required", true}, {"content", std::move(content)}};
 }
@@ -112,7 +115,8 @@ Json operation_json(const Operation& operation, const Route& route, bool head) {
     // OpenAPI tells what is accepted by the media types of the answers, and passes over a parameter of that name.
     if (parameter.name != "Accept") json["parameters"].push_back(parameter_json(parameter));
   }
-  if (operation.request != nullptr || !operation.file_types.empty()) json["requestBody"] = body_json(operation);
+  if (operation.request != nullptr || operation.takes_document || !operation.file_types.empty())
+    json["requestBody"] = body_json(operation);
   const bool needs_token = route.path.starts_with("/v1/");
   json["security"] = needs_token ? Json::array({Json::object(), {{"token", Json::array()}}}) : Json::array();
   return json;

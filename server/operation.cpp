@@ -13,6 +13,8 @@ constexpr std::array headers = {
     AnswerHeader{"Content-Disposition", "The name that a file would be saved under."},
     AnswerHeader{"Accept-Ranges", "`bytes`: parts of the file can be asked for."},
     AnswerHeader{"Content-Range", "Which part of how many bytes this is."},
+    AnswerHeader{"Location", "The address of what was made."},
+    AnswerHeader{"Content-Location", "The address at which this very answer stays."},
     AnswerHeader{"Vary", "The headers of the request that the answer depends on."},
     AnswerHeader{"Allow", "The methods that the address takes; with 405."},
     AnswerHeader{"Retry-After", "Seconds to wait before the next try; with 503."},
@@ -83,7 +85,8 @@ std::vector<std::string_view> every_problem(const Operation& operation, std::str
   std::set<std::string_view> may(operation.problems.begin(), operation.problems.end());
   may.insert(always.begin(), always.end());
   if (path.starts_with("/v1/")) may.insert("unauthorized");
-  if (method == "POST") may.insert(with_body.begin(), with_body.end());
+  if (method == "POST" || method == "PUT") may.insert(with_body.begin(), with_body.end());
+  if (method == "DELETE") may.insert({"foreign-origin", "body-too-large"});
   if (operation.request != nullptr) may.insert(with_json.begin(), with_json.end());
   if (operation.computes) may.insert(with_computing.begin(), with_computing.end());
   std::vector<std::string_view> codes;

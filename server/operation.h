@@ -47,6 +47,7 @@ struct Operation {
   std::string doc;    ///< sentences
   std::vector<Parameter> parameters = {};
   const RequestDescription* request = nullptr;  ///< of a JSON body
+  bool takes_document = false;                  ///< the body is a graph document
   std::vector<std::string> file_types = {};     ///< media types of a body that is a file
   std::vector<Answer> answers = {};
   std::vector<std::string_view> problems = {};  ///< codes of its own; `every_problem` adds those of HTTP

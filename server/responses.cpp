@@ -20,6 +20,7 @@ struct StatusTitle {
 constexpr std::array status_titles = {
     StatusTitle{200, "OK", ""},
     StatusTitle{201, "Created", ""},
+    StatusTitle{204, "No Content", ""},
     StatusTitle{206, "Partial Content", ""},
     StatusTitle{304, "Not Modified", ""},
     StatusTitle{400, "Bad Request", "The request could not be read"},
@@ -31,6 +32,7 @@ constexpr std::array status_titles = {
     StatusTitle{408, "Request Timeout", "The request took too long to arrive"},
     StatusTitle{409, "Conflict", "A newer request replaced this one"},
     StatusTitle{411, "Length Required", "The length of the body is needed"},
+    StatusTitle{412, "Precondition Failed", "What is kept is not what the request says"},
     StatusTitle{413, "Payload Too Large", "The body is too large"},
     StatusTitle{414, "URI Too Long", "The address is too long"},
     StatusTitle{415, "Unsupported Media Type", "The body has the wrong media type"},
@@ -38,12 +40,14 @@ constexpr std::array status_titles = {
     StatusTitle{417, "Expectation Failed", "The expectation cannot be met"},
     StatusTitle{421, "Misdirected Request", "This host is not served here"},
     StatusTitle{422, "Unprocessable Entity", "The graph cannot be evaluated"},
+    StatusTitle{428, "Precondition Required", "The request must say what it replaces"},
     StatusTitle{431, "Request Header Fields Too Large", "The headers are too large"},
     StatusTitle{499, "Client Closed Request", "The client left"},
     StatusTitle{500, "Internal Server Error", "The server made a mistake"},
     StatusTitle{503, "Service Unavailable", "The server is busy"},
     StatusTitle{504, "Gateway Timeout", "The deadline passed"},
     StatusTitle{505, "HTTP Version Not Supported", "This version of HTTP is not spoken here"},
+    StatusTitle{507, "Insufficient Storage", "There is no room to keep this"},
 };
 
 const StatusTitle& title_of(int status) {

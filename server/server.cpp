@@ -43,12 +43,23 @@ void log_access(const Access& access, const Exchange& exchange) {
                access.status, exchange.milliseconds(), access.bytes, exchange.id);
 }
 
+Result<std::unique_ptr<store::GraphStore>> open_store(const Settings& settings) {
+  if (settings.data.empty()) return store::GraphStore::in_memory(settings.store_bytes);
+  auto opened = store::GraphStore::open(settings.data, settings.store_bytes);
+  if (opened || settings.needs_data) return opened;
+  const std::string& reason = opened.problems().front().detail;
+  spdlog::warn("graphs cannot be stored: {}", escape_controls(reason));
+  return store::GraphStore::refusing("This server stores no graphs: " + reason + ".");
+}
+
 }  // namespace
 
 /// Members are destroyed from the last one up: first what computes, then what writes answers, then the connections.
 struct Server::State {
-  State(const Engine& engine, const Settings& chosen, Page page, Examples examples)
+  State(const Engine& engine, const Settings& chosen, Page page, Examples examples,
+        std::unique_ptr<store::GraphStore> kept)
       : settings(decided(chosen)),
+        graphs(std::move(kept)),
         connections(
             settings, threads,
             [this](const RequestHead& head, const Exchange& exchange) { return admit(application, head, exchange); },
@@ -63,6 +74,7 @@ struct Server::State {
                     .flights = flights,
                     .known = Cache(settings.known_bytes),
                     .artifacts = Artifacts(settings.artifact_bytes),
+                    .graphs = *graphs,
                     .catalogue = static_answer(dump(engine.catalogue())),
                     .document_schema = static_answer(dump(document_schema(engine.catalogue()))),
                     .example_list = {},
@@ -81,6 +93,7 @@ struct Server::State {
   }
 
   const Settings settings;
+  const std::unique_ptr<store::GraphStore> graphs;
   Connections connections;
   jobs::Alarms alarms;
   AnswerThreads threads;
@@ -96,7 +109,9 @@ Result<std::unique_ptr<Server>> Server::start(const Engine& engine, const Settin
   if (!page) return page.problems();
   Result<Examples> examples = settings.examples.empty() ? Examples() : Examples::load(settings.examples, engine);
   if (!examples) return examples.problems();
-  auto state = std::make_unique<State>(engine, settings, *std::move(page), *std::move(examples));
+  auto graphs = open_store(settings);
+  if (!graphs) return graphs.problems();
+  auto state = std::make_unique<State>(engine, settings, *std::move(page), *std::move(examples), *std::move(graphs));
   state->port = state->connections.listen();
   if (state->port == 0) {
     return Problem{.code = "address",

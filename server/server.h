@@ -10,8 +10,8 @@ namespace dini::server {
 /// The HTTP server over an engine: loads the page and the examples, listens, and stops without losing a request.
 class Server {
  public:
-  /// Problems: a bad example or page (`bad-example`, `io`), an address that cannot be had (`address`), or a machine
-  /// that gives no memory or threads (`out-of-memory`).
+  /// Problems: a bad example or page (`bad-example`, `io`), a data folder (`io`), an address that cannot be had
+  /// (`address`), or a machine that gives no memory or threads (`out-of-memory`).
   static Result<std::unique_ptr<Server>> start(const Engine& engine, const Settings& settings);
 
   /// Stops as `stop` does.

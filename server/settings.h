@@ -17,6 +17,9 @@ struct Settings {
   std::filesystem::path web;               ///< the built page; empty for none
   std::filesystem::path examples;          ///< the example graphs; empty for none
 
+  std::filesystem::path data;  ///< where graphs are kept; empty: in memory, as long as the server runs
+  bool needs_data = true;      ///< false: a server that cannot use that folder starts and keeps nothing
+
   std::size_t connections = 4096;  ///< open at once; past that the one that has been idle longest makes room
   std::size_t answer_threads = 0;  ///< that read, check and write requests; 0 for two per core
   std::size_t compute_slots = 0;   ///< evaluations at once; 0 for one per core
@@ -24,6 +27,8 @@ struct Settings {
   std::size_t compute_bytes = 0;   ///< predicted memory of all evaluations at once; 0 for half of the machine's
   std::size_t known_bytes = std::size_t{64} << 20;      ///< memory of requests that need not be read again
   std::size_t artifact_bytes = std::size_t{256} << 20;  ///< memory of files that can be fetched by their hash
+
+  std::size_t store_bytes = std::size_t{4} << 30;  ///< of everything that is kept
 
   std::size_t head_bytes = 32 * 1024;  ///< request line and headers together
   std::size_t line_bytes = 8 * 1024;   ///< the request line, and each header

@@ -13,6 +13,7 @@
 #include "nodes/formats.h"
 #include "service/asset_reader.h"
 #include "service/document_graph.h"
+#include "service/interface.h"
 #include "service/places.h"
 #include "service/preview.h"
 #include "service/version.h"
@@ -119,6 +120,12 @@ SharedGraph CatalogueEngine::read(const Json& document) const {
   auto graph = std::make_shared<const DocumentGraph>(document, hash, limits_, registry_);
   if (graph->document) cache_.insert<DocumentGraph>(key, graph, graph->held);
   return graph;
+}
+
+Result<Json> CatalogueEngine::interface(const Graph& graph) const {
+  const Result<Document>& document = static_cast<const DocumentGraph&>(graph).document;
+  if (!document) return document.problems();
+  return interface_of(registry_, *document);
 }
 
 Result<Json> CatalogueEngine::validate(const Graph& graph, const Json& parameters, const Cancel& cancel,

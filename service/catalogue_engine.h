@@ -18,6 +18,7 @@ class CatalogueEngine final : public Engine {
   const Json& catalogue() const override { return catalogue_; }
   Result<AssetSummary> add_asset(std::string_view bytes, const std::string& name, const Cancel& cancel) const override;
   SharedGraph read(const Json& document) const override;
+  Result<Json> interface(const Graph& graph) const override;
   Result<Json> validate(const Graph& graph, const Json& parameters, const Cancel& cancel, Sent sent) const override;
   Result<SharedPrepared> prepare(const EvaluateRequest& request, const Cancel& cancel) const override;
   std::vector<std::string> blocked(const EvaluateRequest& request, const Cancel& cancel) const override;

@@ -126,6 +126,9 @@ class Engine {
   /// for it. What is no graph says so when something is asked of it.
   virtual SharedGraph read(const Json& document) const = 0;
 
+  /// What a graph looks like from outside: see service/interface.h. Problems: those of a document that cannot be read.
+  virtual Result<Json> interface(const Graph& graph) const = 0;
+
   /// Every static problem at once, inferred types and axes per wire, predicted sizes. Never evaluates; fails only when
   /// `cancel` stops it. {"valid": bool, "errors": [...], "wires": {...}, "cost": {...}}
   virtual Result<Json> validate(const Graph& graph, const Json& parameters, const Cancel& cancel,

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "graph/canonical_json.h"
+#include "graph/document.h"
 
 namespace dini {
 
@@ -11,6 +12,8 @@ namespace {
 constexpr std::array<std::string_view, 3> notes = {"$schema", "meta", "ui"};
 
 }  // namespace
+
+bool is_graph_id(std::string_view text) { return is_identifier(text); }
 
 Digest graph_hash(const Json& document) { return sha256(canonical_json(document, notes)); }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <string_view>
 
 #include "geometry/json.h"
 #include "graph/digest.h"
@@ -18,6 +19,9 @@ class Graph {
 };
 
 using SharedGraph = std::shared_ptr<const Graph>;
+
+/// Whether a graph can be kept under that name: [A-Za-z][A-Za-z0-9_-]{0,63}, as ids of nodes.
+bool is_graph_id(std::string_view text);
 
 /// SHA-256 of the canonical form (RFC 8785) of a document without `$schema`, `meta` and `ui`, which never influence
 /// anything.

@@ -8,6 +8,7 @@
 #include "graph/parameters.h"
 #include "graph/stopped.h"
 #include "service/measures.h"
+#include "service/outputs.h"
 #include "service/places.h"
 #include "service/preview.h"
 #include "service/report.h"
@@ -55,41 +56,6 @@ Result<Detail> detail_of(const EvaluateRequest& request) {
     return problem;
   }
   return Detail(request.quality, static_cast<std::size_t>(budget));
-}
-
-/// Nodes that make a file, and nodes of unknown type that may have been meant to.
-bool may_export(const Registry& registry, const NodeEntry& node) {
-  const NodeType* type = registry.find(node.type);
-  if (type == nullptr) return true;
-  return !node.bypass && !type->outputs.empty() && type->outputs.front().types.front() == WireType::asset;
-}
-
-Problem unknown_export(std::string detail) {
-  return {.code = "unknown-output", .detail = std::move(detail), .pointer = "/output", .in_request = true};
-}
-
-/// The node to export: the one asked for, else the only one that makes a file.
-Result<std::string> find_output(const Registry& registry, const Document& document, const std::string& asked) {
-  std::vector<std::string> exports;
-  std::vector<std::string> unknown;
-  for (const auto& [id, node] : document.nodes) {
-    if (!may_export(registry, node)) continue;
-    (registry.find(node.type) == nullptr ? unknown : exports).push_back(id);
-  }
-  std::string known;
-  for (const std::string& id : exports) known += (known.empty() ? "" : ", ") + id;
-  if (asked.empty()) {
-    if (exports.size() == 1) return exports.front();
-    if (exports.empty() && !unknown.empty()) return unknown.front();
-    return unknown_export(exports.empty() ? "the graph has no export node"
-                                          : "the graph has several outputs, choose one of " + known);
-  }
-  const auto found = document.nodes.find(asked);
-  if (found == document.nodes.end() || !may_export(registry, found->second)) {
-    return unknown_export("\"" + asked + "\" is no export node of the graph" + did_you_mean(asked, exports) +
-                          (exports.empty() ? "" : "; there is " + known));
-  }
-  return asked;
 }
 
 std::string reason_of(const Problems& problems, const std::string& node) {

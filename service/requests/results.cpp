@@ -189,23 +189,28 @@ Json catalogue() {
                 "Everything that a form, a palette or a generator of documentation needs.");
 }
 
+Json with_stored_graphs(Json schemas) {
+  schemas.update(stored_graph_schemas());
+  return schemas;
+}
+
 }  // namespace
 
 const Json& result_schemas() {
-  static const Json schemas = {{"Graph", graph_document()},
-                               {"ProblemEntry", problem_entry()},
-                               {"Axis", axis()},
-                               {"Wire", wire()},
-                               {"Cost", cost()},
-                               {"Validation", validation()},
-                               {"Inspection", inspection()},
-                               {"NodeRun", node_run()},
-                               {"CheckResult", check_result()},
-                               {"Report", report()},
-                               {"SweepLine", sweep_line()},
-                               {"AssetSummary", asset_summary()},
-                               {"NodeCard", node_card()},
-                               {"Catalogue", catalogue()}};
+  static const Json schemas = with_stored_graphs({{"Graph", graph_document()},
+                                                  {"ProblemEntry", problem_entry()},
+                                                  {"Axis", axis()},
+                                                  {"Wire", wire()},
+                                                  {"Cost", cost()},
+                                                  {"Validation", validation()},
+                                                  {"Inspection", inspection()},
+                                                  {"NodeRun", node_run()},
+                                                  {"CheckResult", check_result()},
+                                                  {"Report", report()},
+                                                  {"SweepLine", sweep_line()},
+                                                  {"AssetSummary", asset_summary()},
+                                                  {"NodeCard", node_card()},
+                                                  {"Catalogue", catalogue()}});
   return schemas;
 }
 

@@ -9,4 +9,7 @@ namespace dini {
 /// an OpenAPI document.
 const Json& result_schemas();
 
+/// Those of graphs that are kept.
+Json stored_graph_schemas();
+
 }  // namespace dini

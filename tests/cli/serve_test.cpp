@@ -18,7 +18,8 @@ class Server {
   explicit Server(std::vector<std::string> options = {}) {
     const auto file = std::filesystem::temp_directory_path() / ("dini-port-" + std::to_string(::getpid()));
     std::filesystem::remove(file);
-    std::vector<std::string> words = {dini_path(), "serve", "--port", "0", "--port-file", file.string()};
+    std::vector<std::string> words = {dini_path(), "serve", "--data",      "none",
+                                      "--port",    "0",     "--port-file", file.string()};
     words.insert(words.end(), options.begin(), options.end());
     program_ = std::make_unique<Program>(words);
     REQUIRE(eventually([&] { return (std::ifstream(file) >> port_) && port_ != 0; }));

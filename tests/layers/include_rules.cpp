@@ -65,12 +65,13 @@ std::span<const LayerRule> layer_rules() {
       {"service", {"nodes/", "graph/", "gltf/", "geometry/", "algebra/"}},
       {"jobs",
        {"service/", "graph/problem.h", "graph/digest.h", "graph/job.h", "graph/stopped.h", "geometry/cancel.h"}},
+      {"store", {"graph/"}},
       {"server",
-       {"jobs/", "service/", "graph/problem.h", "graph/limits.h", "graph/nearest.h", "graph/cache.h", "graph/digest.h",
-        "graph/file.h", "geometry/cancel.h"}},
+       {"store/", "jobs/", "service/", "graph/problem.h", "graph/limits.h", "graph/nearest.h", "graph/cache.h",
+        "graph/digest.h", "graph/file.h", "geometry/cancel.h"}},
       {"cli",
-       {"server/", "jobs/", "service/", "graph/problem.h", "graph/nearest.h", "graph/stopped.h", "geometry/cancel.h",
-        "algebra/kernels.h"}},
+       {"server/", "store/", "jobs/", "service/", "graph/problem.h", "graph/nearest.h", "graph/stopped.h",
+        "geometry/cancel.h", "algebra/kernels.h"}},
   };
   return rules;
 }

@@ -1,6 +1,8 @@
 // The description of the routes, asked for from a running server and held against what that server answers: every
 // method at every address, every status, and every JSON answer against its schema.
 
+#include "service/requests/description.h"
+
 #include <algorithm>
 #include <fstream>
 #include <set>
@@ -27,7 +29,10 @@ struct Described {
   bool is_head() const { return method == "HEAD"; }
   bool has_body() const { return operation.contains("requestBody"); }
   /// What the engine does for it can go wrong. What goes wrong with a variant of a sweep is in its line.
-  bool is_worked_for() const { return has_body() && path != "/v1/sweeps"; }
+  bool is_worked_for() const { return has_body() && path != "/v1/sweeps" && method != "PUT"; }
+  bool is_of_graph() const { return path.starts_with("/v1/graphs/"); }
+  /// What a write has to say of what it replaces.
+  std::string condition() const { return method == "PUT" ? "If-None-Match: *\r\n" : ""; }
 };
 
 /// A request as it is sent; a test changes what it wants to be wrong.
@@ -68,12 +73,20 @@ SentText example_request(const Described& described) {
   const Json& contents = described.operation["requestBody"]["content"];
   const auto content = contents.begin();
   sent.body = content->contains("example") ? (*content)["example"].dump() : "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-  sent.headers = "Content-Type: " + content.key() + "\r\n";
+  sent.headers = "Content-Type: " + content.key() + "\r\n" + described.condition();
   sent.length = "Content-Length: " + std::to_string(sent.body.size()) + "\r\n";
   return sent;
 }
 
+/// Keeps the graph that the addresses of the description are about, or leaves it as it is.
+void keep_example(int port) {
+  const std::string body = example_graph().dump();
+  ask(port, "PUT /v1/graphs/example HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\n" +
+                std::string("If-None-Match: *\r\nContent-Length: ") + std::to_string(body.size()) + "\r\n\r\n" + body);
+}
+
 std::optional<Answer> answer_to(int port, const Described& described, const SentText& sent) {
+  if (described.is_of_graph() && described.method != "PUT") keep_example(port);
   Client client(port);
   client.send(sent.text());
   return client.receive(described.is_head());
@@ -98,6 +111,7 @@ class DescribedServer {
       for (const auto& [method, operation] : methods.items()) all_.push_back({upper(method), path, operation});
     }
     name_artifact();
+    keep_example(port());
   }
 
   int port() const { return running_->port(); }
@@ -178,6 +192,13 @@ std::map<int, std::function<void(const Described&, SentText&)>> ways_to_be_refus
            }},
           {406, [](const Described&, SentText& sent) { sent.headers += "Accept: text/html\r\n"; }},
           {411, [](const Described&, SentText& sent) { sent.length.clear(); }},
+          {412,
+           [](const Described&, SentText& sent) {
+             sent.headers += "If-Match: \"none\"\r\n";
+             if (sent.body.empty()) return;
+             sent.body.replace(sent.body.size() - 1, 1, R"(,"meta":{"title":"another"}})");
+             sent.length = "Content-Length: " + std::to_string(sent.body.size()) + "\r\n";
+           }},
           {413, [longest](const Described&,
                           SentText& sent) { sent.length = "Content-Length: " + std::to_string(longest + 1) + "\r\n"; }},
           {414,
@@ -189,10 +210,15 @@ std::map<int, std::function<void(const Described&, SentText&)>> ways_to_be_refus
           {417, [](const Described&, SentText& sent) { sent.headers += "Expect: wonders\r\n"; }},
           {421, [](const Described&, SentText& sent) { sent.host = "evil.example"; }},
           {422,
-           [](const Described&, SentText& sent) {
+           [](const Described& described, SentText& sent) {
+             if (!described.has_body()) {
+               sent.line = with(sent.line, " HTTP", "?nothing=1 HTTP");
+               return;
+             }
              sent.body = "{}";
              sent.length = "Content-Length: 2\r\n";
            }},
+          {428, [](const Described&, SentText& sent) { sent.headers = "Content-Type: application/json\r\n"; }},
           {431,
            [](const Described&, SentText& sent) {
              sent.headers += "X-Long: " + std::string(server::Settings{}.line_bytes, 'x') + "\r\n";
@@ -211,7 +237,7 @@ TEST_CASE("Every route answers the example of its description with what the desc
   const DescribedServer server(trouble);
   for (const Described& described : server.all()) {
     const SentText sent = example_request(described);
-    const int status = described.path == "/v1/assets" ? 201 : 200;
+    const int status = described.path == "/v1/assets" ? 201 : described.method == "DELETE" ? 204 : 200;
     const auto answer = answer_to(server.port(), described, sent);
     check_answer(server, described, answer, status);
     if (!may_answer(described, 304)) continue;
@@ -245,6 +271,9 @@ TEST_CASE("Every media type of the description is taken and answered") {
       for (const auto& [type, content] : response["content"].items()) {
         SentText sent = example_request(described);
         sent.headers += "Accept: " + type + "\r\n";
+        if (described.method == "PUT" && status == "201") {
+          ask(server.port(), "DELETE " + address(described) + " HTTP/1.1\r\nHost: localhost\r\n\r\n");
+        }
         const auto answer = answer_to(server.port(), described, sent);
         check_answer(server, described, answer, std::stoi(status));
         // What is kept has the type that it was made with.
@@ -254,7 +283,7 @@ TEST_CASE("Every media type of the description is taken and answered") {
     if (!described.has_body()) continue;
     for (const auto& [type, content] : described.operation["requestBody"]["content"].items()) {
       SentText sent = example_request(described);
-      sent.headers = "Content-Type: " + type + "\r\n";
+      sent.headers = "Content-Type: " + type + "\r\n" + described.condition();
       CHECK(answer_to(server.port(), described, sent)->status < 300);
     }
   }
@@ -321,14 +350,31 @@ TEST_CASE("A request that a newer one replaces is a problem as described") {
     Client older(server.port()), newer(server.port());
     older.send(sent.text());
     newer.send(sent.text());
-    check_problem(server, described, older.receive(), 409);
+    check_problem(server, described, older.receive(described.is_head()), 409);
+  }
+}
+
+TEST_CASE("What there is no room for is a problem as described") {
+  std::atomic<Trouble> trouble = Trouble::none;
+  auto settings = quick_settings();
+  settings.store_bytes = 1 << 17;
+  const DescribedServer server(trouble, settings);
+  for (const Described& described : server.all()) {
+    if (described.method != "PUT") continue;
+    Json large = example_graph();
+    for (int i = 0; i < 10; ++i) large["meta"]["texts"].push_back(std::string(settings.store_bytes / 4, 'x'));
+    SentText sent = example_request(described);
+    sent.line = with(sent.line, "example", "large");
+    sent.body = large.dump();
+    sent.length = "Content-Length: " + std::to_string(sent.body.size()) + "\r\n";
+    check_problem(server, described, answer_to(server.port(), described, sent), 507);
   }
 }
 
 TEST_CASE("Every status in the description is asked for by these tests") {
   std::atomic<Trouble> trouble = Trouble::none;
   const DescribedServer server(trouble);
-  std::set<int> asked = {200, 201, 206, 304, 401, 408, 409, 500, 503, 504};
+  std::set<int> asked = {200, 201, 204, 206, 304, 401, 408, 409, 500, 503, 504, 507};
   for (const auto& [status, spoil] : ways_to_be_refused()) asked.insert(status);
   for (const Described& described : server.all()) {
     for (const auto& [status, response] : described.operation["responses"].items()) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <catch2/catch.hpp>
-#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <spdlog/sinks/base_sink.h>
@@ -11,6 +10,7 @@
 #include "server/server.h"
 #include "tests/server/client.h"
 #include "tests/support/eventually.h"
+#include "tests/support/folder.h"
 #include "tests/support/toy_engine.h"
 
 namespace dini::support {
@@ -82,25 +82,6 @@ class RunningReal : public RunningOver {
  public:
   explicit RunningReal(const server::Settings& settings = quick_settings(), const Limits& limits = {})
       : RunningOver(make_engine(limits), settings) {}
-};
-
-/// A folder that is gone at the end.
-class Folder {
- public:
-  Folder() : path_(std::filesystem::temp_directory_path() / ("dini-test-" + std::to_string(::getpid()))) {
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-
-  const std::filesystem::path& path() const { return path_; }
-  void write(const std::string& name, const std::string& bytes) const {
-    std::filesystem::create_directories((path_ / name).parent_path());
-    std::ofstream(path_ / name, std::ios::binary) << bytes;
-  }
-
- private:
-  std::filesystem::path path_;
 };
 
 /// A number that the system tells about this process.

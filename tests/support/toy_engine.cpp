@@ -118,6 +118,15 @@ Result<AssetSummary> ToyEngine::add_asset(std::string_view bytes, const std::str
 
 SharedGraph ToyEngine::read(const Json& document) const { return std::make_shared<const ToyGraph>(document); }
 
+Result<Json> ToyEngine::interface(const Graph& graph) const {
+  Json properties = Json::object();
+  const Json parameters = document_of(graph).value("parameters", Json::object());
+  for (const auto& [name, parameter] : parameters.items()) {
+    properties[name] = {{"type", "number"}};
+  }
+  return Json{{"parameters", {{"properties", std::move(properties)}}}, {"outputs", {"out"}}};
+}
+
 Result<Json> ToyEngine::validate(const Graph& graph, const Json& parameters, const Cancel&, Sent sent) const {
   const Problems problems = check(document_of(graph), parameters);
   return Json{{"valid", problems.empty()},

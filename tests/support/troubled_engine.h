@@ -27,6 +27,7 @@ class TroubledEngine final : public Engine {
     return engine_->add_asset(bytes, name, cancel);
   }
   SharedGraph read(const Json& document) const override { return engine_->read(document); }
+  Result<Json> interface(const Graph& graph) const override { return engine_->interface(graph); }
   Result<Json> validate(const Graph& graph, const Json& parameters, const Cancel& cancel,
                         dini::Sent sent) const override {
     if (auto problem = meet_trouble(cancel)) return *std::move(problem);

@@ -51,7 +51,7 @@ export class Server {
     const port = this.url ? new URL(this.url).port : "0";
     const common = ["--port", port, "--port-file", portFile];
     const folders = ["--web", path.join(root, "web/dist"), "--examples", this.#examples];
-    const parts = ["serve", ...common, "--log-level", "warning", ...folders];
+    const parts = ["serve", "--data", "none", ...common, "--log-level", "warning", ...folders];
     this.#child = spawn(program, parts, { stdio: ["ignore", "ignore", "inherit"] });
     const limit = Date.now() + LONGEST_WAIT;
     const written = () => existsSync(portFile) && readFileSync(portFile, "utf8").trim() !== "";

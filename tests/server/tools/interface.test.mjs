@@ -27,7 +27,7 @@ let description;
 before(async () => {
   const folder = mkdtempSync(path.join(tmpdir(), "dini-interface-"));
   const portFile = path.join(folder, "port");
-  child = spawn(program, ["serve", "--port", "0", "--port-file", portFile, "--log-level", "warning"], {
+  child = spawn(program, ["serve", "--data", "none", "--port", "0", "--port-file", portFile, "--log-level", "warning"], {
     stdio: ["ignore", "ignore", "inherit"],
   });
   while (!existsSync(portFile) || readFileSync(portFile, "utf8").trim() === "") {

@@ -1,0 +1,115 @@
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/exit_codes.h"
+#include "cli/folders.h"
+#include "cli/terminal.h"
+#include "store/graph_store.h"
+
+namespace dini::cli {
+namespace {
+
+struct Options {
+  std::string data;
+  std::string backup;
+};
+
+using OpenedStore = Result<std::unique_ptr<store::GraphStore>>;
+
+/// Opens the folder in one of the two ways, and goes on with what it holds.
+template <class Work>
+int with_store(const Options& options, OpenedStore (*open)(const std::filesystem::path&), Work work) {
+  const std::filesystem::path folder = data_folder(options.data);
+  if (folder.empty()) {
+    return fail(
+        {{.code = "usage", .detail = "say with --data which folder: there is no HOME to find the usual one in"}},
+        exit_usage);
+  }
+  const OpenedStore store = open(folder);
+  if (!store) return fail(store.problems(), exit_io);
+  return work(**store);
+}
+
+OpenedStore open_to_write(const std::filesystem::path& folder) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) {
+    return Problem{.code = "io", .detail = folder.string() + ": there is no such folder"};
+  }
+  constexpr std::size_t any_size = std::size_t{1} << 46;
+  return store::GraphStore::open(folder, any_size);
+}
+
+int list(const store::GraphStore& store) {
+  constexpr std::size_t page_size = 1000;
+  std::string after;
+  for (bool more = true; more;) {
+    const auto page = store.list(after, "", page_size);
+    if (!page) return fail(page.problems(), exit_io);
+    for (const store::GraphVersion& graph : page->graphs) {
+      std::cout << graph.id << "@" << graph.version << "\t" << graph.bytes << "\t" << to_hex(graph.hash) << "\t"
+                << printable(graph.title) << "\n";
+      after = graph.id;
+    }
+    more = page->more;
+  }
+  return exit_ok;
+}
+
+int check(const store::GraphStore& store) {
+  const auto fault = store.fault();
+  if (!fault) return fail(fault.problems(), exit_io);
+  if (!fault->empty()) return fail({{.code = "io", .detail = "what is kept is damaged: " + *fault}}, exit_io);
+  std::cout << "Everything that is kept can be read and is what was written.\n";
+  return exit_ok;
+}
+
+int back_up(const store::GraphStore& store, const std::string& file) {
+  std::error_code error;
+  if (std::filesystem::exists(file, error)) {
+    return fail({{.code = "io", .detail = file + ": there is a file already; a backup replaces none"}}, exit_io);
+  }
+  const auto written = store.back_up(file);
+  return written ? int{exit_ok} : fail(written.problems(), exit_io);
+}
+
+int purge(store::GraphStore& store) {
+  const auto purged = store.purge();
+  if (!purged) return fail(purged.problems(), exit_io);
+  std::cout << *purged << (*purged == 1 ? " deleted graph is" : " deleted graphs are") << " gone for ever.\n";
+  return exit_ok;
+}
+
+}  // namespace
+
+void add_store(CLI::App& program, Command& chosen) {
+  auto* command = program.add_subcommand("store", "Look after the graphs that a server keeps");
+  command->require_subcommand(1);
+  const auto options = std::make_shared<Options>();
+  const auto add = [&](const char* name, const char* help, std::function<int()> run) {
+    auto* subcommand = command->add_subcommand(name, help);
+    subcommand
+        ->add_option("--data", options->data, "The folder of the server (default: dini in the user's data folder)")
+        ->envname("DINI_DATA");
+    subcommand->callback([run = std::move(run), &chosen] { chosen = run; });
+    return subcommand;
+  };
+  add("list", "List the graphs: name and version, bytes, hash, title", [options] {
+    return with_store(*options, store::GraphStore::open_to_read, [](auto& store) { return list(store); });
+  });
+  add("check", "Read everything that is kept and say whether it is what was written", [options] {
+    return with_store(*options, store::GraphStore::open_to_read, [](auto& store) { return check(store); });
+  });
+  add("backup", "Write everything into a new file while the server goes on; put back as dini.db in an empty folder",
+      [options] {
+        return with_store(*options, store::GraphStore::open_to_read,
+                          [&](auto& store) { return back_up(store, options->backup); });
+      })
+      ->add_option("file", options->backup, "The file to write")
+      ->required();
+  add("purge", "Forget deleted graphs and all their versions for ever; while no server runs",
+      [options] { return with_store(*options, open_to_write, [](auto& store) { return purge(store); }); });
+}
+
+}  // namespace dini::cli

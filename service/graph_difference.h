@@ -1,0 +1,12 @@
+#pragma once
+
+#include "graph/problem.h"
+
+namespace dini {
+
+/// What differs between two documents as a reader of graphs sees it: nodes and parameters that were added, removed and
+/// changed, of a changed node its type, its inputs and its bypass, of a changed parameter its members, each `from` what
+/// it was `to` what it is. What is the same when it is left out is no difference.
+Json graph_difference(const Json& before, const Json& after);
+
+}  // namespace dini

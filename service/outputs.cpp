@@ -1,0 +1,46 @@
+#include "service/outputs.h"
+
+#include <algorithm>
+
+#include "graph/nearest.h"
+
+namespace dini {
+
+namespace {
+
+Problem unknown_export(std::string detail) {
+  return {.code = "unknown-output", .detail = std::move(detail), .pointer = "/output", .in_request = true};
+}
+
+}  // namespace
+
+Exports exports_of(const Registry& registry, const Document& document) {
+  Exports exports;
+  for (const auto& [id, node] : document.nodes) {
+    const NodeType* type = registry.find(node.type);
+    if (type == nullptr) {
+      exports.unknown.push_back(id);
+    } else if (!node.bypass && !type->outputs.empty() && type->outputs.front().types.front() == WireType::asset) {
+      exports.known.push_back(id);
+    }
+  }
+  return exports;
+}
+
+Result<std::string> find_output(const Registry& registry, const Document& document, const std::string& asked) {
+  const auto [exports, unknown] = exports_of(registry, document);
+  std::string list;
+  for (const std::string& id : exports) list += (list.empty() ? "" : ", ") + id;
+  if (asked.empty()) {
+    if (exports.size() == 1) return exports.front();
+    if (exports.empty() && !unknown.empty()) return unknown.front();
+    return unknown_export(exports.empty() ? "the graph has no export node"
+                                          : "the graph has several outputs, choose one of " + list);
+  }
+  const auto is_asked = [&](const std::vector<std::string>& ids) { return std::ranges::find(ids, asked) != ids.end(); };
+  if (is_asked(exports) || is_asked(unknown)) return asked;
+  return unknown_export("\"" + asked + "\" is no export node of the graph" + did_you_mean(asked, exports) +
+                        (exports.empty() ? "" : "; there is " + list));
+}
+
+}  // namespace dini
