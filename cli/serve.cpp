@@ -52,6 +52,15 @@ Problems announce(const Options& options, int port) {
   return options.port_file.empty() ? Problems{} : write_output(options.port_file, std::to_string(port) + "\n");
 }
 
+/// Why pages of an origin cannot be let in; empty when they can.
+std::string fault_in_origin(const std::string& origin, const std::string& token) {
+  if (origin == "*") return token.empty() ? "" : "a token is for those who have it, not for every page";
+  const auto scheme = origin.find("://");
+  const bool web = origin.starts_with("http://") || origin.starts_with("https://");
+  const bool bare = web && origin.size() > scheme + 3 && origin.find_first_of("/?#@", scheme + 3) == std::string::npos;
+  return bare ? "" : "an origin is a scheme, a name and perhaps a port, as https://site.example:8443";
+}
+
 /// What is wrong with the options, as far as can be told before anything is started.
 Problems check(const Options& options) {
   const std::string& host = options.settings.host;
@@ -59,6 +68,11 @@ Problems check(const Options& options) {
   std::error_code ignored;
   if (!options.examples.empty() && !std::filesystem::is_directory(options.examples, ignored)) {
     return {{.code = "io", .detail = options.examples + ": there is no such folder"}};
+  }
+  for (const std::string& origin : options.settings.allowed_origins) {
+    if (const std::string wrong = fault_in_origin(origin, options.settings.token); !wrong.empty()) {
+      return {{.code = "usage", .detail = "--allow-origin " + origin + ": " + wrong}};
+    }
   }
   if (!server::is_loopback(host) && options.settings.token.empty()) {
     return {{.code = "usage", .detail = "--host " + host + " can be reached from elsewhere: give a --token"}};
@@ -112,6 +126,11 @@ void add_serve(CLI::App& program, Command& chosen, const EngineMaker& make_engin
   command
       ->add_option("--allow-host", settings.allowed_hosts,
                    "A further name that the Host header may carry; may be repeated")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--allow-origin", settings.allowed_origins,
+                   "An origin, as https://site.example, whose pages may read answers and send requests; may be "
+                   "repeated; * for all, without a token only")
       ->allow_extra_args(false);
   command->add_option("--token", settings.token, "Needed by every request to /v1; allows addresses other than loopback")
       ->envname("DINI_TOKEN");

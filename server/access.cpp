@@ -58,6 +58,15 @@ bool equal_secrets(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+std::string shared_origin(const Request& request, const Settings& settings) {
+  const std::string origin(request.header("Origin"));
+  for (const std::string& allowed : settings.allowed_origins) {
+    if (allowed == "*") return allowed;
+    if (equal_ignoring_case(allowed, origin)) return origin;
+  }
+  return {};
+}
+
 std::optional<Problem> check_access(const Request& request, const Settings& settings) {
   const std::string_view host = request.header("Host");
   if (request.has_header("Host") && !is_our_host(host, settings)) {
@@ -65,12 +74,15 @@ std::optional<Problem> check_access(const Request& request, const Settings& sett
                    .detail = "The host '" + escape_controls(host, 80) +
                              "' is not served here; start with --allow-host to add it."};
   }
+  // What may be done is asked without the token, before anything is.
+  if (request.method == "OPTIONS") return std::nullopt;
   const bool changes = request.method != "GET" && request.method != "HEAD";
-  if (changes && request.has_header("Origin") && !is_our_origin(request.header("Origin"), host, settings)) {
+  if (changes && request.has_header("Origin") && !is_our_origin(request.header("Origin"), host, settings) &&
+      shared_origin(request, settings).empty()) {
     return Problem{.code = "foreign-origin",
                    .detail =
-                       "Pages from other origins may not send requests here; start with --allow-host to add the "
-                       "name of a proxy."};
+                       "Pages from other origins may not send requests here; start with --allow-origin to add "
+                       "one, or with --allow-host to add the name of a proxy."};
   }
   if (!settings.token.empty() && request.path.starts_with("/v1/") &&
       !equal_secrets(bearer_token(request.header("Authorization")), settings.token)) {

@@ -13,4 +13,8 @@ namespace dini::server {
 /// token set every /v1 request must carry it.
 std::optional<Problem> check_access(const Request& request, const Settings& settings);
 
+/// The origin of another site whose pages may read the answer, as `Access-Control-Allow-Origin` says it; empty for
+/// none.
+std::string shared_origin(const Request& request, const Settings& settings);
+
 }  // namespace dini::server

@@ -38,6 +38,18 @@ void add_date(std::string& text) {
                                std::strftime(date.data(), date.size(), "%a, %d %b %Y %H:%M:%S GMT\r\n", &parts));
 }
 
+/// Whose pages may read the answer (Fetch, 3.2).
+void add_sharing(std::string& text, const Exchange& exchange) {
+  if (exchange.differs_by_origin) add(text, "Vary", "Origin");
+  const bool shared = !exchange.shared_with.empty();
+  add(text, "Cross-Origin-Resource-Policy", shared ? "cross-origin" : "same-origin");
+  if (!shared) return;
+  add(text, "Access-Control-Allow-Origin", exchange.shared_with);
+  add(text, "Access-Control-Expose-Headers",
+      "ETag, Location, Content-Location, Content-Disposition, Content-Range, Accept-Ranges, Allow, Retry-After, "
+      "Server-Timing, X-Request-Id");
+}
+
 bool has_body(int status) { return status >= 200 && status != 204 && status != 304; }
 
 }  // namespace
@@ -60,7 +72,7 @@ std::string answer_head(const Reply& reply, const Exchange& exchange, const Answ
   add(text, "X-Content-Type-Options", "nosniff");
   add(text, "Referrer-Policy", "no-referrer");
   add(text, "Cross-Origin-Opener-Policy", "same-origin");
-  add(text, "Cross-Origin-Resource-Policy", "same-origin");
+  add_sharing(text, exchange);
   return text += "\r\n";
 }
 

@@ -4,6 +4,7 @@
 #include <new>
 #include <vector>
 
+#include "server/access.h"
 #include "server/responses.h"
 #include "server/text.h"
 
@@ -168,6 +169,8 @@ void Connection::take_head() {
   }
   auto head = parse_head(std::string_view(input_).substr(0, size), home_.settings());
   if (!head) return refuse(head.problems().front());
+  exchange_->shared_with = shared_origin(head->request, home_.settings());
+  exchange_->differs_by_origin = !home_.settings().allowed_origins.empty() && exchange_->shared_with != "*";
   auto admission = home_.admit(*head, *exchange_);
   if (auto* refused = std::get_if<Reply>(&admission)) return refuse(std::move(*refused));
   const std::size_t limit = std::get<std::size_t>(admission);

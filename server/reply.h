@@ -34,6 +34,8 @@ struct Exchange {
   std::string id;                            ///< names the request in the answer and in the log
   Clock::time_point started = Clock::now();  ///< when its first byte came
   bool accepts_gzip = false;
+  std::string shared_with = {};    ///< the origin whose pages may read the answer, "*" for all; empty for none other
+  bool differs_by_origin = false;  ///< pages of another origin may be answered otherwise
 
   double milliseconds() const { return std::chrono::duration<double, std::milli>(Clock::now() - started).count(); }
 };

@@ -3,6 +3,7 @@
 #include <array>
 #include <new>
 #include <optional>
+#include <set>
 #include <spdlog/spdlog.h>
 
 #include "server/access.h"
@@ -87,7 +88,30 @@ Found find_route(const Application& application, const Request& request) {
         (found.allowed.empty() ? "" : ", ") + std::string(route.method == "GET" ? "GET, HEAD" : route.method);
   }
   if (found.allowed.empty() && application.page.find(request.path) != nullptr) found.allowed = "GET, HEAD";
+  if (!found.allowed.empty()) found.allowed += ", OPTIONS";
   return found;
+}
+
+/// What the address takes, and for a page of another origin what it may send there. No request is ever refused for the
+/// headers that are listed.
+Reply options_reply(const std::string& allowed, const Exchange& exchange) {
+  Reply reply{.status = 204, .headers = {{"Allow", allowed}, {"Cache-Control", "no-store"}}};
+  if (exchange.shared_with.empty()) return reply;
+  reply.headers.emplace_back("Access-Control-Allow-Methods", allowed);
+  reply.headers.emplace_back("Access-Control-Allow-Headers",
+                             "Accept, Authorization, Content-Type, If-Match, If-None-Match, If-Range, Range, "
+                             "Supersede-Key");
+  reply.headers.emplace_back("Access-Control-Max-Age", "600");
+  return reply;
+}
+
+/// Every method that some address takes.
+std::string all_methods() {
+  std::set<std::string_view> methods = {"HEAD", "OPTIONS"};
+  for (const Route& route : all_routes) methods.insert(route.method);
+  std::string list;
+  for (const std::string_view method : methods) list.append(list.empty() ? "" : ", ").append(method);
+  return list;
 }
 
 Reply no_route(const Found& found, const Exchange& exchange) {
@@ -137,6 +161,10 @@ void answer(Application& application, const std::shared_ptr<Call>& call) {
   Found found = find_route(application, request);
   if (found.route == nullptr && reads(request.method) && found.allowed.find("GET") != std::string::npos) {
     return answer_with(context, [&] { return page_file(context); });
+  }
+  if (request.method == "OPTIONS" && (request.path == "*" || !found.allowed.empty())) {
+    return answer_with(
+        context, [&] { return options_reply(request.path == "*" ? all_methods() : found.allowed, call->exchange); });
   }
   if (found.route == nullptr) {
     return answer_with(context, [&] { return no_route(found, call->exchange); });

@@ -11,11 +11,12 @@ namespace dini::server {
 /// Everything that can be set about the HTTP server; limits of the graphs themselves are the engine's.
 struct Settings {
   std::string host = "127.0.0.1";
-  int port = 8080;                         ///< 0 takes a free one
-  std::string token;                       ///< when set, every /v1 request needs `Authorization: Bearer <token>`
-  std::vector<std::string> allowed_hosts;  ///< further names that a Host header may carry, with or without port
-  std::filesystem::path web;               ///< the built page; empty for none
-  std::filesystem::path examples;          ///< the example graphs; empty for none
+  int port = 8080;                           ///< 0 takes a free one
+  std::string token;                         ///< when set, every /v1 request needs `Authorization: Bearer <token>`
+  std::vector<std::string> allowed_hosts;    ///< further names that a Host header may carry, with or without port
+  std::vector<std::string> allowed_origins;  ///< whose pages may read answers and send requests; "*" for all
+  std::filesystem::path web;                 ///< the built page; empty for none
+  std::filesystem::path examples;            ///< the example graphs; empty for none
 
   std::filesystem::path data;  ///< where graphs are kept; empty: in memory, as long as the server runs
   bool needs_data = true;      ///< false: a server that cannot use that folder starts and keeps nothing

@@ -128,8 +128,8 @@ TEST_CASE("Every error has the same form") {
     CHECK(problem["detail"].get<std::string>().size() <= 200);
     CHECK(answer->body.find("secret") == std::string::npos);
   }
-  CHECK(get(server.port(), "/v1/evaluate")->header("allow") == "POST");
-  CHECK(post(server.port(), "/healthz", "{}")->header("allow") == "GET, HEAD");
+  CHECK(get(server.port(), "/v1/evaluate")->header("allow") == "POST, OPTIONS");
+  CHECK(post(server.port(), "/healthz", "{}")->header("allow") == "GET, HEAD, OPTIONS");
 }
 
 TEST_CASE("A body is read strictly and every mistake is listed") {
