@@ -89,7 +89,7 @@ Problem unknown_name(const std::string& name, const std::vector<std::string>& kn
           .detail = "'" + escape_controls(name, 80) +
                     "' is no parameter of the graph and nothing else that the address "
                     "takes" +
-                    did_you_mean(name, known) + "."};
+                    did_you_mean(name, known)};
 }
 
 /// The query of an address: parameters of the graph, and what is fixed.

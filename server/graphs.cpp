@@ -122,7 +122,7 @@ Result<std::map<std::string, std::string>> read_query(const Context& context, co
     const std::string shown = escape_controls(name, 80);
     if (std::ranges::find(names, name) == names.end()) {
       return Problem{.code = "unknown-member",
-                     .detail = "The address takes no '" + shown + "' in its query" + did_you_mean(name, names) + "."};
+                     .detail = "The address takes no '" + shown + "' in its query" + did_you_mean(name, names)};
     }
     if (!values.emplace(name, std::move(value)).second) {
       return Problem{.code = "unknown-member", .detail = "The query has '" + shown + "' twice."};
