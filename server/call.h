@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 
 #include "jobs/flights.h"
 #include "server/reply.h"
@@ -43,15 +44,26 @@ class Call : public std::enable_shared_from_this<Call> {
   void reply(Reply reply) {
     reply.timings = std::move(timings_);
     auto answer = std::make_unique<Reply>(std::move(reply));
-    if (const auto asker = std::exchange(asker_, nullptr)) asker->deliver(std::move(answer));
+    if (const auto asker = take_asker()) asker->deliver(std::move(answer));
   }
 
+  /// What is asked of a computation may be answered, by another thread, before this is called.
   void watch(std::shared_ptr<jobs::Flights::Interest> interest) {
-    if (asker_ != nullptr) asker_->watch(std::move(interest));
+    if (const auto asker = known_asker()) asker->watch(std::move(interest));
   }
 
  private:
-  std::shared_ptr<Asker> asker_;
+  std::shared_ptr<Asker> known_asker() {
+    const std::lock_guard lock(mutex_);
+    return asker_;
+  }
+  std::shared_ptr<Asker> take_asker() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(asker_, nullptr);
+  }
+
+  std::mutex mutex_;
+  std::shared_ptr<Asker> asker_;  ///< null once it has been answered
   std::vector<std::pair<std::string, double>> timings_;
 };
 
