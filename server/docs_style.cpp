@@ -47,7 +47,7 @@ nav {
 }
 nav h2 { margin: 1.25rem 0 0.25rem; border: 0; padding: 0; color: var(--quiet); font-size: 0.8rem; }
 nav ul { margin: 0; padding: 0; list-style: none; }
-nav li a { display: block; padding: 0.15rem 0; color: var(--text); white-space: nowrap; }
+nav li a { display: block; padding: 0.15rem 0; color: var(--text); overflow-wrap: anywhere; }
 main { grid-column: 2; max-width: 62rem; padding: 1.5rem 2rem 5rem; }
 main:first-child { grid-column: 1 / -1; }
 h1 { margin: 0 0 0.5rem; font-size: 1.7rem; }
