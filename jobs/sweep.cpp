@@ -26,16 +26,16 @@ Digest new_name() {
 
 }  // namespace
 
-EvaluateRequest SweepRequest::at(std::size_t index) const {
+EvaluateRequest SweepRequest::with(const Json& setting) const {
   EvaluateRequest request = base;
-  request.parameters.update(variants.at(index));
+  request.parameters.update(setting);
   return request;
 }
 
 Result<std::shared_ptr<const SweepCost>> predict(const Engine& engine, const SweepRequest& request, const Job& job) {
   SweepCost cost;
   for (std::size_t index = request.first; index < request.variants.size(); ++index) {
-    const Result<SharedPrepared> prepared = engine.prepare(request.at(index), job.cancel);
+    const Result<SharedPrepared> prepared = engine.prepare(request.with(request.variants.at(index)), job.cancel);
     if (job.cancel.stopped()) return stopped_problem(job.cancel.reason());
     if (!prepared) continue;
     if ((*prepared)->work != ComputeQueue::unknown_work) cost.work += (*prepared)->work;
@@ -108,9 +108,7 @@ Result<std::shared_ptr<const bool>> Sweep::run_slice(const Job& job) {
 
 VariantOutcome Sweep::evaluate(std::size_t index, const Job& job) const {
   Json setting = request_.variants.at(index);
-  EvaluateRequest request = request_.base;
-  request.parameters.update(setting);
-  Result<SharedPrepared> prepared = engine_.prepare(request, job.cancel);
+  Result<SharedPrepared> prepared = engine_.prepare(request_.with(setting), job.cancel);
   if (!prepared) return {index, std::move(setting), prepared.problems(), prepared.problems()};
   SharedComputed known = engine_.find(**prepared);
   Result<SharedComputed> computed = known != nullptr ? std::move(known) : engine_.compute(**prepared, job);

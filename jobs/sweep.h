@@ -19,8 +19,8 @@ struct SweepRequest {
   std::size_t first = 0;  ///< the variant to begin with
   Alarms::Clock::time_point deadline = Alarms::Clock::time_point::max();
 
-  /// The request of one variant.
-  EvaluateRequest at(std::size_t index) const;
+  /// The request of the variant with these values.
+  EvaluateRequest with(const Json& setting) const;
 };
 
 /// What is known of a sweep before it begins.

@@ -1,7 +1,5 @@
 #include "server/artifacts.h"
 
-#include <optional>
-
 #include "server/handlers.h"
 #include "server/negotiation.h"
 #include "server/ranges.h"
@@ -10,27 +8,15 @@
 namespace dini::server {
 namespace {
 
-Digest key_of(const Digest& sha256) { return DigestBuilder().text("artifact").digest(sha256).finish(); }
-
-std::optional<Digest> digest_of(std::string_view hex) {
-  Digest digest;
-  if (hex.size() != 2 * digest.size()) return std::nullopt;
-  for (std::size_t i = 0; i < digest.size(); ++i) {
-    constexpr std::string_view digits = "0123456789abcdef";
-    const auto high = digits.find(hex[2 * i]), low = digits.find(hex[2 * i + 1]);
-    if (high == std::string_view::npos || low == std::string_view::npos) return std::nullopt;
-    digest[i] = static_cast<std::uint8_t>(high << 4 | low);
-  }
-  return digest;
-}
+Digest key_of(std::string_view sha256) { return DigestBuilder().text("artifact").text(sha256).finish(); }
 
 }  // namespace
 
 void Artifacts::add(const SharedFile& file) {
-  files_.insert<File>(key_of(file->sha256), file, sizeof(File) + file->bytes->size());
+  files_.insert<File>(key_of(to_hex(file->sha256)), file, sizeof(File) + file->bytes->size());
 }
 
-SharedFile Artifacts::find(const Digest& sha256) { return files_.find<File>(key_of(sha256)); }
+SharedFile Artifacts::find(std::string_view sha256) { return files_.find<File>(key_of(sha256)); }
 
 std::string artifact_address(const File& file) { return "/v1/artifacts/" + to_hex(file.sha256); }
 
@@ -63,8 +49,7 @@ Operation describe_artifact() {
 
 Reply artifact(const Context& context) {
   const std::string& name = context.arguments.front();
-  const std::optional<Digest> digest = digest_of(name);
-  const SharedFile file = digest ? context.application.artifacts.find(*digest) : nullptr;
+  const SharedFile file = context.application.artifacts.find(name);
   if (file == nullptr) {
     return problem_reply(
         Problem{.code = "not-found", .detail = "No file of that hash is kept here; evaluate its graph again."},

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "graph/cache.h"
 #include "graph/file.h"
 
@@ -11,8 +13,8 @@ class Artifacts {
   explicit Artifacts(std::size_t budget) : files_(budget) {}
 
   void add(const SharedFile& file);
-  /// Null when it is not kept.
-  SharedFile find(const Digest& sha256);
+  /// By its hash as it is written in an address; null when it is not kept.
+  SharedFile find(std::string_view sha256);
   void clear() { files_.clear(); }
 
  private:

@@ -1,11 +1,11 @@
 // What is kept: the list of graphs, the versions of one, and what differs between two of them.
 
 #include <algorithm>
-#include <charconv>
 
 #include "server/graphs.h"
 #include "server/handlers.h"
 #include "server/responses.h"
+#include "server/text.h"
 #include "service/graph_difference.h"
 #include "service/requests/schema.h"
 
@@ -33,14 +33,12 @@ Result<std::int64_t> number_of(const std::map<std::string, std::string>& values,
                                std::int64_t usual, std::int64_t most) {
   const auto found = values.find(name);
   if (found == values.end()) return usual;
-  const std::string& text = found->second;
-  std::int64_t number = 0;
-  const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (text.empty() || end.ec != std::errc() || end.ptr != text.data() + text.size() || number < 1 || number > most) {
+  const auto number = whole_number(found->second);
+  if (!number || *number < 1 || *number > static_cast<std::size_t>(most)) {
     return Problem{.code = "out-of-range",
                    .detail = "'" + name + "' in the query is a whole number from 1 to " + std::to_string(most) + "."};
   }
-  return number;
+  return static_cast<std::int64_t>(*number);
 }
 
 Reply listed(const Json& json) {

@@ -46,16 +46,6 @@ Result<std::shared_ptr<const KnownGraph>> known_graph(const Context& context, co
   return std::shared_ptr<const KnownGraph>(std::move(made));
 }
 
-/// The current version, or the one that is named.
-Result<store::GraphVersion> looked_up(const Context& context, std::string_view text) {
-  const auto name = graph_name(text);
-  if (!name) return no_graph(text);
-  auto found = context.application.graphs.look_up(name->id, name->version);
-  if (!found) return found.problems();
-  if (!*found) return no_graph(text);
-  return **std::move(found);
-}
-
 /// What an address asks for.
 struct Asked {
   EvaluateBody body;
@@ -84,17 +74,17 @@ std::vector<std::string> known_names(const Json& interface) {
   return names;
 }
 
-Problem unknown_name(const std::string& name, const std::vector<std::string>& known) {
+Problem unknown_name(const std::string& name, const Json& interface) {
   return {.code = "unknown-parameter",
           .detail = "'" + escape_controls(name, 80) +
                     "' is no parameter of the graph and nothing else that the address "
                     "takes" +
-                    did_you_mean(name, known)};
+                    did_you_mean(name, known_names(interface))};
 }
 
 /// The query of an address: parameters of the graph, and what is fixed.
 Result<Asked> read_query(const Context& context, const KnownGraph& known) {
-  const std::vector<std::string> names = known_names(known.interface);
+  const Json& parameters = known.interface.at("parameters").at("properties");
   Asked asked;
   asked.body.graph = known.graph;
   std::map<std::string, std::string> texts;
@@ -110,7 +100,7 @@ Result<Asked> read_query(const Context& context, const KnownGraph& known) {
       asked.presentation.attachment = true;
     } else {
       std::string parameter = name.starts_with(parameter_prefix) ? name.substr(parameter_prefix.size()) : name;
-      if (!known.interface.at("parameters").at("properties").contains(parameter)) return unknown_name(name, names);
+      if (!parameters.contains(parameter)) return unknown_name(name, known.interface);
       if (!texts.emplace(std::move(parameter), std::move(value)).second) {
         return Problem{.code = "unknown-member", .detail = "The query has '" + escape_controls(name, 80) + "' twice."};
       }
@@ -172,7 +162,7 @@ Operation describe_graph_output() {
 
 void graph_output(const Context& context) {
   const std::string& name = context.arguments.front();
-  const auto version = looked_up(context, name);
+  const auto version = stored_version(context, name);
   if (!version) return reply_problems(context, version.problems());
   const auto known = known_graph(context, *version);
   if (!known) return reply_problems(context, known.problems());
@@ -199,7 +189,7 @@ Operation describe_graph_interface() {
 }
 
 Reply graph_interface(const Context& context) {
-  const auto version = looked_up(context, context.arguments.front());
+  const auto version = stored_version(context, context.arguments.front());
   if (!version) return problem_reply(version.problems(), context.exchange());
   const auto known = known_graph(context, *version);
   if (!known) return problem_reply(known.problems(), context.exchange());

@@ -33,6 +33,19 @@ bool names_current(std::string_view header, const store::GraphVersion* current) 
   return current != nullptr && names_tag(header, tag_of(*current));
 }
 
+/// What a search of the store finds under the name in an address.
+template <class Found>
+Result<Found> named(const Context& context, std::string_view text,
+                    Result<std::optional<Found>> (store::GraphStore::*search)(std::string_view,
+                                                                              std::optional<std::int64_t>) const) {
+  const auto name = graph_name(text);
+  if (!name) return no_graph(text);
+  auto found = (context.application.graphs.*search)(name->id, name->version);
+  if (!found) return found.problems();
+  if (!*found) return no_graph(text);
+  return **std::move(found);
+}
+
 /// What the headers of a request to write ask of the current version.
 store::Condition condition_of(const Request& request) {
   return [&request](const store::GraphVersion* current) {
@@ -94,12 +107,11 @@ Problem no_graph(std::string_view name) {
 }
 
 Result<store::StoredGraph> stored_graph(const Context& context, std::string_view name) {
-  const auto parsed = graph_name(name);
-  if (!parsed) return no_graph(name);
-  auto found = context.application.graphs.find(parsed->id, parsed->version);
-  if (!found) return found.problems();
-  if (!*found) return no_graph(name);
-  return **std::move(found);
+  return named(context, name, &store::GraphStore::find);
+}
+
+Result<store::GraphVersion> stored_version(const Context& context, std::string_view name) {
+  return named(context, name, &store::GraphStore::look_up);
 }
 
 std::string tag_of(const store::GraphVersion& version) {

@@ -26,6 +26,9 @@ Problem no_graph(std::string_view name);
 /// The version that an address names, or the problem that there is none.
 Result<store::StoredGraph> stored_graph(const Context& context, std::string_view name);
 
+/// The same without its document.
+Result<store::GraphVersion> stored_version(const Context& context, std::string_view name);
+
 /// The strong entity tag of a version, with its quotes.
 std::string tag_of(const store::GraphVersion& version);
 

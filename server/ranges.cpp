@@ -1,7 +1,6 @@
 #include "server/ranges.h"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 #include "server/responses.h"
@@ -9,13 +8,6 @@
 
 namespace dini::server {
 namespace {
-
-std::optional<std::size_t> number_of(std::string_view text) {
-  std::size_t number = 0;
-  const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (text.empty() || end.ec != std::errc() || end.ptr != text.data() + text.size()) return std::nullopt;
-  return number;
-}
 
 /// From the first to the last byte, both included.
 struct Part {
@@ -30,7 +22,7 @@ std::optional<Part> part_of(std::string_view range, std::size_t size) {
   const std::string_view text = trim(range.substr(unit.size()));
   const auto dash = text.find('-');
   if (dash == std::string_view::npos) return std::nullopt;
-  const auto first = number_of(text.substr(0, dash)), last = number_of(text.substr(dash + 1));
+  const auto first = whole_number(text.substr(0, dash)), last = whole_number(text.substr(dash + 1));
   if (dash == 0) {
     if (!last) return std::nullopt;
     return *last == 0 ? Part{size, size} : Part{size - std::min(size, *last), size - 1};

@@ -1,6 +1,7 @@
 #include "server/text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 
 namespace dini::server {
@@ -37,6 +38,13 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   }
   return parts;
+}
+
+std::optional<std::size_t> whole_number(std::string_view text) {
+  std::size_t number = 0;
+  const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (text.empty() || end.ec != std::errc() || end.ptr != text.data() + text.size()) return std::nullopt;
+  return number;
 }
 
 std::string escape_controls(std::string_view text, std::size_t limit) {

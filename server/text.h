@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +19,9 @@ bool equal_ignoring_case(std::string_view a, std::string_view b);
 
 /// The trimmed parts between separators; empty parts are left out.
 std::vector<std::string_view> split(std::string_view text, char separator);
+
+/// The number that a text of decimal digits, and nothing else, is; nothing for any other.
+std::optional<std::size_t> whole_number(std::string_view text);
 
 /// Text from outside made safe for a terminal and a log line: controls and bytes past ASCII become \xNN, and at most
 /// `limit` bytes are kept.

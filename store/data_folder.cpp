@@ -8,13 +8,10 @@
 #include <utility>
 
 namespace dini::store {
-namespace {
 
 Problem io_problem(const std::filesystem::path& path, const std::string& why) {
   return {.code = "io", .detail = path.string() + ": " + why};
 }
-
-}  // namespace
 
 Result<DataFolder> DataFolder::hold(const std::filesystem::path& path) {
   std::error_code error;

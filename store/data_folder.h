@@ -7,6 +7,9 @@
 
 namespace dini::store {
 
+/// The problem (`io`) with a file or folder, in one line.
+Problem io_problem(const std::filesystem::path& path, const std::string& why);
+
 /// A folder that one process holds to write into it. The system lets go of it however the process ends.
 class DataFolder {
  public:

@@ -10,12 +10,14 @@ namespace {
 /// Who reads while another process writes waits so long for a lock.
 constexpr int patience_milliseconds = 2000;
 
-Problem io_problem(const std::filesystem::path& path, const std::string& why) {
-  return {.code = "io", .detail = path.string() + ": " + why};
-}
-
 bool is_full(const SQLite::Exception& error) {
   return error.getErrorCode() == SQLITE_FULL || error.getExtendedErrorCode() == SQLITE_IOERR_SHMSIZE;
+}
+
+/// Lets a database grow so far and no further.
+void bound(SQLite::Database& database, std::size_t most_bytes) {
+  const auto page = static_cast<std::size_t>(database.execAndGet("PRAGMA page_size").getInt64());
+  database.exec("PRAGMA max_page_count = " + std::to_string(std::max<std::size_t>(1, most_bytes / page)));
 }
 
 /// Makes the database beside its place, so that one that was not finished is never taken for one that lost everything.
@@ -48,8 +50,7 @@ std::unique_ptr<SQLite::Database> Database::connected(const std::filesystem::pat
   database->exec("PRAGMA journal_mode = WAL");
   database->exec("PRAGMA synchronous = FULL");
   database->exec("PRAGMA foreign_keys = ON");
-  const auto page = static_cast<std::size_t>(database->execAndGet("PRAGMA page_size").getInt64());
-  database->exec("PRAGMA max_page_count = " + std::to_string(std::max<std::size_t>(1, most_bytes_ / page)));
+  bound(*database, most_bytes_);
   return database;
 }
 
@@ -90,8 +91,7 @@ std::unique_ptr<Database> Database::in_memory(std::size_t most_bytes) {
   std::unique_ptr<Database> database(new Database(most_bytes));
   database->writer_ = std::make_unique<SQLite::Database>(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   make_tables(*database->writer_);
-  const auto page = static_cast<std::size_t>(database->writer_->execAndGet("PRAGMA page_size").getInt64());
-  database->writer_->exec("PRAGMA max_page_count = " + std::to_string(std::max<std::size_t>(1, most_bytes / page)));
+  bound(*database->writer_, most_bytes);
   return database;
 }
 

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "store/database.h"
+#include "store/schema.h"
 
 namespace dini::store {
 namespace {
@@ -229,9 +230,7 @@ Result<bool> GraphStore::back_up(const std::filesystem::path& file) const {
 
 Result<std::string> GraphStore::fault() const {
   return database_->read([](SQLite::Database& database) -> Result<std::string> {
-    std::string verdict = database.execAndGet("PRAGMA integrity_check(1)").getString();
-    std::ranges::replace(verdict, '\n', ' ');
-    if (verdict != "ok") return verdict;
+    if (std::string damage = damage_in(database, "integrity_check"); !damage.empty()) return damage;
     SQLite::Statement select(database, "SELECT id, version, digest, document FROM versions");
     while (select.executeStep()) {
       if (digest_in(select.getColumn(2)) == sha256(select.getColumn(3).getString())) continue;

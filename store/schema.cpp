@@ -45,9 +45,14 @@ std::string fault_in(SQLite::Database& database) {
     return "the database has version " + std::to_string(version) + ", this program reads version " +
            std::to_string(schema_version);
   }
-  std::string verdict = database.execAndGet("PRAGMA quick_check(1)").getString();
+  const std::string damage = damage_in(database, "quick_check");
+  return damage.empty() ? "" : "the database is damaged (" + damage + "); restore a backup";
+}
+
+std::string damage_in(SQLite::Database& database, const std::string& check) {
+  std::string verdict = database.execAndGet("PRAGMA " + check + "(1)").getString();
   std::ranges::replace(verdict, '\n', ' ');
-  return verdict == "ok" ? "" : "the database is damaged (" + verdict + "); restore a backup";
+  return verdict == "ok" ? "" : verdict;
 }
 
 }  // namespace dini::store

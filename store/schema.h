@@ -12,4 +12,7 @@ void make_tables(SQLite::Database& database);
 /// version, or its pages are damaged.
 std::string fault_in(SQLite::Database& database);
 
+/// What one of SQLite's checks, `quick_check` or `integrity_check`, finds first, in one line; empty when nothing.
+std::string damage_in(SQLite::Database& database, const std::string& check);
+
 }  // namespace dini::store
