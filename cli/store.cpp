@@ -86,30 +86,36 @@ int purge(store::GraphStore& store) {
 void add_store(CLI::App& program, Command& chosen) {
   auto* command = program.add_subcommand("store", "Look after the graphs that a server keeps");
   command->require_subcommand(1);
-  const auto options = std::make_shared<Options>();
-  const auto add = [&](const char* name, const char* help, std::function<int()> run) {
+  // Each has options of its own: the environment is read for all of them, also for those that were not given.
+  const auto add = [&](const char* name, const char* help, std::function<int(const Options&)> run,
+                       const std::shared_ptr<Options>& options = std::make_shared<Options>()) {
     auto* subcommand = command->add_subcommand(name, help);
     subcommand
         ->add_option("--data", options->data, "The folder of the server (default: dini in the user's data folder)")
         ->envname("DINI_DATA");
-    subcommand->callback([run = std::move(run), &chosen] { chosen = run; });
+    subcommand->callback([run = std::move(run), options, &chosen] { chosen = [=] { return run(*options); }; });
     return subcommand;
   };
-  add("list", "List the graphs: name and version, bytes, hash, title", [options] {
-    return with_store(*options, store::GraphStore::open_to_read, [](auto& store) { return list(store); });
+  const auto backup = std::make_shared<Options>();
+  add("list", "List the graphs: name and version, bytes, hash, title", [](const Options& options) {
+    return with_store(options, store::GraphStore::open_to_read, [](auto& store) { return list(store); });
   });
-  add("check", "Read everything that is kept and say whether it is what was written", [options] {
-    return with_store(*options, store::GraphStore::open_to_read, [](auto& store) { return check(store); });
+  add("check", "Read everything that is kept and say whether it is what was written", [](const Options& options) {
+    return with_store(options, store::GraphStore::open_to_read, [](auto& store) { return check(store); });
   });
-  add("backup", "Write everything into a new file while the server goes on; put back as dini.db in an empty folder",
-      [options] {
-        return with_store(*options, store::GraphStore::open_to_read,
-                          [&](auto& store) { return back_up(store, options->backup); });
-      })
-      ->add_option("file", options->backup, "The file to write")
+  add(
+      "backup", "Write everything into a new file while the server goes on; put back as dini.db in an empty folder",
+      [](const Options& options) {
+        return with_store(options, store::GraphStore::open_to_read,
+                          [&](auto& store) { return back_up(store, options.backup); });
+      },
+      backup)
+      ->add_option("file", backup->backup, "The file to write")
       ->required();
   add("purge", "Forget deleted graphs and all their versions for ever; while no server runs",
-      [options] { return with_store(*options, open_to_write, [](auto& store) { return purge(store); }); });
+      [](const Options& options) {
+        return with_store(options, open_to_write, [](auto& store) { return purge(store); });
+      });
 }
 
 }  // namespace dini::cli
