@@ -1,6 +1,8 @@
 #include "jobs/process_memory.h"
 
+#include <fstream>
 #include <malloc.h>
+#include <unistd.h>
 
 namespace dini::jobs {
 
@@ -10,5 +12,11 @@ void use_few_memory_pools() {
 }
 
 void give_back_free_memory() { malloc_trim(0); }
+
+std::size_t resident_bytes() {
+  std::ifstream pages("/proc/self/statm");
+  std::size_t whole = 0, resident = 0;
+  return pages >> whole >> resident ? resident * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) : 0;
+}
 
 }  // namespace dini::jobs

@@ -58,6 +58,10 @@ bool equal_secrets(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+bool is_probe(std::string_view path) { return path == "/healthz" || path == "/readyz"; }
+
+bool needs_token(std::string_view path) { return path.starts_with("/v1/") || path == "/metrics"; }
+
 std::string shared_origin(const Request& request, const Settings& settings) {
   const std::string origin(request.header("Origin"));
   for (const std::string& allowed : settings.allowed_origins) {
@@ -68,6 +72,7 @@ std::string shared_origin(const Request& request, const Settings& settings) {
 }
 
 std::optional<Problem> check_access(const Request& request, const Settings& settings) {
+  if (is_probe(request.path)) return std::nullopt;
   const std::string_view host = request.header("Host");
   if (request.has_header("Host") && !is_our_host(host, settings)) {
     return Problem{.code = "misdirected-request",
@@ -84,7 +89,7 @@ std::optional<Problem> check_access(const Request& request, const Settings& sett
                        "Pages from other origins may not send requests here; start with --allow-origin to add "
                        "one, or with --allow-host to add the name of a proxy."};
   }
-  if (!settings.token.empty() && request.path.starts_with("/v1/") &&
+  if (!settings.token.empty() && needs_token(request.path) &&
       !equal_secrets(bearer_token(request.header("Authorization")), settings.token)) {
     return Problem{.code = "unauthorized",
                    .detail = "Send 'Authorization: Bearer <token>' with the token of this server."};

@@ -18,6 +18,9 @@
 
 namespace dini::server {
 
+class Connections;
+class Metrics;
+
 /// What the handlers share.
 struct Application {
   const Engine& engine;
@@ -26,6 +29,9 @@ struct Application {
   Examples examples;
   AnswerThreads& threads;
   jobs::Flights& flights;
+  const jobs::ComputeQueue& queue;
+  const Connections& connections;
+  Metrics& metrics;
   jobs::Supersede supersede = {};
   Cache known;  ///< bodies that were read, by their bytes, and requests that were checked, by their identity
   Artifacts artifacts;

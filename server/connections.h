@@ -46,6 +46,7 @@ class Connections final : private Home {
   void cut();
 
   std::size_t open() const;
+  bool is_draining() const override { return draining_.load(std::memory_order_relaxed); }
 
  private:
   const Settings& settings() const override { return settings_; }
@@ -55,7 +56,6 @@ class Connections final : private Home {
   void answer(const std::shared_ptr<Call>& call) override;
   void wake(const std::shared_ptr<Connection>& connection) override;
   std::string next_id() override;
-  bool is_draining() const override { return draining_.load(std::memory_order_relaxed); }
   void log(const Access& access, const Exchange& exchange) noexcept override;
   bool take_incoming(std::size_t bytes) override;
   void give_incoming(std::size_t bytes) override { incoming_bytes_ -= bytes; }

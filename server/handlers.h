@@ -10,6 +10,11 @@ namespace dini::server {
 /// The process answers.
 Reply health(const Context& context);
 Operation describe_health();
+/// Whether to send requests here, and the numbers of the server.
+Reply ready(const Context& context);
+Operation describe_ready();
+Reply metrics(const Context& context);
+Operation describe_metrics();
 /// The engine and every limit by name.
 Reply version(const Context& context);
 Operation describe_version();

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "server/access.h"
 #include "server/responses.h"
 #include "server/text.h"
 #include "service/requests/results.h"
@@ -117,8 +118,8 @@ Json operation_json(const Operation& operation, const Route& route, bool head) {
   }
   if (operation.request != nullptr || operation.takes_document || !operation.file_types.empty())
     json["requestBody"] = body_json(operation);
-  const bool needs_token = route.path.starts_with("/v1/");
-  json["security"] = needs_token ? Json::array({Json::object(), {{"token", Json::array()}}}) : Json::array();
+  json["security"] =
+      needs_token(route.path) ? Json::array({Json::object(), {{"token", Json::array()}}}) : Json::array();
   return json;
 }
 

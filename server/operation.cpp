@@ -4,6 +4,8 @@
 #include <array>
 #include <set>
 
+#include "server/access.h"
+
 namespace dini::server {
 namespace {
 
@@ -84,7 +86,8 @@ std::vector<std::string_view> every_problem(const Operation& operation, std::str
                                             std::string_view path) {
   std::set<std::string_view> may(operation.problems.begin(), operation.problems.end());
   may.insert(always.begin(), always.end());
-  if (path.starts_with("/v1/")) may.insert("unauthorized");
+  if (is_probe(path)) may.erase("misdirected-request");
+  if (needs_token(path)) may.insert("unauthorized");
   if (method == "POST" || method == "PUT") may.insert(with_body.begin(), with_body.end());
   if (method == "DELETE") may.insert({"foreign-origin", "body-too-large"});
   if (operation.request != nullptr) may.insert(with_json.begin(), with_json.end());

@@ -20,6 +20,8 @@ std::size_t file_body(const Limits& limits) { return limits.asset_bytes; }
 constexpr std::array all_routes = {
     Route{"GET", "/", page_file, describe_page},
     Route{"GET", "/healthz", health, describe_health},
+    Route{"GET", "/readyz", ready, describe_ready},
+    Route{"GET", "/metrics", metrics, describe_metrics},
     Route{"GET", "/version", version, describe_version},
     Route{"GET", "/openapi.json", openapi, describe_openapi},
     Route{"GET", "/docs", docs, describe_docs},
@@ -127,6 +129,17 @@ Reply no_route(const Found& found, const Exchange& exchange) {
 }  // namespace
 
 std::span<const Route> routes() { return all_routes; }
+
+std::string_view pattern_of(const Application& application, std::string_view method, std::string_view path) {
+  std::string_view of_address;
+  for (const Route& route : all_routes) {
+    if (!matched(route.path, path)) continue;
+    if (route.method == method || (route.method == "GET" && method == "HEAD")) return route.path;
+    of_address = route.path;
+  }
+  if (!of_address.empty()) return of_address;
+  return application.page.find(std::string(path)) != nullptr ? "page" : "other";
+}
 
 std::variant<std::size_t, Reply> admit(const Application& application, const RequestHead& head,
                                        const Exchange& exchange) {

@@ -29,6 +29,9 @@ struct Route {
 
 std::span<const Route> routes();
 
+/// The pattern of the route of a request, for counting: "page" for files of the page, "other" for no address.
+std::string_view pattern_of(const Application& application, std::string_view method, std::string_view path);
+
 /// By its head alone: how long the body of a request may be, or the answer if it is refused.
 std::variant<std::size_t, Reply> admit(const Application& application, const RequestHead& head,
                                        const Exchange& exchange);

@@ -7,8 +7,10 @@
 #include <unistd.h>
 
 #include "jobs/process_memory.h"
+#include "server/addresses.h"
 #include "server/connections.h"
 #include "server/docs_page.h"
+#include "server/metrics.h"
 #include "server/openapi.h"
 #include "server/routes.h"
 #include "server/text.h"
@@ -60,10 +62,12 @@ struct Server::State {
         std::unique_ptr<store::GraphStore> kept)
       : settings(decided(chosen)),
         graphs(std::move(kept)),
+        metrics(engine.catalogue().value("engine", "")),
         connections(
             settings, threads,
             [this](const RequestHead& head, const Exchange& exchange) { return admit(application, head, exchange); },
-            [this](const std::shared_ptr<Call>& call) { answer(application, call); }, log_access),
+            [this](const std::shared_ptr<Call>& call) { answer(application, call); },
+            [this](const Access& access, const Exchange& exchange) { note(access, exchange); }),
         threads(settings.answer_threads),
         flights(queue, alarms),
         application{.engine = engine,
@@ -72,6 +76,9 @@ struct Server::State {
                     .examples = std::move(examples),
                     .threads = threads,
                     .flights = flights,
+                    .queue = queue,
+                    .connections = connections,
+                    .metrics = metrics,
                     .known = Cache(settings.known_bytes),
                     .artifacts = Artifacts(settings.artifact_bytes),
                     .graphs = *graphs,
@@ -93,7 +100,17 @@ struct Server::State {
   }
 
   const Settings settings;
+  /// What is known of a request once it has been answered, told to who operates the server.
+  void note(const Access& access, const Exchange& exchange) {
+    log_access(access, exchange);
+    const std::string path = decoded_path(std::string_view(access.path).substr(0, access.path.find('?')));
+    const bool read = access.method != "-";
+    metrics.count(read ? pattern_of(application, access.method, path) : "other", read ? access.method : "none",
+                  access.status, exchange.milliseconds() / 1000, access.bytes);
+  }
+
   const std::unique_ptr<store::GraphStore> graphs;
+  Metrics metrics;
   Connections connections;
   jobs::Alarms alarms;
   AnswerThreads threads;

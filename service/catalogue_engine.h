@@ -26,6 +26,7 @@ class CatalogueEngine final : public Engine {
   Result<SharedComputed> compute(const Prepared& prepared, const Job& job) const override;
   using Engine::report;
   Json report(const Prepared& prepared, const Computed& computed, Sent sent, Extent extent) const override;
+  CacheState cache_state() const override { return {cache_.bytes(), cache_.size(), cache_.evictions()}; }
   void forget() const override { cache_.clear(); }
   Result<SharedBytes> inspect(const InspectRequest& request, const Job& job) const override;
 

@@ -154,6 +154,14 @@ class Engine {
     return report(prepared, computed, sent, Extent::full);
   }
 
+  /// What is kept of what was computed.
+  struct CacheState {
+    std::size_t bytes = 0;
+    std::size_t entries = 0;
+    std::size_t evictions = 0;  ///< how many results had to make room so far
+  };
+  virtual CacheState cache_state() const = 0;
+
   /// Lets go of everything that could be computed again, for when memory has run out.
   virtual void forget() const = 0;
 

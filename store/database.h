@@ -3,6 +3,7 @@
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Exception.h>
 #include <SQLiteCpp/Transaction.h>
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -52,12 +53,17 @@ class Database {
       SQLite::Transaction transaction(*writer_, SQLite::TransactionBehavior::IMMEDIATE);
       auto outcome = work(*writer_);
       if (outcome) transaction.commit();
+      failed_ = false;
       return outcome;
     } catch (const SQLite::Exception& error) {
+      failed_ = true;
       forget_writer_after(error);
       return problem_of(error);
     }
   }
+
+  /// Whether the last write met a failure.
+  bool has_failed() const { return failed_; }
 
   /// Work outside of a transaction, such as VACUUM.
   template <class Work>
@@ -81,6 +87,7 @@ class Database {
   std::size_t most_bytes_;
   std::string refusal_;               ///< why nothing is written; empty when it is
   std::optional<DataFolder> folder_;  ///< none in memory
+  std::atomic<bool> failed_ = false;
   std::mutex reading_;
   std::mutex writing_;
   std::unique_ptr<SQLite::Database> writer_;  ///< null after a failure, or to look only

@@ -201,6 +201,16 @@ Result<std::vector<GraphVersion>> GraphStore::versions(std::string_view id) cons
   });
 }
 
+std::optional<Problem> GraphStore::check_writing() {
+  if (!database_->has_failed()) return std::nullopt;
+  const auto tried = database_->write([](SQLite::Database& database) -> Result<bool> {
+    database.exec("PRAGMA user_version = " + database.execAndGet("PRAGMA user_version").getString());
+    return true;
+  });
+  if (tried) return std::nullopt;
+  return tried.problems().front();
+}
+
 Result<std::size_t> GraphStore::purge() {
   auto purged = database_->write([](SQLite::Database& database) -> Result<std::size_t> {
     database.exec("CREATE TEMP TABLE gone AS SELECT id FROM graphs WHERE deleted IS NOT NULL");

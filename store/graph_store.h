@@ -89,6 +89,10 @@ class GraphStore {
   /// Every version of a graph, the newest first; empty for a graph that never was.
   Result<std::vector<GraphVersion>> versions(std::string_view id) const;
 
+  /// Why nothing can be written just now, from what became of the last write; after one that failed another is tried.
+  /// Nothing for a store that refuses all writes: nobody waits for that to end.
+  std::optional<Problem> check_writing();
+
   /// Forgets deleted graphs for ever, and gives their room back. How many there were.
   Result<std::size_t> purge();
   /// Writes all of it into a new file, as it is at one moment.

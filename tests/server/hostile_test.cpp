@@ -283,7 +283,7 @@ TEST_CASE("Refusals are problems with all headers, whatever is refused") {
   const std::vector<std::pair<std::string, int>> table = {
       {"GET http:///healthz HTTP/1.1\r\n" + host, 400},
       {"GET http://a@localhost/healthz HTTP/1.1\r\n" + host, 400},
-      {"GET http://evil.example/healthz HTTP/1.1\r\n" + host, 421},
+      {"GET http://evil.example/version HTTP/1.1\r\n" + host, 421},
       {"GET http://localhost/healthz HTTP/1.1\r\n" + host + host, 400},
       {"GET /healthz HTTP/1.1\r\n" + host + host, 400},
       {"GET /healthz HTTP/1.1\r\n", 400},
@@ -298,8 +298,8 @@ TEST_CASE("Refusals are problems with all headers, whatever is refused") {
       {"POST /v1/validate HTTP/1.1\r\n" + host + "Content-Length: 99999999999999999999\r\n", 400},
       {"POST /v1/validate HTTP/1.1\r\n" + host + "Content-Length: 1e3\r\n", 400},
       {"POST /v1/validate HTTP/1.1\r\n" + host + "Expect: something\r\nContent-Length: 2\r\n", 417},
-      {"GET /healthz HTTP/1.1\r\nHost: 127.evil.example\r\n", 421},
-      {"GET /healthz HTTP/1.1\r\nHost: localhost.evil.example\r\n", 421},
+      {"GET /version HTTP/1.1\r\nHost: 127.evil.example\r\n", 421},
+      {"GET /version HTTP/1.1\r\nHost: localhost.evil.example\r\n", 421},
       {"GET /healthz HTTP/3\r\n" + host, 505},
   };
   for (const auto& [head, status] : table) {

@@ -73,10 +73,10 @@ TEST_CASE("Only our own names are served") {
   settings.allowed_hosts = {"dini.example"};
   const Running server(settings);
   for (const std::string host : {"localhost", "127.0.0.1:80", "[::1]:8080", "LOCALHOST:1", "dini.example"}) {
-    CHECK(get_as(server.port(), "/healthz", host)->status == 200);
+    CHECK(get_as(server.port(), "/version", host)->status == 200);
   }
   for (const std::string host : {"evil.example", "localhost.evil.example", "127.0.0.1.nip.io:80", ""}) {
-    CHECK(get_as(server.port(), "/healthz", host)->status == 421);
+    CHECK(get_as(server.port(), "/version", host)->status == 421);
   }
 }
 

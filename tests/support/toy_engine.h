@@ -49,6 +49,7 @@ class ToyEngine final : public Engine {
   Result<SharedComputed> compute(const Prepared& prepared, const Job& job) const override;
   using Engine::report;
   Json report(const Prepared& prepared, const Computed& computed, Sent sent, Extent extent) const override;
+  CacheState cache_state() const override { return {}; }
   void forget() const override;
   Result<SharedBytes> inspect(const InspectRequest& request, const Job& job) const override;
 

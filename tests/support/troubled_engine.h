@@ -55,6 +55,7 @@ class TroubledEngine final : public Engine {
     return engine_->inspect(request, job);
   }
 
+  CacheState cache_state() const override { return engine_->cache_state(); }
   void forget() const override { engine_->forget(); }
 
  private:
