@@ -6,23 +6,25 @@ namespace dini::cli {
 namespace {
 
 template <class Owner>
-void add_option(CLI::App& command, const Limit<Owner>& limit, Owner& owner) {
-  const std::string usual =
-      limit.zero_means.empty() ? std::to_string(limit.get(Owner{})) : std::string(limit.zero_means);
-  command
-      .add_option_function<std::uint64_t>(
-          flag_of(limit.name), [&limit, &owner](const std::uint64_t& value) { limit.set(owner, value); },
-          std::string(limit.unit) + " " + std::string(limit.doc) + " (default " + usual + ")")
-      ->envname(variable_of(limit.name))
-      ->check(CLI::Range(limit.least, limit.most))
-      ->group("Limits");
+void add_option(CLI::App& command, Configuration& configuration, const Limit<Owner>& limit, Owner& owner) {
+  const std::string number = std::to_string(limit.get(Owner{}));
+  const std::string usual = limit.zero_means.empty() ? number : std::string(limit.zero_means);
+  const CLI::Option* option =
+      command
+          .add_option_function<std::uint64_t>(
+              flag_of(limit.name), [&limit, &owner](const std::uint64_t& value) { limit.set(owner, value); },
+              std::string(limit.unit) + " " + std::string(limit.doc) + " (default " + usual + ")")
+          ->check(CLI::Range(limit.least, limit.most))
+          ->group("Limits");
+  configuration.usual(option, number);
 }
 
 }  // namespace
 
-void add_limit_options(CLI::App& command, Limits& limits, server::Settings& settings) {
-  for (const Limit<Limits>& limit : evaluation_limits()) add_option(command, limit, limits);
-  for (const Limit<server::Settings>& limit : server::server_limits()) add_option(command, limit, settings);
+void add_limit_options(CLI::App& command, Configuration& configuration, Limits& limits, server::Settings& settings) {
+  for (const Limit<Limits>& limit : evaluation_limits()) add_option(command, configuration, limit, limits);
+  for (const Limit<server::Settings>& limit : server::server_limits())
+    add_option(command, configuration, limit, settings);
 }
 
 }  // namespace dini::cli

@@ -2,12 +2,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/configuration.h"
 #include "server/settings.h"
 #include "service/limit_table.h"
 
 namespace dini::cli {
 
-/// An option for every limit, which its environment variable sets too. Both owners must live as long as the command.
-void add_limit_options(CLI::App& command, Limits& limits, server::Settings& settings);
+/// An option for every limit. Both owners must live as long as the command.
+void add_limit_options(CLI::App& command, Configuration& configuration, Limits& limits, server::Settings& settings);
 
 }  // namespace dini::cli

@@ -1,11 +1,14 @@
 #include <csignal>
 #include <filesystem>
+#include <iostream>
 #include <memory>
+#include <optional>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include "cli/commands.h"
 #include "cli/computing.h"
+#include "cli/configuration.h"
 #include "cli/documents.h"
 #include "cli/ending_signals.h"
 #include "cli/exit_codes.h"
@@ -30,6 +33,7 @@ struct Options {
   std::string port_file;
   std::string log_level = "info";
   Computing computing;
+  std::optional<Configuration> configuration;
 };
 
 /// For --data: graphs are kept in memory, as long as the server runs.
@@ -81,7 +85,14 @@ Problems check(const Options& options) {
 }
 
 int run(Options& options, const EngineMaker& make_engine) {
+  if (const Problems wrong = options.configuration->read(); !wrong.empty()) {
+    return fail(wrong, exit_code_for(wrong, Stage::checking));
+  }
   if (const Problems wrong = check(options); !wrong.empty()) return fail(wrong, exit_code_for(wrong, Stage::checking));
+  if (options.configuration->is_to_be_printed()) {
+    std::cout << options.configuration->text();
+    return exit_ok;
+  }
   if (const Problems wrong = options.computing.apply(); !wrong.empty()) return fail(wrong, exit_usage);
   std::signal(SIGPIPE, SIG_IGN);  // whoever reads the log may leave
   EndingSignals signals(options.settings.drain_deadline + patience);
@@ -119,9 +130,12 @@ void add_serve(CLI::App& program, Command& chosen, const EngineMaker& make_engin
   auto* command = program.add_subcommand("serve", "Run the HTTP server and its page");
   const auto options = std::make_shared<Options>();
   server::Settings& settings = options->settings;
-  command->add_option("--host", settings.host, "The address to listen on (default 127.0.0.1)");
-  command->add_option("--port", settings.port, "The port, 0 for a free one (default 8080)")
-      ->check(CLI::Range(0, 65535));
+  Configuration& configuration = options->configuration.emplace(*command);
+  configuration.usual(command->add_option("--host", settings.host, "The address to listen on (default 127.0.0.1)"),
+                      settings.host);
+  configuration.usual(command->add_option("--port", settings.port, "The port, 0 for a free one (default 8080)")
+                          ->check(CLI::Range(0, 65535)),
+                      std::to_string(settings.port));
   command->add_option("--port-file", options->port_file, "A file to write the port to once listening");
   command
       ->add_option("--allow-host", settings.allowed_hosts,
@@ -132,19 +146,19 @@ void add_serve(CLI::App& program, Command& chosen, const EngineMaker& make_engin
                    "An origin, as https://site.example, whose pages may read answers and send requests; may be "
                    "repeated; * for all, without a token only")
       ->allow_extra_args(false);
-  command->add_option("--token", settings.token, "Needed by every request to /v1; allows addresses other than loopback")
-      ->envname("DINI_TOKEN");
+  configuration.hide(command->add_option("--token", settings.token,
+                                         "Needed by every request to /v1; allows addresses other than loopback"));
   command->add_option("--web", options->web, "The folder of the built page");
   command->add_option("--examples", options->examples, "The folder of the example graphs");
-  command
-      ->add_option("--data", options->data,
-                   "The folder that graphs are kept in, or `none` to keep them as long as the server runs (default: "
-                   "dini in the user's data folder)")
-      ->envname("DINI_DATA");
-  command->add_option("--log-level", options->log_level, "Least level to log (default info)")
-      ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"}));
+  command->add_option("--data", options->data,
+                      "The folder that graphs are kept in, or `none` to keep them as long as the server runs (default: "
+                      "dini in the user's data folder)");
+  configuration.usual(command->add_option("--log-level", options->log_level, "Least level to log (default info)")
+                          ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"})),
+                      options->log_level);
   options->computing.add_options(*command);
-  add_limit_options(*command, options->limits, settings);
+  add_limit_options(*command, configuration, options->limits, settings);
+  configuration.name_variables();
   command->callback(
       [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });
 }
