@@ -1,38 +1,13 @@
 #include <catch2/catch.hpp>
-#include <filesystem>
-#include <fstream>
 #include <signal.h>
 
 #include "server/server_limits.h"
-#include "tests/cli/program.h"
+#include "tests/cli/serving.h"
 #include "tests/server/client.h"
-#include "tests/support/eventually.h"
 
 using namespace dini::support;
 
 namespace {
-
-/// `dini serve` on a free port.
-class Server {
- public:
-  explicit Server(std::vector<std::string> options = {}) {
-    const auto file = std::filesystem::temp_directory_path() / ("dini-port-" + std::to_string(::getpid()));
-    std::filesystem::remove(file);
-    std::vector<std::string> words = {dini_path(), "serve", "--data",      "none",
-                                      "--port",    "0",     "--port-file", file.string()};
-    words.insert(words.end(), options.begin(), options.end());
-    program_ = std::make_unique<Program>(words);
-    REQUIRE(eventually([&] { return (std::ifstream(file) >> port_) && port_ != 0; }));
-    std::filesystem::remove(file);
-  }
-
-  int port() const { return port_; }
-  Program& program() { return *program_; }
-
- private:
-  std::unique_ptr<Program> program_;
-  int port_ = 0;
-};
 
 /// A value for a limit that is not its default.
 template <class Owner>
@@ -66,13 +41,13 @@ TEST_CASE("Every limit has an option, and /version tells what it was set to") {
   dini::Json expected = dini::Json::object();
   set_all(dini::evaluation_limits(), words, expected);
   set_all(dini::server::server_limits(), words, expected);
-  Server server(words);
+  ServingProgram server(words);
   CHECK(get(server.port(), "/version")->json()["limits"] == expected);
 }
 
 TEST_CASE("A limit comes from its environment variable, unless its option is given") {
   const Variable depth("DINI_JSON_DEPTH", "7"), nodes("DINI_NODES", "8");
-  Server server({"--nodes", "9"});
+  ServingProgram server({"--nodes", "9"});
   const dini::Json limits = get(server.port(), "/version")->json()["limits"];
   CHECK(limits["json_depth"] == 7);
   CHECK(limits["nodes"] == 9);
@@ -90,7 +65,7 @@ TEST_CASE("A limit that is out of its range is refused, and help tells unit and 
 
 TEST_CASE("The server says where it listens, and ends with 0 when told to") {
   for (const int number : {SIGTERM, SIGINT}) {
-    Server server;
+    ServingProgram server;
     CHECK(get(server.port(), "/healthz")->status == 200);
     Client idle(server.port());
     server.program().signal(number);
@@ -102,7 +77,7 @@ TEST_CASE("The server says where it listens, and ends with 0 when told to") {
 }
 
 TEST_CASE("A running request is finished before the server ends") {
-  Server server({"--log-level", "off"});
+  ServingProgram server({"--log-level", "off"});
   Client busy(server.port());
   busy.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 500}, {"bytes", 2}})));
   // Requests are read in the order in which they come, so this one has been read when a later one is answered.
@@ -117,13 +92,13 @@ TEST_CASE("A running request is finished before the server ends") {
 }
 
 TEST_CASE("A token opens addresses other than loopback") {
-  Server server({"--host", "0.0.0.0", "--token", "swordfish"});
+  ServingProgram server({"--host", "0.0.0.0", "--token", "swordfish"});
   CHECK(get(server.port(), "/v1/nodes")->status == 401);
   CHECK(get(server.port(), "/v1/nodes", "Authorization: Bearer swordfish\r\n")->status == 200);
 }
 
 TEST_CASE("A server that cannot start says why") {
-  Server server;
+  ServingProgram server;
   const Outcome taken = run_dini({"serve", "--port", std::to_string(server.port())});
   CHECK(taken.code == 6);
   CHECK(taken.err.starts_with("error[address]: Cannot listen on 127.0.0.1 port "));
