@@ -45,6 +45,10 @@ Problem problem_of(const SQLite::Exception& error) {
           .detail = std::string("What is kept cannot be read or written just now: ") + error.what() + "."};
 }
 
+std::unique_ptr<SQLite::Database> Database::reading(const std::filesystem::path& file) {
+  return std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READONLY, patience_milliseconds);
+}
+
 std::unique_ptr<SQLite::Database> Database::connected(const std::filesystem::path& file) const {
   auto database = std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READWRITE, patience_milliseconds);
   database->exec("PRAGMA journal_mode = WAL");
@@ -71,8 +75,7 @@ Result<std::unique_ptr<Database>> Database::open(const std::filesystem::path& fo
       make_database(file);
     }
     // What is damaged is only read, so that whoever mends it finds it as it was.
-    database->reader_ =
-        std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READONLY, patience_milliseconds);
+    database->reader_ = reading(file);
     if (const std::string fault = fault_in(*database->reader_); !fault.empty()) return io_problem(file, fault);
     database->writer_ = database->connected(file);
     if (sqlite3_db_readonly(database->writer_->getHandle(), "main") != 0) {
@@ -88,7 +91,7 @@ Result<std::unique_ptr<Database>> Database::open(const std::filesystem::path& fo
 }
 
 std::unique_ptr<Database> Database::in_memory(std::size_t most_bytes) {
-  std::unique_ptr<Database> database(new Database(most_bytes));
+  std::unique_ptr<Database> database(new Database(most_bytes, true));
   database->writer_ = std::make_unique<SQLite::Database>(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
   make_tables(*database->writer_);
   bound(*database->writer_, most_bytes);
@@ -108,8 +111,7 @@ Result<std::unique_ptr<Database>> Database::open_to_read(const std::filesystem::
   if (!std::filesystem::exists(file, error)) return io_problem(file, "there is no such database");
   std::unique_ptr<Database> database(new Database(0));
   try {
-    database->reader_ =
-        std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READONLY, patience_milliseconds);
+    database->reader_ = reading(file);
     database->reader_->execAndGet("PRAGMA user_version");
   } catch (const SQLite::Exception& failure) {
     return io_problem(file, failure.what());
@@ -117,8 +119,18 @@ Result<std::unique_ptr<Database>> Database::open_to_read(const std::filesystem::
   return database;
 }
 
-std::unique_ptr<SQLite::Database> Database::reopened() const {
-  auto database = connected(database_file(folder_->path()));
+std::unique_ptr<SQLite::Database> Database::reopened() {
+  const std::filesystem::path file = database_file(folder_->path());
+  std::unique_ptr<SQLite::Database> database;
+  try {
+    database = connected(file);
+  } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() != SQLITE_PROTOCOL && error.getErrorCode() != SQLITE_BUSY) throw;
+    // A lock that could not be given back is held by the process until its last connection is closed.
+    const std::lock_guard lock(reading_);
+    reader_ = nullptr;
+    database = connected(file);
+  }
   if (const std::string fault = fault_in(*database); !fault.empty()) throw SQLite::Exception(fault, SQLITE_CORRUPT);
   return database;
 }

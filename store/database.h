@@ -33,11 +33,10 @@ class Database {
   /// Work that changes nothing.
   template <class Work>
   auto read(Work work) -> decltype(work(std::declval<SQLite::Database&>())) {
-    const bool shared = !reader_;
-    const std::lock_guard lock(shared ? writing_ : reading_);
+    const std::lock_guard lock(one_connection_ ? writing_ : reading_);
     try {
-      if (shared && !writer_) writer_ = reopened();
-      return work(shared ? *writer_ : *reader_);
+      if (!one_connection_ && !reader_) reader_ = reading(database_file(folder_->path()));
+      return work(one_connection_ ? *writer_ : *reader_);
     } catch (const SQLite::Exception& error) {
       return problem_of(error);
     }
@@ -77,21 +76,24 @@ class Database {
   }
 
  private:
-  explicit Database(std::size_t most_bytes) : most_bytes_(most_bytes) {}
+  explicit Database(std::size_t most_bytes, bool one_connection = false)
+      : most_bytes_(most_bytes), one_connection_(one_connection) {}
 
+  static std::unique_ptr<SQLite::Database> reading(const std::filesystem::path& file);
   std::unique_ptr<SQLite::Database> connected(const std::filesystem::path& file) const;
   /// The connection once more after a failure that left in doubt what was written: checked before it is used.
-  std::unique_ptr<SQLite::Database> reopened() const;
+  std::unique_ptr<SQLite::Database> reopened();
   void forget_writer_after(const SQLite::Exception& error);
 
   std::size_t most_bytes_;
+  const bool one_connection_;         ///< in memory, where `writer_` reads too
   std::string refusal_;               ///< why nothing is written; empty when it is
   std::optional<DataFolder> folder_;  ///< none in memory
   std::atomic<bool> failed_ = false;
   std::mutex reading_;
   std::mutex writing_;
   std::unique_ptr<SQLite::Database> writer_;  ///< null after a failure, or to look only
-  std::unique_ptr<SQLite::Database> reader_;  ///< null in memory, where there is one connection
+  std::unique_ptr<SQLite::Database> reader_;  ///< null in memory, and while it has to be opened again
 };
 
 }  // namespace dini::store
