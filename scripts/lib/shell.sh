@@ -4,6 +4,6 @@
 # shell_lint: shellcheck on every script.
 shell_lint() {
   local scripts
-  mapfile -t scripts < <(grep -lE '^#!.*bash|shellcheck shell=bash' scripts/* scripts/lib/*.sh .ci/* 2>/dev/null)
+  mapfile -t scripts < <(grep -lE '^#!.*(bash|/sh$)|shellcheck shell=bash' scripts/* scripts/lib/*.sh docker/* .ci/* 2>/dev/null)
   shellcheck "${scripts[@]}"
 }
