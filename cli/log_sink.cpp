@@ -12,14 +12,21 @@ namespace {
 class LogSink final : public spdlog::sinks::base_sink<std::mutex> {
  protected:
   void sink_it_(const spdlog::details::log_msg& message) override {
-    spdlog::memory_buf_t line;
-    formatter_->format(message, line);
-    if (lost_ > 0 && write_at_once(STDERR_FILENO, std::to_string(lost_) + " lines of the log were lost\n")) lost_ = 0;
-    if (!write_at_once(STDERR_FILENO, {line.data(), line.size()})) ++lost_;
+    if (lost_ > 0) {
+      const std::string said = std::to_string(lost_) + " lines of the log were lost";
+      if (write({"dini", spdlog::level::warn, said})) lost_ = 0;
+    }
+    if (!write(message)) ++lost_;
   }
   void flush_() override {}
 
  private:
+  bool write(const spdlog::details::log_msg& message) {
+    spdlog::memory_buf_t line;
+    formatter_->format(message, line);
+    return write_at_once(STDERR_FILENO, {line.data(), line.size()});
+  }
+
   std::size_t lost_ = 0;
 };
 

@@ -13,6 +13,7 @@
 #include "cli/ending_signals.h"
 #include "cli/exit_codes.h"
 #include "cli/folders.h"
+#include "cli/json_lines.h"
 #include "cli/limit_options.h"
 #include "cli/log_sink.h"
 #include "cli/terminal.h"
@@ -32,6 +33,7 @@ struct Options {
   std::string data;
   std::string port_file;
   std::string log_level = "info";
+  std::string log_format = "text";
   Computing computing;
   std::optional<Configuration> configuration;
 };
@@ -45,14 +47,38 @@ constexpr std::size_t memory_reserve = std::size_t{8} << 20;
 /// What the server gets on top of its own deadlines to end before it is ended.
 constexpr std::chrono::seconds patience{5};
 
+bool is_json(const Options& options) { return options.settings.log_format == server::LogFormat::json; }
+
+void begin_log(Options& options) {
+  if (options.log_format == "json") options.settings.log_format = server::LogFormat::json;
+  spdlog::set_default_logger(std::make_shared<spdlog::logger>("dini", log_sink()));
+  if (is_json(options)) {
+    spdlog::set_formatter(json_lines());
+  } else {
+    spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
+  }
+  spdlog::set_level(spdlog::level::from_str(options.log_level));
+}
+
+/// Why the server does not start: for people, or a line of the log where all are JSON.
+int fail_to_start(const Options& options, const Problems& problems, int code) {
+  if (!is_json(options)) return fail(problems, code);
+  for (const Json& problem : to_json(problems, Sent::document)) spdlog::critical(problem_line(problem));
+  return code;
+}
+
+/// Tells people on standard output, and a log of JSON in itself.
+void tell(const Options& options, const std::string& sentence) {
+  if (is_json(options)) return spdlog::info(sentence);
+  // Whether anybody reads this is none of the server's concern.
+  write_at_once(STDOUT_FILENO, sentence + "\n");
+}
+
 Problems announce(const Options& options, int port) {
   const std::string& host = options.settings.host;
   const std::string name = host.find(':') == std::string::npos ? host : "[" + host + "]";
-  // Whether anybody reads this is none of the server's concern.
-  write_at_once(STDOUT_FILENO, "Dini listens on http://" + name + ":" + std::to_string(port) + "/\n");
-  if (options.settings.web.empty()) {
-    write_at_once(STDOUT_FILENO, "There is no built page beside the program; see --web.\n");
-  }
+  tell(options, "Dini listens on http://" + name + ":" + std::to_string(port) + "/");
+  if (options.settings.web.empty()) tell(options, "There is no built page beside the program; see --web.");
   return options.port_file.empty() ? Problems{} : write_output(options.port_file, std::to_string(port) + "\n");
 }
 
@@ -85,20 +111,20 @@ Problems check(const Options& options) {
 }
 
 int run(Options& options, const EngineMaker& make_engine) {
-  if (const Problems wrong = options.configuration->read(); !wrong.empty()) {
-    return fail(wrong, exit_code_for(wrong, Stage::checking));
-  }
-  if (const Problems wrong = check(options); !wrong.empty()) return fail(wrong, exit_code_for(wrong, Stage::checking));
+  const Problems unread = options.configuration->read();
+  begin_log(options);
+  const auto refuse = [&](const Problems& problems) {
+    return fail_to_start(options, problems, exit_code_for(problems, Stage::checking));
+  };
+  if (!unread.empty()) return refuse(unread);
+  if (const Problems wrong = check(options); !wrong.empty()) return refuse(wrong);
   if (options.configuration->is_to_be_printed()) {
     std::cout << options.configuration->text();
     return exit_ok;
   }
-  if (const Problems wrong = options.computing.apply(); !wrong.empty()) return fail(wrong, exit_usage);
+  if (const Problems wrong = options.computing.apply(); !wrong.empty()) return refuse(wrong);
   std::signal(SIGPIPE, SIG_IGN);  // whoever reads the log may leave
   EndingSignals signals(options.settings.drain_deadline + patience);
-  spdlog::set_default_logger(std::make_shared<spdlog::logger>("dini", log_sink()));
-  spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
-  spdlog::set_level(spdlog::level::from_str(options.log_level));
   options.settings.web = find_folder(options.web, "../../web/dist", "../share/dini/web");
   options.settings.examples = find_examples(options.examples);
   if (options.data != no_data) {
@@ -112,12 +138,13 @@ int run(Options& options, const EngineMaker& make_engine) {
   const auto server = server::Server::start(*engine, options.settings);
   if (!server) {
     const std::string& code = server.problems().front().code;
-    return fail(server.problems(), code == "address" || code == "io" ? exit_io
-                                   : code == "out-of-memory"         ? exit_limit
-                                                                     : exit_invalid_graph);
+    return fail_to_start(options, server.problems(),
+                         code == "address" || code == "io" ? exit_io
+                         : code == "out-of-memory"         ? exit_limit
+                                                           : exit_invalid_graph);
   }
   signals.running();
-  if (const Problems wrong = announce(options, (*server)->port()); !wrong.empty()) return fail(wrong, exit_io);
+  if (const Problems wrong = announce(options, (*server)->port()); !wrong.empty()) return refuse(wrong);
   signals.wait();
   spdlog::info("draining");
   (*server)->stop();
@@ -156,6 +183,10 @@ void add_serve(CLI::App& program, Command& chosen, const EngineMaker& make_engin
   configuration.usual(command->add_option("--log-level", options->log_level, "Least level to log (default info)")
                           ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"})),
                       options->log_level);
+  configuration.usual(
+      command->add_option("--log-format", options->log_format, "Lines of the log for people, or JSON (default text)")
+          ->check(CLI::IsMember({"text", "json"})),
+      options->log_format);
   options->computing.add_options(*command);
   add_limit_options(*command, configuration, options->limits, settings);
   configuration.name_variables();

@@ -21,7 +21,7 @@ void add(std::string& text, std::string_view name, std::string_view value) {
 void add_timings(std::string& text, const Reply& reply, const Exchange& exchange) {
   std::array<char, 64> number{};
   text += "Server-Timing: ";
-  for (const auto& [name, milliseconds] : reply.timings) {
+  for (const auto& [name, milliseconds] : reply.notes.timings) {
     std::snprintf(number.data(), number.size(), ";dur=%.3f, ", milliseconds);
     text.append(name).append(number.data());
   }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 
+#include "graph/digest.h"
 #include "jobs/flights.h"
 #include "server/reply.h"
 #include "server/request.h"
@@ -38,11 +39,15 @@ class Call : public std::enable_shared_from_this<Call> {
   const Exchange exchange;
 
   /// Adds to the times that the answer tells: name and milliseconds. By whoever is about to answer.
-  void note_time(std::string name, double milliseconds) { timings_.emplace_back(std::move(name), milliseconds); }
+  void note_time(std::string name, double milliseconds) { notes_.timings.emplace_back(std::move(name), milliseconds); }
+
+  /// Tells the log which graph the request is about, and whether the result was known. By whoever is about to answer.
+  void note_graph(const Digest& hash) { notes_.graph = to_hex(hash); }
+  void note_cache(std::string_view known) { notes_.cache = known; }
 
   /// Sends the answer; only the first one counts.
   void reply(Reply reply) {
-    reply.timings = std::move(timings_);
+    reply.notes = std::move(notes_);
     auto answer = std::make_unique<Reply>(std::move(reply));
     if (const auto asker = take_asker()) asker->deliver(std::move(answer));
   }
@@ -64,7 +69,7 @@ class Call : public std::enable_shared_from_this<Call> {
 
   std::mutex mutex_;
   std::shared_ptr<Asker> asker_;  ///< null once it has been answered
-  std::vector<std::pair<std::string, double>> timings_;
+  AnswerNotes notes_;
 };
 
 }  // namespace dini::server

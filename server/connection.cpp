@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <new>
-#include <vector>
 
 #include "server/access.h"
 #include "server/responses.h"
 #include "server/text.h"
+#include "server/trace.h"
 
 namespace dini::server {
 namespace {
@@ -80,7 +80,7 @@ void Connection::watch(std::shared_ptr<jobs::Flights::Interest> interest) {
 void Connection::close() noexcept {
   if (state_ == State::closed) return;
   if (state_ == State::writing) write_log();  // what was not taken is in the log too
-  if (is_streaming()) reply_->stream = nullptr;
+  if (sending_.is_streaming()) sending_.give_up_stream();
   state_ = State::closed;
   home_.give_incoming(std::exchange(held_incoming_, 0));
   home_.give_unsent(std::exchange(held_unsent_, 0));
@@ -111,7 +111,7 @@ void Connection::on_woken(std::span<char> buffer) {
     reply = std::move(delivered_);
   }
   if (has_reply && state_ == State::answering) begin_answer(std::move(reply));
-  if (state_ == State::writing && is_streaming()) write();
+  if (state_ == State::writing && sending_.is_streaming()) write();
   read(buffer);
 }
 
@@ -169,6 +169,7 @@ void Connection::take_head() {
   }
   auto head = parse_head(std::string_view(input_).substr(0, size), home_.settings());
   if (!head) return refuse(head.problems().front());
+  take_names(head->request, *exchange_);
   exchange_->shared_with = shared_origin(head->request, home_.settings());
   exchange_->differs_by_origin = !home_.settings().allowed_origins.empty() && exchange_->shared_with != "*";
   auto admission = home_.admit(*head, *exchange_);
@@ -251,27 +252,19 @@ void Connection::begin_answer(std::unique_ptr<Reply> reply) {
   } else {
     held_unsent_ = held;
   }
-  reply_ = std::move(reply);
-  if (is_streaming()) {
-    chunked_ = head_ && !head_->is_old;
-    last_ = last_ || !chunked_;
-    reply_->stream->when_filled([weak = weak_from_this()] {
+  const bool streaming = reply != nullptr && reply->stream != nullptr;
+  const bool chunked = streaming && head_ && !head_->is_old;
+  last_ = last_ || (streaming && !chunked) || reply == nullptr;
+  if (streaming) {
+    reply->stream->when_filled([weak = weak_from_this()] {
       if (const auto connection = weak.lock()) connection->home_.wake(connection);
     });
   }
-  if (reply_ != nullptr) {
-    answer_head_ = answer_head(*reply_, *exchange_,
-                               {.head_only = head_only, .close = last_, .chunked = is_streaming() && chunked_});
-    access_.status = reply_->status;
-    answer_size_ = answer_head_.size() + (head_only ? 0 : reply_->size());
-  } else {
-    last_ = true;
-    access_.status = 503;
-    answer_size_ = last_resort().size();
-  }
+  access_.status = reply != nullptr ? reply->status : 503;
+  access_.notes = reply != nullptr ? reply->notes : AnswerNotes{};
+  sending_.begin(std::move(reply), *exchange_, {.head_only = head_only, .close = last_, .chunked = chunked},
+                 probed_ ? answer_beginning.size() : 0);
   state_ = State::writing;
-  sent_before_ = 0;
-  written_ = probed_ ? answer_beginning.size() : 0;
   begin_wait_for_peer();
   write();
 }
@@ -279,78 +272,36 @@ void Connection::begin_answer(std::unique_ptr<Reply> reply) {
 void Connection::begin_wait_for_peer() {
   since_ = Clock::now();
   deadline_ = since_ + home_.settings().write_deadline;
-  written_before_ = written_;
+  sent_before_wait_ = sending_.sent_of_piece();
 }
 
 void Connection::write() {
-  while (send_all()) {
-    if (!is_streaming()) return finish_answer();
-    switch (refill()) {
-      case Refill::more:
+  while (true) {
+    switch (sending_.send(socket_)) {
+      case Sending::Outcome::finished:
+        return finish_answer();
+      case Sending::Outcome::next_piece:
         begin_wait_for_peer();
         break;
-      case Refill::waits:
-        deadline_ = Clock::time_point::max();  // its maker has deadlines of its own
+      case Sending::Outcome::peer_waits:
         return;
-      case Refill::cut:
+      case Sending::Outcome::maker_waits:
+        deadline_ = Clock::time_point::max();  // it has deadlines of its own
+        return;
+      case Sending::Outcome::broken:
         return close();
     }
   }
 }
 
-/// False when the peer has to take something first, or the connection is over.
-bool Connection::send_all() {
-  while (written_ < answer_size_) {
-    std::vector<std::string_view> pieces;
-    std::size_t skip = written_;
-    const auto add = [&](std::string_view piece) {
-      const std::size_t skipped = std::min(skip, piece.size());
-      skip -= skipped;
-      if (skipped < piece.size()) pieces.push_back(piece.substr(skipped));
-    };
-    if (reply_ == nullptr) {
-      add(last_resort());
-    } else {
-      add(answer_head_);
-      if (answer_size_ > answer_head_.size()) {
-        for (const SharedBytes& piece : reply_->body) add(*piece);
-      }
-    }
-    const Socket::Moved sent = socket_.write(pieces);
-    if (sent.outcome == Socket::Outcome::ended) {
-      close();
-      return false;
-    }
-    if (sent.outcome == Socket::Outcome::would_wait) return false;
-    written_ += sent.bytes;
-  }
-  return true;
-}
-
-/// Takes what there is of a stream to be sent next.
-Connection::Refill Connection::refill() {
-  BodyReader::Taken taken = reply_->stream->take();
-  sent_before_ += std::exchange(written_, 0);
-  const bool finished = taken.state == BodyReader::State::finished;
-  answer_head_ = chunked_ ? chunk_of(taken.bytes, finished) : std::move(taken.bytes);
-  answer_size_ = answer_head_.size();
-  if (finished) {
-    reply_->stream = nullptr;
-    return Refill::more;
-  }
-  if (answer_size_ > 0) return Refill::more;
-  return taken.state == BodyReader::State::cut ? Refill::cut : Refill::waits;
-}
-
 void Connection::write_log() noexcept {
-  access_.bytes = sent_before_ + written_;
+  access_.bytes = sending_.sent();
   if (exchange_) home_.log(access_, *exchange_);
 }
 
 void Connection::finish_answer() {
   write_log();
-  reply_ = nullptr;
-  answer_head_.clear();
+  sending_.end();
   home_.give_unsent(std::exchange(held_unsent_, 0));
   last_ || half_closed_ ? linger() : expect_request();
 }
@@ -386,11 +337,8 @@ void Connection::on_time(Clock::time_point now) {
     case State::writing: {
       const double least =
           static_cast<double>(home_.settings().write_rate) * std::chrono::duration<double>(now - since_).count();
-      if (static_cast<double>(written_ - written_before_) < least) return close();
-      written_before_ = written_;
-      since_ = now;
-      deadline_ = now + home_.settings().write_deadline;
-      return;
+      if (static_cast<double>(sending_.sent_of_piece() - sent_before_wait_) < least) return close();
+      return begin_wait_for_peer();
     }
     case State::lingering:
       return close();

@@ -10,22 +10,15 @@
 #include <string>
 #include <variant>
 
-#include "server/answer_writer.h"
 #include "server/call.h"
 #include "server/request_head.h"
+#include "server/request_log.h"
+#include "server/sending.h"
 #include "server/socket.h"
 
 namespace dini::server {
 
 class Connection;
-
-/// One line of the access log.
-struct Access {
-  std::string method = "-";
-  std::string path = "-";
-  int status = 0;
-  std::size_t bytes = 0;
-};
 
 /// What a connection needs of the loop that it lives in.
 class Home {
@@ -108,10 +101,6 @@ class Connection final : public Asker, public std::enable_shared_from_this<Conne
   void refuse(Reply reply);
   void begin_answer(std::unique_ptr<Reply> reply);
   void write();
-  bool send_all();
-  bool is_streaming() const { return reply_ != nullptr && reply_->stream != nullptr; }
-  enum class Refill { more, waits, cut };
-  Refill refill();
   void begin_wait_for_peer();
   void finish_answer();
   void linger();
@@ -137,13 +126,8 @@ class Connection final : public Asker, public std::enable_shared_from_this<Conne
   Access access_;
   bool last_ = false;  ///< no further request is taken
 
-  std::unique_ptr<Reply> reply_;
-  std::string answer_head_;  ///< then, of a stream, whichever piece is being sent
-  bool chunked_ = false;
-  std::size_t sent_before_ = 0;  ///< of a stream, in earlier pieces
-  std::size_t written_ = 0;
-  std::size_t answer_size_ = 0;
-  std::size_t written_before_ = 0;  ///< at the beginning of the current time to write in
+  Sending sending_;
+  std::size_t sent_before_wait_ = 0;  ///< of the current piece, at the beginning of the current time to write in
   std::size_t held_unsent_ = 0;
 
   std::mutex mutex_;  ///< of what other threads touch

@@ -126,7 +126,9 @@ std::optional<SharedPrepared> check(const Context& context, const EvaluateBody& 
   Cache& known = context.application.known;
   if (auto prepared = known.find<Prepared>(identity)) return prepared;
   const Cancel cancel(deadline_of(context, body.deadline_milliseconds));
+  const auto begun = Exchange::Clock::now();
   auto prepared = context.engine().prepare(body, cancel);
+  context.call->note_time("check", std::chrono::duration<double, std::milli>(Exchange::Clock::now() - begun).count());
   if (!prepared) {
     context.call->reply(problem_reply(prepared.problems(), context.exchange(), context.engine().blocked(body, cancel)));
     return std::nullopt;
@@ -161,6 +163,7 @@ std::string format_of_answer(const Engine& engine, std::string_view type) {
 
 void answer_evaluation(const Context& context, std::string_view type, const std::shared_ptr<const EvaluateBody>& body,
                        const Presentation& presentation) {
+  context.call->note_graph(body->graph->hash);
   const std::optional<SharedPrepared> checked = check(context, *body);
   if (!checked) return take_over(context);  // a wrong request is newer all the same
   const CheckedRequest request{body, *checked, type, presentation};
@@ -170,9 +173,11 @@ void answer_evaluation(const Context& context, std::string_view type, const std:
   }
   // What is known waits for nobody.
   if (const SharedComputed known = context.engine().find(*request.prepared)) {
+    context.call->note_cache("hit");
     take_over(context);
     return context.call->reply(evaluated_reply(context, request, *known));
   }
+  context.call->note_cache("miss");
   const SharedPrepared& prepared = request.prepared;
   compute<Computed>(
       context,

@@ -43,6 +43,7 @@ Result<Found> named(const Context& context, std::string_view text,
   auto found = (context.application.graphs.*search)(name->id, name->version);
   if (!found) return found.problems();
   if (!*found) return no_graph(text);
+  context.call->note_graph((*found)->hash);
   return **std::move(found);
 }
 
@@ -198,6 +199,7 @@ Reply put_graph(const Context& context) {
   }
   const SharedGraph graph = context.engine().read(*json);
   if (const auto readable = context.engine().interface(*graph); !readable) return refuse(readable.problems());
+  context.call->note_graph(graph->hash);
   const auto written = context.application.graphs.put(
       {.id = id, .hash = graph->hash, .title = title_of(*json), .document = request.body}, condition_of(request));
   if (!written) return refuse(written.problems());

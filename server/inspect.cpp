@@ -31,6 +31,7 @@ void inspect(const Context& context) {
   auto body = read_inspect_body(*std::move(json), context.engine());
   if (!body) return reply_problems(context, body.problems());
   const auto deadline = deadline_of(context, body->deadline_milliseconds);
+  context.call->note_graph(body->graph->hash);
   const auto request = std::make_shared<const InspectRequest>(*std::move(body));
 
   compute<std::string>(

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,13 @@
 #include "server/body_stream.h"
 
 namespace dini::server {
+
+/// What is told of an answer besides what it says.
+struct AnswerNotes {
+  std::vector<std::pair<std::string, double>> timings = {};  ///< stage and milliseconds
+  std::string graph = {};                                    ///< the hash of the graph, in hexadecimal; empty for none
+  std::string_view cache = {};  ///< whether the result was known: "hit" or "miss"; empty where nothing is kept
+};
 
 /// An answer before it is put on the wire. Its body is in pieces that may be shared with other answers, none is copied;
 /// or it is a stream, made while it is sent.
@@ -18,7 +26,7 @@ struct Reply {
   std::vector<SharedBytes> body = {};
   std::shared_ptr<BodyReader> stream = {};  ///< instead of `body`
   std::vector<std::pair<std::string, std::string>> headers = {};
-  std::vector<std::pair<std::string, double>> timings = {};  ///< name and milliseconds, for Server-Timing
+  AnswerNotes notes = {};
 
   std::size_t size() const {
     std::size_t total = 0;
@@ -33,6 +41,8 @@ struct Exchange {
 
   std::string id;                            ///< names the request in the answer and in the log
   Clock::time_point started = Clock::now();  ///< when its first byte came
+  std::string trace = {};                    ///< of `traceparent`, in hexadecimal; empty without one
+  std::string span = {};
   bool accepts_gzip = false;
   std::string shared_with = {};    ///< the origin whose pages may read the answer, "*" for all; empty for none other
   bool differs_by_origin = false;  ///< pages of another origin may be answered otherwise

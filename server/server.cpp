@@ -12,6 +12,7 @@
 #include "server/docs_page.h"
 #include "server/metrics.h"
 #include "server/openapi.h"
+#include "server/request_log.h"
 #include "server/routes.h"
 #include "server/text.h"
 #include "service/document_schema.h"
@@ -40,9 +41,12 @@ Settings decided(Settings settings) {
   return settings;
 }
 
-void log_access(const Access& access, const Exchange& exchange) {
-  spdlog::info("{} {} {} {:.1f}ms {}B {}", escape_controls(access.method, 16), escape_controls(access.path),
-               access.status, exchange.milliseconds(), access.bytes, exchange.id);
+/// Where lines of requests in JSON go: where all others do.
+std::shared_ptr<spdlog::logger> make_request_log() {
+  const auto log = spdlog::default_logger();
+  auto requests = std::make_shared<spdlog::logger>(request_logger, log->sinks().begin(), log->sinks().end());
+  requests->set_level(log->level());
+  return requests;
 }
 
 Result<std::unique_ptr<store::GraphStore>> open_store(const Settings& settings) {
@@ -100,13 +104,19 @@ struct Server::State {
   }
 
   const Settings settings;
+  const std::shared_ptr<spdlog::logger> request_log = make_request_log();
+
   /// What is known of a request once it has been answered, told to who operates the server.
   void note(const Access& access, const Exchange& exchange) {
-    log_access(access, exchange);
     const std::string path = decoded_path(std::string_view(access.path).substr(0, access.path.find('?')));
     const bool read = access.method != "-";
-    metrics.count(read ? pattern_of(application, access.method, path) : "other", read ? access.method : "none",
-                  access.status, exchange.milliseconds() / 1000, access.bytes);
+    const std::string_view route = read ? pattern_of(application, access.method, path) : "other";
+    if (settings.log_format == LogFormat::json) {
+      request_log->info(request_members(access, exchange, route));
+    } else {
+      spdlog::info(request_text(access, exchange, route));
+    }
+    metrics.count(route, read ? access.method : "none", access.status, exchange.milliseconds() / 1000, access.bytes);
   }
 
   const std::unique_ptr<store::GraphStore> graphs;

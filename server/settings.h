@@ -8,6 +8,8 @@
 
 namespace dini::server {
 
+enum class LogFormat { text, json };
+
 /// Everything that can be set about the HTTP server; limits of the graphs themselves are the engine's.
 struct Settings {
   std::string host = "127.0.0.1";
@@ -15,6 +17,7 @@ struct Settings {
   std::string token;                         ///< when set, every /v1 request needs `Authorization: Bearer <token>`
   std::vector<std::string> allowed_hosts;    ///< further names that a Host header may carry, with or without port
   std::vector<std::string> allowed_origins;  ///< whose pages may read answers and send requests; "*" for all
+  LogFormat log_format = LogFormat::text;    ///< of the lines of requests
   std::filesystem::path web;                 ///< the built page; empty for none
   std::filesystem::path examples;            ///< the example graphs; empty for none
 

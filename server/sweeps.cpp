@@ -100,6 +100,7 @@ void sweep(const Context& context) {
   if (!variants) return reply_problems(context, variants.problems());
   const auto deadline = end_of(context, body->deadline_milliseconds);
   const auto first = static_cast<std::size_t>(body->first);
+  context.call->note_graph(body->graph->hash);
   const auto request = std::make_shared<const jobs::SweepRequest>(
       jobs::SweepRequest{*std::move(body), *std::move(variants), first, deadline});
   const Digest key = DigestBuilder().text("sweep cost").text(context.request().body).finish();

@@ -26,6 +26,7 @@ Reply validate(const Context& context) {
   const auto body = read_validate_body(*std::move(json), context.engine());
   if (!body) return problem_reply(body.problems(), context.exchange());
   const Cancel cancel(deadline_of(context, body->deadline_milliseconds));
+  context.call->note_graph(body->graph->hash);
   const Result<Json> verdict = context.engine().validate(*body->graph, body->parameters, cancel);
   if (!verdict) return problem_reply(verdict.problems(), context.exchange());
   Reply reply = json_reply(*verdict);

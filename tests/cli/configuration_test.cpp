@@ -3,20 +3,12 @@
 
 #include "server/server_limits.h"
 #include "tests/cli/program.h"
+#include "tests/cli/variable.h"
 #include "tests/support/folder.h"
 
 using namespace dini::support;
 
 namespace {
-
-/// An environment variable for the programs that are started while this lives.
-struct Variable {
-  Variable(std::string variable, const std::string& value) : name(std::move(variable)) {
-    ::setenv(name.c_str(), value.c_str(), 1);
-  }
-  ~Variable() { ::unsetenv(name.c_str()); }
-  std::string name;
-};
 
 /// A configuration file of that text.
 class File {

@@ -3,6 +3,7 @@
 
 #include "server/server_limits.h"
 #include "tests/cli/serving.h"
+#include "tests/cli/variable.h"
 #include "tests/server/client.h"
 
 using namespace dini::support;
@@ -24,15 +25,6 @@ void set_all(std::span<const dini::Limit<Owner>> limits, std::vector<std::string
     expected[std::string(limit.name)] = another(limit);
   }
 }
-
-/// An environment variable for the programs that are started while this lives.
-struct Variable {
-  Variable(std::string variable, const std::string& value) : name(std::move(variable)) {
-    ::setenv(name.c_str(), value.c_str(), 1);
-  }
-  ~Variable() { ::unsetenv(name.c_str()); }
-  std::string name;
-};
 
 }  // namespace
 
