@@ -6,6 +6,7 @@
 #include "cli/exit_codes.h"
 #include "cli/folders.h"
 #include "cli/terminal.h"
+#include "store/asset_folder.h"
 #include "store/graph_store.h"
 
 namespace dini::cli {
@@ -29,7 +30,7 @@ int with_store(const Options& options, OpenedStore (*open)(const std::filesystem
   }
   const OpenedStore store = open(folder);
   if (!store) return fail(store.problems(), exit_io);
-  return work(**store);
+  return work(**store, folder);
 }
 
 OpenedStore open_to_write(const std::filesystem::path& folder) {
@@ -57,21 +58,26 @@ int list(const store::GraphStore& store) {
   return exit_ok;
 }
 
-int check(const store::GraphStore& store) {
-  const auto fault = store.fault();
+int check(const store::GraphStore& store, const std::filesystem::path& folder) {
+  auto fault = store.fault();
   if (!fault) return fail(fault.problems(), exit_io);
+  if (fault->empty()) *fault = store::fault_in_assets(folder);
   if (!fault->empty()) return fail({{.code = "io", .detail = "what is kept is damaged: " + *fault}}, exit_io);
   std::cout << "Everything that is kept can be read and is what was written.\n";
   return exit_ok;
 }
 
-int back_up(const store::GraphStore& store, const std::string& file) {
+int back_up(const store::GraphStore& store, const std::filesystem::path& folder, const std::string& file) {
+  const std::string assets = file + ".assets";
   std::error_code error;
-  if (std::filesystem::exists(file, error)) {
-    return fail({{.code = "io", .detail = file + ": there is a file already; a backup replaces none"}}, exit_io);
+  for (const std::string& target : {file, assets}) {
+    if (!std::filesystem::exists(target, error)) continue;
+    return fail({{.code = "io", .detail = target + ": there is one already; a backup replaces none"}}, exit_io);
   }
-  const auto written = store.back_up(file);
-  return written ? int{exit_ok} : fail(written.problems(), exit_io);
+  if (const auto written = store.back_up(file); !written) return fail(written.problems(), exit_io);
+  // After the graphs, so that no file is missing that they name.
+  const auto copied = store::copy_assets(folder, assets);
+  return copied ? int{exit_ok} : fail(copied.problems(), exit_io);
 }
 
 int purge(store::GraphStore& store) {
@@ -98,23 +104,26 @@ void add_store(CLI::App& program, Command& chosen) {
   };
   const auto backup = std::make_shared<Options>();
   add("list", "List the graphs: name and version, bytes, hash, title", [](const Options& options) {
-    return with_store(options, store::GraphStore::open_to_read, [](auto& store) { return list(store); });
+    return with_store(options, store::GraphStore::open_to_read, [](auto& store, const auto&) { return list(store); });
   });
   add("check", "Read everything that is kept and say whether it is what was written", [](const Options& options) {
-    return with_store(options, store::GraphStore::open_to_read, [](auto& store) { return check(store); });
+    return with_store(options, store::GraphStore::open_to_read,
+                      [](auto& store, const auto& folder) { return check(store, folder); });
   });
   add(
-      "backup", "Write everything into a new file while the server goes on; put back as dini.db in an empty folder",
+      "backup",
+      "Write everything into a new file while the server goes on, uploaded files into a folder beside it; put back as "
+      "dini.db and assets in an empty folder",
       [](const Options& options) {
         return with_store(options, store::GraphStore::open_to_read,
-                          [&](auto& store) { return back_up(store, options.backup); });
+                          [&](auto& store, const auto& folder) { return back_up(store, folder, options.backup); });
       },
       backup)
-      ->add_option("file", backup->backup, "The file to write")
+      ->add_option("file", backup->backup, "The file to write; uploaded files go into FILE.assets")
       ->required();
   add("purge", "Forget deleted graphs and all their versions for ever; while no server runs",
       [](const Options& options) {
-        return with_store(options, open_to_write, [](auto& store) { return purge(store); });
+        return with_store(options, open_to_write, [](auto& store, const auto&) { return purge(store); });
       });
 }
 

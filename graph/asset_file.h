@@ -6,6 +6,7 @@
 
 #include "geometry/imported_mesh.h"
 #include "graph/digest.h"
+#include "graph/file.h"
 
 namespace dini {
 
@@ -16,6 +17,7 @@ struct AssetFile {
   Digest sha256{};
   std::size_t bytes = 0;  ///< of the file
   ImportedMesh content;
+  SharedBytes source;  ///< the file itself; null when an AssetKeeper has it
 };
 
 using SharedAssetFile = std::shared_ptr<const AssetFile>;

@@ -20,6 +20,18 @@ std::string to_hex(const Digest& digest) {
   return text;
 }
 
+std::optional<Digest> digest_from_hex(std::string_view text) {
+  Digest digest{};
+  if (text.size() != 2 * digest.size()) return std::nullopt;
+  constexpr std::string_view digits = "0123456789abcdef";
+  for (std::size_t i = 0; i < digest.size(); ++i) {
+    const auto high = digits.find(text[2 * i]), low = digits.find(text[2 * i + 1]);
+    if (high == std::string_view::npos || low == std::string_view::npos) return std::nullopt;
+    digest[i] = static_cast<std::uint8_t>(high << 4 | low);
+  }
+  return digest;
+}
+
 DigestBuilder& DigestBuilder::text(std::string_view value) {
   integer(value.size());
   bytes_ += 't';

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,8 @@ struct DigestHash {
 
 Digest sha256(std::string_view bytes);
 std::string to_hex(const Digest& digest);
+/// What `to_hex` wrote; nothing for any other text.
+std::optional<Digest> digest_from_hex(std::string_view text);
 
 /// Gathers what a digest depends on. Every piece is written with its kind and length, so different contents never meet.
 class DigestBuilder {

@@ -3,6 +3,8 @@
 
 #include "server/computing.h"
 #include "server/handlers.h"
+#include "server/negotiation.h"
+#include "server/ranges.h"
 #include "server/responses.h"
 #include "server/text.h"
 #include "service/requests/schema.h"
@@ -40,7 +42,9 @@ Operation describe_add_asset() {
           .title = "Takes a mesh file for the node `import`",
           .doc =
               "Keeps a mesh file (OBJ, PLY or GLB, told by its content) for graphs that name it by its hash in a node "
-              "`import`. When `asset_store_bytes` are full, the files that were used longest ago go.",
+              "`import`. They outlive the server where graphs do. When there is no more room (`asset_file_bytes` on "
+              "the disk, `asset_store_bytes` in memory), the files that were used longest ago go; from the disk none "
+              "that a stored graph names.",
           .parameters = {supersede_key_header()},
           .file_types = {mesh_types.begin(), mesh_types.end()},
           .answers = {{.status = 201,
@@ -54,7 +58,7 @@ Operation describe_add_asset() {
                                                  {"triangles", 736},
                                                  {"warnings", {"1 line (l) is left out"}}}}},
                        .headers = {"Cache-Control"}}},
-          .problems = {"invalid-asset", "limit-exceeded"},
+          .problems = {"invalid-asset", "limit-exceeded", "storage-full", "storage-failed"},
           .computes = true};
 }
 
@@ -75,6 +79,52 @@ void add_asset(const Context& context) {
         return std::make_shared<const AssetSummary>(*std::move(added));
       },
       [](const std::shared_ptr<const AssetSummary>& added) { return added_reply(*added); });
+}
+
+Operation describe_asset() {
+  const std::vector<Content> contents = {{.type = "application/octet-stream"}};
+  return {.id = "getAsset",
+          .group = "Files",
+          .title = "A mesh file that was uploaded, by its hash",
+          .doc =
+              "Answers with the file, byte for byte as it was sent. `HEAD` tells whether it is here, or has to be "
+              "uploaded.",
+          .parameters = {{.place = Parameter::Place::path,
+                          .name = "sha256",
+                          .doc = "The SHA-256 of the file, 64 hexadecimal digits in lower case.",
+                          .schema = {{"type", "string"}, {"pattern", "^[0-9a-f]{64}$"}},
+                          .example = std::string(64, '0')},
+                         if_none_match_header(),
+                         range_header()},
+          .answers = {{.doc = "The file.",
+                       .contents = contents,
+                       .headers = {"ETag", "Cache-Control", "Accept-Ranges", "Content-Disposition"}},
+                      {.status = 206,
+                       .doc = "The part that `Range` names.",
+                       .contents = contents,
+                       .headers = {"ETag", "Cache-Control", "Accept-Ranges", "Content-Range"}},
+                      not_modified()},
+          .problems = {"not-found", "range-not-satisfiable"}};
+}
+
+Reply asset(const Context& context) {
+  const std::string& name = context.arguments.front();
+  SharedBytes bytes = context.engine().asset(name);
+  if (bytes == nullptr) {
+    return problem_reply(
+        Problem{.code = "not-found", .detail = "No file of that hash is here; upload it to /v1/assets."},
+        context.exchange());
+  }
+  const std::string tag = "\"" + name + "\"";
+  Reply reply{.headers = {{"ETag", tag}, {"Cache-Control", "public, max-age=31536000, immutable"}}};
+  if (names_tag(context.request().header("If-None-Match"), tag)) {
+    reply.status = 304;
+    return reply;
+  }
+  reply.type = "application/octet-stream";
+  reply.body = {std::move(bytes)};
+  reply.headers.emplace_back("Content-Disposition", "attachment; filename=\"" + name.substr(0, 16) + "\"");
+  return with_range(std::move(reply), context, tag);
 }
 
 }  // namespace dini::server

@@ -75,9 +75,11 @@ Operation describe_graph_output();
 /// A file that was made.
 Reply artifact(const Context& context);
 Operation describe_artifact();
-/// A mesh file for `import`.
+/// A mesh file for `import`: taken, and given back.
 void add_asset(const Context& context);
 Operation describe_add_asset();
+Reply asset(const Context& context);
+Operation describe_asset();
 /// The page: `/` and every file of it, which has no route of its own.
 Reply page_file(const Context& context);
 Operation describe_page();

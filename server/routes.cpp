@@ -46,6 +46,7 @@ constexpr std::array all_routes = {
     Route{"GET", "/v1/graphs/{id}/outputs/{output}", graph_output, describe_graph_output},
     Route{"GET", "/v1/artifacts/{sha256}", artifact, describe_artifact},
     Route{"POST", "/v1/assets", add_asset, describe_add_asset, file_body},
+    Route{"GET", "/v1/assets/{sha256}", asset, describe_asset},
 };
 
 bool reads(std::string_view method) { return method == "GET" || method == "HEAD"; }

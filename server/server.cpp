@@ -16,6 +16,7 @@
 #include "server/routes.h"
 #include "server/text.h"
 #include "service/document_schema.h"
+#include "store/asset_files.h"
 
 namespace dini::server {
 namespace {
@@ -58,6 +59,16 @@ Result<std::unique_ptr<store::GraphStore>> open_store(const Settings& settings) 
   return store::GraphStore::refusing("This server stores no graphs: " + reason + ".");
 }
 
+/// Where the uploaded files are kept beside the graphs; null where those are in memory.
+std::shared_ptr<AssetKeeper> asset_files(const store::GraphStore& graphs, const Settings& settings) {
+  const auto folder = graphs.folder();
+  if (!folder) return nullptr;
+  return std::make_shared<store::AssetFiles>(*folder, settings.asset_file_bytes, [&graphs](const Digest& asset) {
+    const Result<bool> named = graphs.names(asset);
+    return !named || *named;
+  });
+}
+
 }  // namespace
 
 /// Members are destroyed from the last one up: first what computes, then what writes answers, then the connections.
@@ -97,11 +108,14 @@ struct Server::State {
                .bytes = settings.compute_bytes,
                .waiting_work = settings.compute_slots * short_wait},
               jobs::give_back_free_memory) {
+    engine.keep_assets_in(asset_files(*graphs, settings));
     application.example_list = static_answer(application.examples.list().dump());
     const std::string version = engine.catalogue().value("engine", "");
     application.openapi = static_answer(dump(openapi_document(routes(), version)));
     application.docs = static_answer(docs_html(routes(), version));
   }
+
+  ~State() { application.engine.keep_assets_in(nullptr); }
 
   const Settings settings;
   const std::shared_ptr<spdlog::logger> request_log = make_request_log();

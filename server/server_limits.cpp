@@ -26,6 +26,10 @@ constexpr std::array limits = {
                     "of memory for files that can be fetched by their hash", 0},
     Limit<Settings>{"store_bytes", "bytes", &Settings::store_bytes, "of all versions of all graphs that are kept",
                     1 << 16, std::uint64_t{1} << 46},
+    Limit<Settings>{"asset_file_bytes", "bytes", &Settings::asset_file_bytes,
+                    "of all uploaded files in the data folder; those used longest ago go first, but none that a "
+                    "stored graph names",
+                    1 << 16, std::uint64_t{1} << 46},
     Limit<Settings>{"head_bytes", "bytes", &Settings::head_bytes, "of the request line and all headers", 256, 1 << 24},
     Limit<Settings>{"line_bytes", "bytes", &Settings::line_bytes, "of the request line, and of each header", 128,
                     1 << 24},

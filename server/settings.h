@@ -32,7 +32,8 @@ struct Settings {
   std::size_t known_bytes = std::size_t{64} << 20;      ///< memory of requests that need not be read again
   std::size_t artifact_bytes = std::size_t{256} << 20;  ///< memory of files that can be fetched by their hash
 
-  std::size_t store_bytes = std::size_t{4} << 30;  ///< of everything that is kept
+  std::size_t store_bytes = std::size_t{4} << 30;       ///< of all graphs that are kept
+  std::size_t asset_file_bytes = std::size_t{4} << 30;  ///< of all uploaded files that are kept
 
   std::size_t head_bytes = 32 * 1024;  ///< request line and headers together
   std::size_t line_bytes = 8 * 1024;   ///< the request line, and each header

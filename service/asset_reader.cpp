@@ -45,7 +45,7 @@ std::string format_of(std::string_view bytes) {
 
 }  // namespace
 
-Result<SharedAssetFile> read_asset(std::string_view bytes, const Limits& limits, const Cancel& cancel) {
+Result<std::shared_ptr<AssetFile>> read_asset(std::string_view bytes, const Limits& limits, const Cancel& cancel) {
   if (bytes.size() > limits.asset_bytes) {
     return Problem{"limit-exceeded", "the file has " + std::to_string(bytes.size()) + " bytes, at most " +
                                          std::to_string(limits.asset_bytes) + " are accepted"};
@@ -57,7 +57,7 @@ Result<SharedAssetFile> read_asset(std::string_view bytes, const Limits& limits,
     const bool large = error.code == ImportError::Code::too_large;
     return Problem{large ? "limit-exceeded" : "invalid-asset", format_of(bytes) + error.detail};
   }
-  return std::make_shared<const AssetFile>(AssetFile{sha256(bytes), bytes.size(), *std::move(read)});
+  return std::make_shared<AssetFile>(AssetFile{sha256(bytes), bytes.size(), *std::move(read), nullptr});
 }
 
 }  // namespace dini

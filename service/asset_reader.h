@@ -10,8 +10,8 @@
 namespace dini {
 
 /// Reads a mesh file whose format its first bytes tell, behind a byte order mark or not: GLB, PLY, else OBJ if it is
-/// text. Problems: `invalid-asset`,
-/// `limit-exceeded` for a file beyond the limits, and what `cancel` says when it stops the reading.
-Result<SharedAssetFile> read_asset(std::string_view bytes, const Limits& limits, const Cancel& cancel);
+/// text. The result has no `source`. Problems: `invalid-asset`, `limit-exceeded` for a file beyond the limits, and what
+/// `cancel` says when it stops the reading.
+Result<std::shared_ptr<AssetFile>> read_asset(std::string_view bytes, const Limits& limits, const Cancel& cancel);
 
 }  // namespace dini

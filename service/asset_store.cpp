@@ -12,7 +12,9 @@ bool is_hash(std::string_view text) {
   return text.size() == 64 && std::all_of(text.begin(), text.end(), is_hexadecimal);
 }
 
-std::size_t memory_of(const AssetFile& file) { return sizeof(AssetFile) + file.content.mesh.bytes(); }
+std::size_t memory_of(const AssetFile& file) {
+  return sizeof(AssetFile) + file.content.mesh.bytes() + (file.source ? file.source->size() : 0);
+}
 
 }  // namespace
 

@@ -25,9 +25,6 @@ class AssetStore {
 
   /// By 64 hexadecimal digits or a name; null if it is not here. Counts as a use.
   SharedAssetFile find(std::string_view text);
-  AssetFinder finder() {
-    return [this](std::string_view text) { return find(text); };
-  }
 
  private:
   const std::size_t budget_;

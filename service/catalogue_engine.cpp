@@ -11,7 +11,6 @@
 #include "graph/value_json.h"
 #include "nodes/all.h"
 #include "nodes/formats.h"
-#include "service/asset_reader.h"
 #include "service/document_graph.h"
 #include "service/interface.h"
 #include "service/places.h"
@@ -88,7 +87,7 @@ std::vector<std::size_t> drawn_nodes(const PreparedGraph& prepared) {
 }  // namespace
 
 CatalogueEngine::CatalogueEngine(const Limits& limits, std::vector<FileFormat> formats)
-    : limits_(limits), formats_(std::move(formats)), cache_(limits.cache_bytes), assets_(limits.asset_store_bytes) {
+    : limits_(limits), formats_(std::move(formats)), cache_(limits.cache_bytes), assets_(limits_) {
   add_all_nodes(registry_);
   catalogue_ = catalogue_of(registry_, formats_);
 }
@@ -98,10 +97,9 @@ Result<AssetSummary> CatalogueEngine::add_asset(std::string_view bytes, const st
   if (!name.empty() && !AssetStore::is_name(name)) {
     return Problem{"usage", "the name of a file has 1 to 64 letters, digits, '_', '-' and '.', and is no hash"};
   }
-  Result<SharedAssetFile> read = read_asset(bytes, limits_, cancel);
-  if (!read) return read.problems();
-  const AssetFile& file = **read;
-  assets_.add(*read, name);
+  const Result<SharedAssetFile> added = assets_.add(bytes, name, cancel);
+  if (!added) return added.problems();
+  const AssetFile& file = **added;
   return AssetSummary{.sha256 = to_hex(file.sha256),
                       .bytes = file.bytes,
                       .format = std::string(name_of(file.content.format)),
@@ -142,7 +140,7 @@ Result<Json> CatalogueEngine::validate(const Graph& graph, const Json& parameter
     } else {
       problems.add(std::move(given).problems());
     }
-    report = check(registry_, *document, values, Quality::final, limits_, assets_.finder(), {.cancel = &cancel});
+    report = check(registry_, *document, values, Quality::final, limits_, asset_finder(cancel), {.cancel = &cancel});
     problems.add(report.problems);
   }
   if (cancel.stopped()) return stopped_problem(cancel.reason());
@@ -150,13 +148,13 @@ Result<Json> CatalogueEngine::validate(const Graph& graph, const Json& parameter
 }
 
 Result<SharedPrepared> CatalogueEngine::prepare(const EvaluateRequest& request, const Cancel& cancel) const {
-  Result<std::shared_ptr<const PreparedGraph>> prepared = prepare_evaluation(environment(), request, cancel);
+  Result<std::shared_ptr<const PreparedGraph>> prepared = prepare_evaluation(environment(cancel), request, cancel);
   if (!prepared) return std::move(prepared).problems();
   return SharedPrepared(*std::move(prepared));
 }
 
 std::vector<std::string> CatalogueEngine::blocked(const EvaluateRequest& request, const Cancel& cancel) const {
-  return blocked_nodes(environment(), request, cancel);
+  return blocked_nodes(environment(cancel), request, cancel);
 }
 
 SharedComputed CatalogueEngine::find(const Prepared& asked) const {
@@ -229,7 +227,7 @@ Json CatalogueEngine::report(const Prepared& prepared, const Computed& computed,
 }
 
 Result<SharedBytes> CatalogueEngine::inspect(const InspectRequest& request, const Job& job) const {
-  const Result<Plan> plan = prepare_inspection(environment(), request, job.cancel);
+  const Result<Plan> plan = prepare_inspection(environment(job.cancel), request, job.cancel);
   if (!plan) return plan.problems();
   const std::size_t index = plan->index.at(request.node);
   const PlannedNode& node = plan->nodes[index];

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "graph/cache.h"
-#include "service/asset_store.h"
+#include "service/asset_library.h"
 #include "service/engine.h"
 #include "service/prepare.h"
 #include "service/report.h"
@@ -17,6 +17,8 @@ class CatalogueEngine final : public Engine {
   std::span<const FileFormat> formats() const override { return formats_; }
   const Json& catalogue() const override { return catalogue_; }
   Result<AssetSummary> add_asset(std::string_view bytes, const std::string& name, const Cancel& cancel) const override;
+  SharedBytes asset(std::string_view sha256) const override { return assets_.bytes(sha256); }
+  void keep_assets_in(std::shared_ptr<AssetKeeper> keeper) const override { assets_.keep_in(std::move(keeper)); }
   SharedGraph read(const Json& document) const override;
   Result<Json> interface(const Graph& graph) const override;
   Result<Json> validate(const Graph& graph, const Json& parameters, const Cancel& cancel, Sent sent) const override;
@@ -31,7 +33,10 @@ class CatalogueEngine final : public Engine {
   Result<SharedBytes> inspect(const InspectRequest& request, const Job& job) const override;
 
  private:
-  Environment environment() const { return {registry_, limits_, formats_, assets_.finder()}; }
+  AssetFinder asset_finder(const Cancel& cancel) const {
+    return [this, &cancel](std::string_view text) { return assets_.find(text, cancel); };
+  }
+  Environment environment(const Cancel& cancel) const { return {registry_, limits_, formats_, asset_finder(cancel)}; }
 
   /// The drawn previews, from the cache or into it.
   Result<SharedFile> preview_file(const PreparedGraph& prepared, const Evaluation& evaluation,
@@ -42,7 +47,7 @@ class CatalogueEngine final : public Engine {
   Registry registry_;
   Json catalogue_;
   mutable Cache cache_;
-  mutable AssetStore assets_;
+  mutable AssetLibrary assets_;
 };
 
 }  // namespace dini

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "geometry/cancel.h"
+#include "graph/asset_keeper.h"
 #include "graph/context.h"
 #include "graph/file.h"
 #include "graph/job.h"
@@ -118,9 +119,16 @@ class Engine {
   /// Reads a mesh file (OBJ, PLY or GLB, told by its content) and keeps the mesh for graphs that name it by its hash.
   /// With a `name` it is kept for ever and graphs may use the name too (letters, digits, `_`, `-`, `.`); without one it
   /// goes when `asset_store_bytes` are full and others were used later. Problems: `invalid-asset` for what is no such
-  /// file, `limit-exceeded`, `usage` for a name that cannot be one, and those of `compute` when `cancel` stops it.
+  /// file, `limit-exceeded`, `usage` for a name that cannot be one, those of the keeper, and those of `compute` when
+  /// `cancel` stops it.
   virtual Result<AssetSummary> add_asset(std::string_view bytes, const std::string& name,
                                          const Cancel& cancel) const = 0;
+
+  /// A mesh file that was added, by the 64 hexadecimal digits of its hash; null when it is not here.
+  virtual SharedBytes asset(std::string_view sha256) const = 0;
+
+  /// From now on mesh files without a name are kept there, and looked for; null: in memory only.
+  virtual void keep_assets_in(std::shared_ptr<AssetKeeper> keeper) const = 0;
 
   /// Reads a document for whatever is asked of it. A graph that was read before is handed out again while there is room
   /// for it. What is no graph says so when something is asked of it.

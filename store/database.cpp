@@ -81,6 +81,7 @@ Result<std::unique_ptr<Database>> Database::open(const std::filesystem::path& fo
     if (sqlite3_db_readonly(database->writer_->getHandle(), "main") != 0) {
       return io_problem(file, "the database cannot be written");
     }
+    upgrade(*database->writer_);
   } catch (const SQLite::Exception& error) {
     const bool damaged = error.getErrorCode() == SQLITE_NOTADB || error.getErrorCode() == SQLITE_CORRUPT;
     return io_problem(file, (damaged ? "the database is damaged, restore a backup: " : "") + std::string(error.what()));

@@ -61,6 +61,11 @@ class Database {
     }
   }
 
+  /// Where it is; nothing in memory.
+  std::optional<std::filesystem::path> folder() const {
+    return folder_ ? std::optional(folder_->path()) : std::nullopt;
+  }
+
   /// Whether the last write met a failure.
   bool has_failed() const { return failed_; }
 

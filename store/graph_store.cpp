@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "store/asset_references.h"
 #include "store/database.h"
 #include "store/schema.h"
 
@@ -87,6 +88,7 @@ void insert_version(SQLite::Database& database, const GraphVersion& version, std
   bind_text(point, 1, version.id);
   point.bind(2, version.version);
   point.exec();
+  insert_references(database, version.id, version.version, document);
 }
 
 /// A text that LIKE takes for itself, with a backslash as its escape.
@@ -201,6 +203,13 @@ Result<std::vector<GraphVersion>> GraphStore::versions(std::string_view id) cons
   });
 }
 
+std::optional<std::filesystem::path> GraphStore::folder() const { return database_->folder(); }
+
+Result<bool> GraphStore::names(const Digest& asset) const {
+  return database_->read(
+      [&](SQLite::Database& database) -> Result<bool> { return is_referenced(database, asset); });
+}
+
 std::optional<Problem> GraphStore::check_writing() {
   if (!database_->has_failed()) return std::nullopt;
   const auto tried = database_->write([](SQLite::Database& database) -> Result<bool> {
@@ -216,6 +225,7 @@ Result<std::size_t> GraphStore::purge() {
     database.exec("CREATE TEMP TABLE gone AS SELECT id FROM graphs WHERE deleted IS NOT NULL");
     database.exec("DELETE FROM graphs WHERE id IN (SELECT id FROM gone)");
     database.exec("DELETE FROM versions WHERE id IN (SELECT id FROM gone)");
+    database.exec("DELETE FROM asset_references WHERE id IN (SELECT id FROM gone)");
     const auto count = static_cast<std::size_t>(database.execAndGet("SELECT count(*) FROM gone").getInt64());
     database.exec("DROP TABLE gone");
     return count;

@@ -89,6 +89,12 @@ class GraphStore {
   /// Every version of a graph, the newest first; empty for a graph that never was.
   Result<std::vector<GraphVersion>> versions(std::string_view id) const;
 
+  /// The data folder that this process writes; nothing when graphs are in memory, or are not kept at all.
+  std::optional<std::filesystem::path> folder() const;
+
+  /// Whether some version, that of a deleted graph too, names an uploaded file.
+  Result<bool> names(const Digest& asset) const;
+
   /// Why nothing can be written just now, from what became of the last write; after one that failed another is tried.
   /// Nothing for a store that refuses all writes: nobody waits for that to end.
   std::optional<Problem> check_writing();

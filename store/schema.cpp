@@ -1,48 +1,89 @@
 #include "store/schema.h"
 
+#include <SQLiteCpp/Statement.h>
+#include <SQLiteCpp/Transaction.h>
 #include <algorithm>
+#include <array>
+
+#include "store/asset_references.h"
 
 namespace dini::store {
 namespace {
 
 constexpr int application_id = 0x44696e69;  // "Dini"
-constexpr int schema_version = 1;
-
 /// Every version of every graph for ever, and which of them is the current one. A graph that is deleted keeps its
 /// versions. `digest` is of the document's bytes, `hash` of the graph that it means.
-constexpr const char* tables = R"(
-  CREATE TABLE versions (
-    id TEXT NOT NULL,
-    version INTEGER NOT NULL,
-    created INTEGER NOT NULL,
-    hash BLOB NOT NULL,
-    digest BLOB NOT NULL,
-    bytes INTEGER NOT NULL,
-    title TEXT NOT NULL,
-    document BLOB NOT NULL,
-    PRIMARY KEY (id, version)
-  );
-  CREATE TABLE graphs (
-    id TEXT PRIMARY KEY,
-    version INTEGER NOT NULL,
-    deleted INTEGER,
-    FOREIGN KEY (id, version) REFERENCES versions (id, version)
-  ) WITHOUT ROWID;
-)";
+void add_graphs(SQLite::Database& database) {
+  database.exec(R"(
+    CREATE TABLE versions (
+      id TEXT NOT NULL,
+      version INTEGER NOT NULL,
+      created INTEGER NOT NULL,
+      hash BLOB NOT NULL,
+      digest BLOB NOT NULL,
+      bytes INTEGER NOT NULL,
+      title TEXT NOT NULL,
+      document BLOB NOT NULL,
+      PRIMARY KEY (id, version)
+    );
+    CREATE TABLE graphs (
+      id TEXT PRIMARY KEY,
+      version INTEGER NOT NULL,
+      deleted INTEGER,
+      FOREIGN KEY (id, version) REFERENCES versions (id, version)
+    ) WITHOUT ROWID;
+  )");
+}
+
+/// Which uploaded files the versions name, so that those are not the ones to make room.
+void add_asset_references(SQLite::Database& database) {
+  database.exec(R"(
+    CREATE TABLE asset_references (
+      sha256 BLOB NOT NULL,
+      id TEXT NOT NULL,
+      version INTEGER NOT NULL,
+      PRIMARY KEY (sha256, id, version)
+    ) WITHOUT ROWID;
+  )");
+  SQLite::Statement select(database, "SELECT id, version, document FROM versions");
+  while (select.executeStep()) {
+    insert_references(database, select.getColumn(0).getString(), select.getColumn(1).getInt64(),
+                      select.getColumn(2).getString());
+  }
+}
+
+/// What makes each version of the schema of the one before it; the first, of an empty database. A step is never changed.
+constexpr std::array steps = {add_graphs, add_asset_references};
+constexpr int schema_version = static_cast<int>(steps.size());
+
+int version_of(SQLite::Database& database) { return database.execAndGet("PRAGMA user_version").getInt(); }
+
+void take_steps(SQLite::Database& database) {
+  for (int version = version_of(database); version < schema_version; ++version) {
+    steps[static_cast<std::size_t>(version)](database);
+  }
+  database.exec("PRAGMA user_version = " + std::to_string(schema_version));
+}
 
 }  // namespace
 
 void make_tables(SQLite::Database& database) {
   database.exec("PRAGMA application_id = " + std::to_string(application_id));
-  database.exec("PRAGMA user_version = " + std::to_string(schema_version));
-  database.exec(tables);
+  take_steps(database);
+}
+
+void upgrade(SQLite::Database& database) {
+  if (version_of(database) == schema_version) return;
+  SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+  take_steps(database);
+  transaction.commit();
 }
 
 std::string fault_in(SQLite::Database& database) {
   if (database.execAndGet("PRAGMA application_id").getInt() != application_id) return "this is no database of Dini";
-  const int version = database.execAndGet("PRAGMA user_version").getInt();
-  if (version != schema_version) {
-    return "the database has version " + std::to_string(version) + ", this program reads version " +
+  const int version = version_of(database);
+  if (version < 1 || version > schema_version) {
+    return "the database has version " + std::to_string(version) + ", this program reads those up to " +
            std::to_string(schema_version);
   }
   const std::string damage = damage_in(database, "quick_check");

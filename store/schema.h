@@ -8,6 +8,9 @@ namespace dini::store {
 /// Makes the tables in an empty database.
 void make_tables(SQLite::Database& database);
 
+/// Brings a database of an earlier version to the present one, as a whole or not at all.
+void upgrade(SQLite::Database& database);
+
 /// What is wrong with a database as a whole, in words; empty when nothing is: it is another program's, or of a later
 /// version, or its pages are damaged.
 std::string fault_in(SQLite::Database& database);

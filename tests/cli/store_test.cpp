@@ -59,6 +59,28 @@ TEST_CASE("The store is listed, checked and backed up while a server has it, and
   CHECK(opened(folder.path() / "restored")->versions("lamp")->size() == 1);
 }
 
+TEST_CASE("Uploaded files are checked and backed up with the graphs") {
+  const Folder folder;
+  const std::string data = (folder.path() / "data").string(), backup = (folder.path() / "backup.db").string();
+  filled(data);
+  const std::string name = to_hex(sha256("a mesh"));
+  folder.write("data/assets/" + name, "a mesh");
+  CHECK(run_dini({"store", "check", "--data", data}).code == 0);
+  CHECK(run_dini({"store", "backup", backup, "--data", data}).code == 0);
+  CHECK(folder.read("backup.db.assets/" + name) == "a mesh");
+  std::filesystem::remove(backup);
+  CHECK(run_dini({"store", "backup", backup, "--data", data}).code == 6);
+  CHECK_FALSE(std::filesystem::exists(backup));
+
+  folder.write("data/assets/" + name, "a mess");
+  const Outcome check = run_dini({"store", "check", "--data", data});
+  CHECK(check.code == 6);
+  CHECK(check.err.find(name) != std::string::npos);
+  const Outcome partly = run_dini({"store", "backup", backup + "2", "--data", data});
+  CHECK(partly.code == 6);
+  CHECK(partly.err.find(name) != std::string::npos);
+}
+
 TEST_CASE("A store that is not there or is damaged is told of in one line") {
   const Folder folder;
   for (const char* command : {"list", "check", "purge"}) {

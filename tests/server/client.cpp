@@ -143,6 +143,12 @@ std::optional<Answer> get(int port, const std::string& path, const std::string& 
   return ask(port, "GET " + path + " HTTP/1.1\r\nHost: localhost\r\n" + headers + "\r\n");
 }
 
+std::optional<Answer> head(int port, const std::string& path) {
+  Client client(port);
+  client.send("HEAD " + path + " HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  return client.receive(true);
+}
+
 std::string post_text(const std::string& path, const std::string& body, const std::string& headers) {
   return "POST " + path + " HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: " +
          std::to_string(body.size()) + "\r\n" + headers + "\r\n" + body;

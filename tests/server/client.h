@@ -69,6 +69,7 @@ class Client {
 /// One request on a connection of its own.
 std::optional<Answer> ask(int port, std::string_view bytes);
 std::optional<Answer> get(int port, const std::string& path, const std::string& headers = "");
+std::optional<Answer> head(int port, const std::string& path);
 std::optional<Answer> post(int port, const std::string& path, const std::string& body, const std::string& headers = "");
 
 /// The bytes of a POST of JSON.

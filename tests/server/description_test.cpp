@@ -110,7 +110,7 @@ class DescribedServer {
     for (const auto& [path, methods] : document_["paths"].items()) {
       for (const auto& [method, operation] : methods.items()) all_.push_back({upper(method), path, operation});
     }
-    name_artifact();
+    name_files();
     keep_example(port());
   }
 
@@ -119,13 +119,23 @@ class DescribedServer {
   const std::vector<Described>& all() const { return all_; }
 
  private:
-  /// Files have no address before they were made: the first one of the example of a sweep stands for all.
-  void name_artifact() {
+  /// Files have no address before they are made or sent: the first one of the example of a sweep stands for all that
+  /// are made, the example of an upload for all that are sent.
+  void name_files() {
     const Json sweep = document_["paths"]["/v1/sweeps"]["post"]["requestBody"]["content"]["application/json"];
-    const auto answer = post(port(), "/v1/sweeps", sweep["example"].dump());
+    const auto made = post(port(), "/v1/sweeps", sweep["example"].dump());
+    std::string sent;
+    for (const Described& described : all_) {
+      if (described.path != "/v1/assets" || !described.has_body()) continue;
+      const auto added = ask(port(), example_request(described).text());
+      if (added->status == 201) sent = added->json()["sha256"];
+    }
     for (Described& described : all_) {
-      if (!described.path.starts_with("/v1/artifacts/") || answer->status != 200) continue;
-      described.operation["parameters"][0]["example"] = answer->lines().front()["model"]["sha256"];
+      Json& parameters = described.operation["parameters"];
+      if (described.path.starts_with("/v1/artifacts/") && made->status == 200) {
+        parameters[0]["example"] = made->lines().front()["model"]["sha256"];
+      }
+      if (described.path.starts_with("/v1/assets/") && !sent.empty()) parameters[0]["example"] = sent;
     }
   }
 
@@ -357,9 +367,19 @@ TEST_CASE("A request that a newer one replaces is a problem as described") {
 TEST_CASE("What there is no room for is a problem as described") {
   std::atomic<Trouble> trouble = Trouble::none;
   auto settings = quick_settings();
+  const Folder folder("full");
+  settings.data = folder.path();
   settings.store_bytes = 1 << 17;
+  settings.asset_file_bytes = 1 << 16;
   const DescribedServer server(trouble, settings);
   for (const Described& described : server.all()) {
+    if (!may_answer(described, 507)) continue;
+    if (described.path == "/v1/assets") {
+      SentText sent = example_request(described);
+      sent.body += "# " + std::string(settings.asset_file_bytes, 'x');
+      sent.length = "Content-Length: " + std::to_string(sent.body.size()) + "\r\n";
+      check_problem(server, described, answer_to(server.port(), described, sent), 507);
+    }
     if (described.method != "PUT") continue;
     Json large = example_graph();
     for (int i = 0; i < 10; ++i) large["meta"]["texts"].push_back(std::string(settings.store_bytes / 4, 'x'));

@@ -2,6 +2,8 @@
 
 #include "store/graph_store.h"
 
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Statement.h>
 #include <catch2/catch.hpp>
 #include <sys/wait.h>
 #include <thread>
@@ -264,4 +266,47 @@ TEST_CASE("A backup made while graphs are written is a database with all of them
   put(*store, "b", "two");
   CHECK(document(*opened(folder.path() / "restored"), "a") == "one");
   CHECK_FALSE((*reader)->back_up(folder.path() / "data" / "dini.db"));
+}
+
+TEST_CASE("The files that graphs name are known until their graph is purged") {
+  const auto store = GraphStore::in_memory(room);
+  const Digest digest = sha256("file");
+  CHECK_FALSE(*store->names(digest));
+  put(*store, "a", "{\"asset\":\"" + to_hex(digest) + "\"}");
+  put(*store, "a", "without");
+  CHECK(*store->names(digest));
+  store->remove("a", always);
+  CHECK(*store->names(digest));
+  REQUIRE(store->purge());
+  CHECK_FALSE(*store->names(digest));
+}
+
+TEST_CASE("A database of version 1 is opened as it is, and knows which files its graphs name") {
+  const Folder folder;
+  const std::string text = "{\"asset\":\"" + to_hex(sha256("file")) + "\"}";
+  {
+    SQLite::Database database((folder.path() / "dini.db").string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    database.exec(R"(
+      PRAGMA application_id = 1147760233;
+      PRAGMA user_version = 1;
+      CREATE TABLE versions (id TEXT NOT NULL, version INTEGER NOT NULL, created INTEGER NOT NULL, hash BLOB NOT NULL,
+        digest BLOB NOT NULL, bytes INTEGER NOT NULL, title TEXT NOT NULL, document BLOB NOT NULL,
+        PRIMARY KEY (id, version));
+      CREATE TABLE graphs (id TEXT PRIMARY KEY, version INTEGER NOT NULL, deleted INTEGER,
+        FOREIGN KEY (id, version) REFERENCES versions (id, version)) WITHOUT ROWID;
+    )");
+    SQLite::Statement insert(database, "INSERT INTO versions VALUES ('a', 1, 0, ?1, ?1, ?2, 'A', ?3)");
+    const Digest digest = sha256(text);
+    insert.bind(1, digest.data(), static_cast<int>(digest.size()));
+    insert.bind(2, static_cast<std::int64_t>(text.size()));
+    insert.bind(3, text.data(), static_cast<int>(text.size()));
+    insert.exec();
+    database.exec("INSERT INTO graphs VALUES ('a', 1, NULL)");
+  }
+  for (int i = 0; i < 2; ++i) {
+    const auto store = opened(folder.path());
+    CHECK(document(*store, "a") == text);
+    CHECK(*store->names(sha256("file")));
+    CHECK(store->fault()->empty());
+  }
 }

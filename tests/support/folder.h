@@ -7,10 +7,11 @@
 
 namespace dini::support {
 
-/// A folder that is gone at the end.
+/// A folder that is gone at the end. Two at a time have different names.
 class Folder {
  public:
-  Folder() : path_(std::filesystem::temp_directory_path() / ("dini-test-" + std::to_string(::getpid()))) {
+  explicit Folder(const std::string& name = "")
+      : path_(std::filesystem::temp_directory_path() / ("dini-test-" + std::to_string(::getpid()) + name)) {
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }

@@ -40,6 +40,8 @@ class ToyEngine final : public Engine {
   std::span<const FileFormat> formats() const override { return formats_; }
   const Json& catalogue() const override { return catalogue_; }
   Result<AssetSummary> add_asset(std::string_view bytes, const std::string& name, const Cancel& cancel) const override;
+  SharedBytes asset(std::string_view) const override { return nullptr; }
+  void keep_assets_in(std::shared_ptr<AssetKeeper>) const override {}
   SharedGraph read(const Json& document) const override;
   Result<Json> interface(const Graph& graph) const override;
   Result<Json> validate(const Graph& graph, const Json& parameters, const Cancel& cancel, Sent sent) const override;

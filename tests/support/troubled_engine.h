@@ -26,6 +26,10 @@ class TroubledEngine final : public Engine {
     if (auto problem = meet_trouble(cancel)) return *std::move(problem);
     return engine_->add_asset(bytes, name, cancel);
   }
+  SharedBytes asset(std::string_view sha256) const override { return engine_->asset(sha256); }
+  void keep_assets_in(std::shared_ptr<AssetKeeper> keeper) const override {
+    engine_->keep_assets_in(std::move(keeper));
+  }
   SharedGraph read(const Json& document) const override { return engine_->read(document); }
   Result<Json> interface(const Graph& graph) const override { return engine_->interface(graph); }
   Result<Json> validate(const Graph& graph, const Json& parameters, const Cancel& cancel,
