@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cctype>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
@@ -87,7 +89,14 @@ std::string fault_in_origin(const std::string& origin, const std::string& token)
   if (origin == "*") return token.empty() ? "" : "a token is for those who have it, not for every page";
   const auto scheme = origin.find("://");
   const bool web = origin.starts_with("http://") || origin.starts_with("https://");
-  const bool bare = web && origin.size() > scheme + 3 && origin.find_first_of("/?#@", scheme + 3) == std::string::npos;
+  // Nothing else stands in an origin, and it is written into headers, one of which has lists.
+  const auto stands_in_origin = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view(".-:[]").find(c) != std::string_view::npos;
+  };
+  const bool bare =
+      web && origin.size() > scheme + 3 &&
+      std::all_of(origin.begin() + static_cast<std::ptrdiff_t>(scheme) + 3, origin.end(), stands_in_origin);
   return bare ? "" : "an origin is a scheme, a name and perhaps a port, as https://site.example:8443";
 }
 

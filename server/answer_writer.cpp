@@ -12,7 +12,7 @@ namespace {
 /// Draco's decoder is WebAssembly in a worker made from a blob; without these two permissions the page hangs silently.
 constexpr std::string_view content_security_policy =
     "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; worker-src blob:; style-src 'self'; "
-    "img-src 'self' data: blob:; connect-src 'self'; object-src 'none'; base-uri 'none'; frame-ancestors 'none'";
+    "img-src 'self' data: blob:; connect-src 'self'; object-src 'none'; base-uri 'none'; frame-ancestors ";
 
 void add(std::string& text, std::string_view name, std::string_view value) {
   text.append(name).append(": ").append(value).append("\r\n");
@@ -39,10 +39,14 @@ void add_date(std::string& text) {
 }
 
 /// Whose pages may read the answer (Fetch, 3.2).
-void add_sharing(std::string& text, const Exchange& exchange) {
+void add_sharing(std::string& text, const Reply& reply, const Exchange& exchange) {
   if (exchange.differs_by_origin) add(text, "Vary", "Origin");
   const bool shared = !exchange.shared_with.empty();
-  add(text, "Cross-Origin-Resource-Policy", shared ? "cross-origin" : "same-origin");
+  // A frame is asked for without an origin; the policy says who may have it.
+  const bool framed = !reply.framed_by.empty();
+  add(text, "Cross-Origin-Resource-Policy", shared || framed ? "cross-origin" : "same-origin");
+  // Pages that are isolated from other origins show no frame that is not.
+  if (framed) add(text, "Cross-Origin-Embedder-Policy", "require-corp");
   if (!shared) return;
   add(text, "Access-Control-Allow-Origin", exchange.shared_with);
   add(text, "Access-Control-Expose-Headers",
@@ -68,11 +72,12 @@ std::string answer_head(const Reply& reply, const Exchange& exchange, const Answ
   add(text, "Connection", form.close ? "close" : "keep-alive");
   add(text, "X-Request-Id", exchange.id);
   add_timings(text, reply, exchange);
-  add(text, "Content-Security-Policy", content_security_policy);
+  text.append("Content-Security-Policy: ").append(content_security_policy);
+  text.append(reply.framed_by.empty() ? "'none'" : reply.framed_by).append("\r\n");
   add(text, "X-Content-Type-Options", "nosniff");
   add(text, "Referrer-Policy", "no-referrer");
   add(text, "Cross-Origin-Opener-Policy", "same-origin");
-  add_sharing(text, exchange);
+  add_sharing(text, reply, exchange);
   return text += "\r\n";
 }
 

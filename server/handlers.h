@@ -83,6 +83,9 @@ Operation describe_asset();
 /// The page: `/` and every file of it, which has no route of its own.
 Reply page_file(const Context& context);
 Operation describe_page();
+/// The page that shows one stored graph in a frame of another page.
+Reply embed_page(const Context& context);
+Operation describe_embed_page();
 
 /// A body from outside as JSON; the media type must say so, which also keeps foreign web forms out.
 Result<Json> read_json(const Context& context);

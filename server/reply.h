@@ -27,6 +27,7 @@ struct Reply {
   std::shared_ptr<BodyReader> stream = {};  ///< instead of `body`
   std::vector<std::pair<std::string, std::string>> headers = {};
   AnswerNotes notes = {};
+  std::string framed_by = {};  ///< whose pages may have it in a frame, as `frame-ancestors` says it; empty: none
 
   std::size_t size() const {
     std::size_t total = 0;

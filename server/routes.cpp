@@ -44,6 +44,7 @@ constexpr std::array all_routes = {
     Route{"GET", "/v1/graphs/{id}/diff", graph_difference, describe_graph_difference},
     Route{"GET", "/v1/graphs/{id}/interface", graph_interface, describe_graph_interface},
     Route{"GET", "/v1/graphs/{id}/outputs/{output}", graph_output, describe_graph_output},
+    Route{"GET", "/embed/{id}", embed_page, describe_embed_page},
     Route{"GET", "/v1/artifacts/{sha256}", artifact, describe_artifact},
     Route{"POST", "/v1/assets", add_asset, describe_add_asset, file_body},
     Route{"GET", "/v1/assets/{sha256}", asset, describe_asset},

@@ -26,7 +26,12 @@ async function main() {
   rmSync(dist, { recursive: true, force: true });
   const result = await esbuild.build({
     absWorkingDir: here,
-    entryPoints: { main: "src/main.tsx", styles: "src/app/styles.css" },
+    entryPoints: {
+      main: "src/main.tsx",
+      styles: "src/app/styles.css",
+      embed: "src/embed.tsx",
+      "embed-styles": "src/embed/embed.css",
+    },
     bundle: true,
     splitting: true,
     format: "esm",
@@ -46,7 +51,7 @@ async function main() {
   // The theme is set before the first paint, so it is a classic script of its own.
   const theme = await esbuild.build({
     absWorkingDir: here,
-    entryPoints: { theme: "src/app/early_theme.ts" },
+    entryPoints: { theme: "src/app/early_theme.ts", "embed-theme": "src/embed/theme.ts" },
     bundle: true,
     format: "iife",
     target: "es2022",
@@ -57,14 +62,19 @@ async function main() {
   });
   const outputs = [...Object.keys(result.metafile.outputs), ...Object.keys(theme.metafile.outputs)];
   const asset = (pattern) => outputs.find((name) => pattern.test(name)).replace(/^dist\//, "");
-  writePage({
+  const addresses = {
     favicon: copyHashed("favicon.svg"),
     font: asset(/inter-latin.*\.woff2$/),
-    styles: asset(/styles-\w+\.css$/),
-    theme: asset(/theme-\w+\.js$/),
-    main: asset(/main-\w+\.js$/),
-  });
-  holdThreeBack(result.metafile);
+    styles: asset(/\/styles-\w+\.css$/),
+    theme: asset(/\/theme-\w+\.js$/),
+    main: asset(/\/main-\w+\.js$/),
+    embed: asset(/\/embed-\w+\.js$/),
+    embedStyles: asset(/\/embed-styles-\w+\.css$/),
+    embedTheme: asset(/\/embed-theme-\w+\.js$/),
+  };
+  writePage("index.html", "index.html", addresses);
+  writePage("embed.html", "embed/index.html", addresses);
+  for (const entry of [addresses.main, addresses.embed]) holdThreeBack(result.metafile, `dist/${entry}`);
   copyDecoder();
   writeNotices(Object.keys(result.metafile.inputs));
   compress(dist);
@@ -78,10 +88,10 @@ function typeCheck() {
   });
 }
 
-function writePage(addresses) {
-  const template = readFileSync(path.join(here, "index.html"), "utf8");
-  const page = template.replace(/\{\{(\w+)\}\}/g, (_, name) => addresses[name]);
-  writeFileSync(path.join(dist, "index.html"), page);
+function writePage(template, target, addresses) {
+  const page = readFileSync(path.join(here, template), "utf8").replace(/\{\{(\w+)\}\}/g, (_, name) => addresses[name]);
+  mkdirSync(path.dirname(path.join(dist, target)), { recursive: true });
+  writeFileSync(path.join(dist, target), page);
 }
 
 function copyHashed(name) {
@@ -92,9 +102,9 @@ function copyHashed(name) {
   return `assets/${stem}-${hash}${ext}`;
 }
 
-/** Fails if the first script, or one that it cannot start without, holds a part of three. */
-function holdThreeBack({ outputs }) {
-  const names = [Object.keys(outputs).find((name) => /main-\w+\.js$/.test(name))];
+/** Fails if the first script of a page, or one that it cannot start without, holds a part of three. */
+function holdThreeBack({ outputs }, first) {
+  const names = [first];
   for (const name of names) {
     const { imports, inputs } = outputs[name];
     const part = Object.keys(inputs).find((file) => /node_modules\/three\//.test(file));

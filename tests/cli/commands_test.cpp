@@ -44,6 +44,7 @@ TEST_CASE("Wrong use is exit 2 and says how") {
            {"serve", "--host", "0.0.0.0", "--port", "0"},
            {"serve", "--port", "0", "--allow-origin", "site.example"},
            {"serve", "--port", "0", "--allow-origin", "https://site.example/"},
+           {"serve", "--port", "0", "--allow-origin", "https://site.example; script-src *"},
            {"serve", "--port", "0", "--allow-origin", "*", "--token", "swordfish"},
            {"serve", "--host", "127.evil.example", "--port", "0"},
            {"serve", "--host", "localhost.evil.example", "--port", "0"},

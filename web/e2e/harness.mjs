@@ -37,10 +37,12 @@ export class Server {
   isOurs = !process.env.DINI_URL;
   #child;
   #examples;
+  #more;
 
-  /** `examples`: the folder of the graphs that our own server lists, other than the usual one. */
-  constructor(examples = path.join(root, "examples")) {
+  /** `examples`: the folder of the graphs that our own server lists, other than the usual one; `more`: further options. */
+  constructor(examples = path.join(root, "examples"), more = []) {
     this.#examples = examples;
+    this.#more = more;
   }
 
   async start() {
@@ -51,7 +53,7 @@ export class Server {
     const port = this.url ? new URL(this.url).port : "0";
     const common = ["--port", port, "--port-file", portFile];
     const folders = ["--web", path.join(root, "web/dist"), "--examples", this.#examples];
-    const parts = ["serve", "--data", "none", ...common, "--log-level", "warning", ...folders];
+    const parts = ["serve", "--data", "none", ...common, "--log-level", "warning", ...folders, ...this.#more];
     this.#child = spawn(program, parts, { stdio: ["ignore", "ignore", "inherit"] });
     const limit = Date.now() + LONGEST_WAIT;
     const written = () => existsSync(portFile) && readFileSync(portFile, "utf8").trim() !== "";

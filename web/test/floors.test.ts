@@ -16,6 +16,7 @@ const FLOORS: Readonly<Record<string, readonly string[]>> = {
   panels: ["model", "net", "session", "widgets"],
   view3d: ["model", "net", "session", "widgets"],
   files: ["model", "net", "session", "widgets"],
+  embed: ["model", "net", "session", "widgets", "view3d"],
   app: ["model", "net", "session", "widgets", "graph", "panels", "view3d", "files"],
 };
 
@@ -23,7 +24,7 @@ const FLOORS: Readonly<Record<string, readonly string[]>> = {
 const PACKAGES: readonly { name: RegExp; folders: readonly string[] }[] = [
   { name: /^three(\/|$)/, folders: ["view3d"] },
   { name: /^@xyflow\//, folders: ["graph"] },
-  { name: /^react(-dom)?(\/|$)/, folders: ["widgets", "graph", "panels", "view3d", "files", "app"] },
+  { name: /^react(-dom)?(\/|$)/, folders: ["widgets", "graph", "panels", "view3d", "files", "embed", "app"] },
 ];
 
 interface Import {

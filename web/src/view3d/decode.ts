@@ -25,7 +25,7 @@ export class Decoder {
   private readonly loader = new GLTFLoader();
 
   constructor(private readonly materials: Materials) {
-    this.draco.setDecoderPath(new URL("draco/", document.baseURI).href);
+    this.draco.setDecoderPath(new URL("../draco/", import.meta.url).href);
     // One answer comes after the other; a second worker would only wait.
     this.draco.setWorkerLimit(1);
     this.draco.preload();
