@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 
 namespace dini::jobs {
 
@@ -13,5 +14,10 @@ void give_back_free_memory();
 
 /// Memory that the process holds now; 0 where the system does not tell.
 std::size_t resident_bytes();
+
+/// Memory that the process may hold at all: the machine's, or less where it runs in a container or a service with a
+/// limit (control groups of either version). The paths are those of Linux.
+std::size_t available_bytes(const std::filesystem::path& groups = "/sys/fs/cgroup",
+                            const std::filesystem::path& membership = "/proc/self/cgroup");
 
 }  // namespace dini::jobs

@@ -4,7 +4,6 @@
 #include <spdlog/spdlog.h>
 #include <system_error>
 #include <thread>
-#include <unistd.h>
 
 #include "jobs/process_memory.h"
 #include "server/addresses.h"
@@ -29,16 +28,12 @@ constexpr std::chrono::seconds farewell{2};
 
 std::size_t cores() { return std::max(1u, std::thread::hardware_concurrency()); }
 
-std::size_t physical_memory() {
-  return static_cast<std::size_t>(::sysconf(_SC_PHYS_PAGES)) * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
-}
-
 /// The settings with what is left open decided for this machine.
 Settings decided(Settings settings) {
   if (settings.answer_threads == 0) settings.answer_threads = std::max<std::size_t>(4, 2 * cores());
   if (settings.compute_slots == 0) settings.compute_slots = cores();
   if (settings.compute_queue == 0) settings.compute_queue = 16 * settings.compute_slots;
-  if (settings.compute_bytes == 0) settings.compute_bytes = physical_memory() / 2;
+  if (settings.compute_bytes == 0) settings.compute_bytes = jobs::available_bytes() / 2;
   return settings;
 }
 

@@ -19,7 +19,7 @@ constexpr std::array limits = {
                     "that may wait for a place to compute, however long they take", 0, 1 << 20, "sixteen per place"},
     Limit<Settings>{"compute_bytes", "bytes", &Settings::compute_bytes,
                     "of memory predicted for all evaluations at once", 0, std::uint64_t{1} << 50,
-                    "half of the machine's"},
+                    "half of the machine's or container's"},
     Limit<Settings>{"known_bytes", "bytes", &Settings::known_bytes,
                     "of memory for requests that need not be read again", 0},
     Limit<Settings>{"artifact_bytes", "bytes", &Settings::artifact_bytes,

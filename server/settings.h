@@ -28,7 +28,7 @@ struct Settings {
   std::size_t answer_threads = 0;  ///< that read, check and write requests; 0 for two per core
   std::size_t compute_slots = 0;   ///< evaluations at once; 0 for one per core
   std::size_t compute_queue = 0;   ///< requests waiting for a slot; 0 for sixteen per slot
-  std::size_t compute_bytes = 0;   ///< predicted memory of all evaluations at once; 0 for half of the machine's
+  std::size_t compute_bytes = 0;   ///< predicted memory of all evaluations at once; 0 for half of what there is
   std::size_t known_bytes = std::size_t{64} << 20;      ///< memory of requests that need not be read again
   std::size_t artifact_bytes = std::size_t{256} << 20;  ///< memory of files that can be fetched by their hash
 
