@@ -22,6 +22,7 @@
 #include "jobs/memory_reserve.h"
 #include "jobs/process_memory.h"
 #include "server/addresses.h"
+#include "server/base_path.h"
 #include "server/server.h"
 
 namespace dini::cli {
@@ -30,6 +31,7 @@ namespace {
 struct Options {
   server::Settings settings;
   Limits limits;
+  std::vector<std::string> trusted_proxies;
   std::string web;
   std::string examples;
   std::string data;
@@ -79,7 +81,7 @@ void tell(const Options& options, const std::string& sentence) {
 Problems announce(const Options& options, int port) {
   const std::string& host = options.settings.host;
   const std::string name = host.find(':') == std::string::npos ? host : "[" + host + "]";
-  tell(options, "Dini listens on http://" + name + ":" + std::to_string(port) + "/");
+  tell(options, "Dini listens on http://" + name + ":" + std::to_string(port) + options.settings.base_path + "/");
   if (options.settings.web.empty()) tell(options, "There is no built page beside the program; see --web.");
   return options.port_file.empty() ? Problems{} : write_output(options.port_file, std::to_string(port) + "\n");
 }
@@ -100,13 +102,27 @@ std::string fault_in_origin(const std::string& origin, const std::string& token)
   return bare ? "" : "an origin is a scheme, a name and perhaps a port, as https://site.example:8443";
 }
 
-/// What is wrong with the options, as far as can be told before anything is started.
-Problems check(const Options& options) {
+/// Takes out of the options what is written in words. What is wrong with them, as far as can be told before anything
+/// is started.
+Problems check(Options& options) {
   const std::string& host = options.settings.host;
   if (host.empty()) return {{.code = "usage", .detail = "--host needs an address"}};
   std::error_code ignored;
   if (!options.examples.empty() && !std::filesystem::is_directory(options.examples, ignored)) {
     return {{.code = "io", .detail = options.examples + ": there is no such folder"}};
+  }
+  if (const std::string wrong = server::fault_in_base_path(options.settings.base_path); !wrong.empty()) {
+    return {{.code = "usage", .detail = "--base-path " + options.settings.base_path + ": " + wrong}};
+  }
+  for (const std::string& text : options.trusted_proxies) {
+    const auto network = server::Network::parse(text);
+    if (!network) {
+      return {{.code = "usage",
+               .detail = "--trusted-proxy " + text +
+                         ": it is an address, as 10.0.0.1 or ::1, or a network, as "
+                         "10.0.0.0/8"}};
+    }
+    options.settings.trusted_proxies.push_back(*network);
   }
   for (const std::string& origin : options.settings.allowed_origins) {
     if (const std::string wrong = fault_in_origin(origin, options.settings.token); !wrong.empty()) {
@@ -174,13 +190,21 @@ void add_serve(CLI::App& program, Command& chosen, const EngineMaker& make_engin
                       std::to_string(settings.port));
   command->add_option("--port-file", options->port_file, "A file to write the port to once listening");
   command
-      ->add_option("--allow-host", settings.allowed_hosts,
-                   "A further name that the Host header may carry; may be repeated")
+      ->add_option(
+          "--allow-host", settings.allowed_hosts,
+          "A further name that the Host header may carry, with any port or, as name:8443, with one; may be repeated")
       ->allow_extra_args(false);
   command
       ->add_option("--allow-origin", settings.allowed_origins,
                    "An origin, as https://site.example, whose pages may read answers and send requests; may be "
                    "repeated; * for all, without a token only")
+      ->allow_extra_args(false);
+  command->add_option("--base-path", settings.base_path,
+                      "Where all addresses begin, as /dini, for a proxy that serves more than this");
+  command
+      ->add_option("--trusted-proxy", options->trusted_proxies,
+                   "The address or network (10.0.0.0/8) of a proxy whose X-Forwarded-For, -Proto and -Host are "
+                   "believed; may be repeated")
       ->allow_extra_args(false);
   configuration.hide(command->add_option("--token", settings.token,
                                          "Needed by every request to /v1; allows addresses other than loopback"));

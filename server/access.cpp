@@ -15,34 +15,41 @@ std::string_view bearer_token(std::string_view authorization) {
   return trim(authorization.substr(scheme.size()));
 }
 
+std::string_view usual_port(std::string_view scheme) { return scheme == "https" ? ":443" : ":80"; }
+
 /// Whether a name with its port is one that --allow-host gave: with any port, or with this one.
-bool is_allowed(std::string_view authority, const Settings& settings) {
+bool is_allowed(std::string_view authority, std::string_view scheme, const Settings& settings) {
   const std::string_view name = without_port(authority);
+  std::string full(authority);
+  if (name == authority && !scheme.empty()) full += usual_port(scheme);
   return std::ranges::any_of(settings.allowed_hosts, [&](const std::string& allowed) {
-    return equal_ignoring_case(allowed, authority) || equal_ignoring_case(allowed, name);
+    return equal_ignoring_case(allowed, full) || equal_ignoring_case(allowed, name);
   });
 }
 
-bool is_our_host(std::string_view host, const Settings& settings) {
+bool is_our_host(std::string_view host, std::string_view scheme, const Settings& settings) {
   const std::string_view name = without_port(host);
   return is_loopback(name) || equal_ignoring_case(name, settings.host) ||
-         equal_ignoring_case(name, "[" + settings.host + "]") || is_allowed(host, settings);
+         equal_ignoring_case(name, "[" + settings.host + "]") || is_allowed(host, scheme, settings);
 }
 
 /// A name without the port that its scheme has anyway.
 std::string_view without_usual_port(std::string_view authority, std::string_view scheme) {
-  const std::string_view port = scheme == "https://" ? ":443" : ":80";
+  const std::string_view port = usual_port(scheme);
   if (authority.ends_with(port)) authority.remove_suffix(port.size());
   return authority;
 }
 
 /// Whether a page of that origin is ours: it came from the host that it now asks, or from one of our names while a
-/// proxy before us asks by another.
-bool is_our_origin(std::string_view origin, std::string_view host, const Settings& settings) {
-  for (const std::string_view scheme : {"http://", "https://"}) {
-    if (!equal_ignoring_case(origin.substr(0, scheme.size()), scheme)) continue;
-    const std::string_view authority = origin.substr(scheme.size());
-    return is_allowed(authority, settings) ||
+/// proxy before us asks by another. Where a trusted proxy tells the scheme, that is part of it.
+bool is_our_origin(std::string_view origin, const Request& request, const Settings& settings) {
+  const std::string_view host = request.header("Host");
+  for (const std::string_view scheme : {"http", "https"}) {
+    const std::string beginning = std::string(scheme) + "://";
+    if (!equal_ignoring_case(origin.substr(0, beginning.size()), beginning)) continue;
+    if (!request.scheme.empty() && request.scheme != scheme) return false;
+    const std::string_view authority = origin.substr(beginning.size());
+    return is_allowed(authority, scheme, settings) ||
            equal_ignoring_case(without_usual_port(authority, scheme), without_usual_port(host, scheme));
   }
   return false;
@@ -74,7 +81,7 @@ std::string shared_origin(const Request& request, const Settings& settings) {
 std::optional<Problem> check_access(const Request& request, const Settings& settings) {
   if (is_probe(request.path)) return std::nullopt;
   const std::string_view host = request.header("Host");
-  if (request.has_header("Host") && !is_our_host(host, settings)) {
+  if (request.has_header("Host") && !is_our_host(host, request.scheme, settings)) {
     return Problem{.code = "misdirected-request",
                    .detail = "The host '" + escape_controls(host, 80) +
                              "' is not served here; start with --allow-host to add it."};
@@ -82,7 +89,7 @@ std::optional<Problem> check_access(const Request& request, const Settings& sett
   // What may be done is asked without the token, before anything is.
   if (request.method == "OPTIONS") return std::nullopt;
   const bool changes = request.method != "GET" && request.method != "HEAD";
-  if (changes && request.has_header("Origin") && !is_our_origin(request.header("Origin"), host, settings) &&
+  if (changes && request.has_header("Origin") && !is_our_origin(request.header("Origin"), request, settings) &&
       shared_origin(request, settings).empty()) {
     return Problem{.code = "foreign-origin",
                    .detail =

@@ -22,6 +22,6 @@ class Artifacts {
 };
 
 /// The address of a file.
-std::string artifact_address(const File& file);
+std::string artifact_address(const File& file, std::string_view base);
 
 }  // namespace dini::server

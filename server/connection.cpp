@@ -4,6 +4,7 @@
 #include <new>
 
 #include "server/access.h"
+#include "server/forwarding.h"
 #include "server/responses.h"
 #include "server/text.h"
 #include "server/trace.h"
@@ -149,7 +150,7 @@ void Connection::take(std::string_view bytes) {
     if (bytes.empty()) return;
     since_ = Clock::now();
     deadline_ = since_ + home_.settings().head_deadline;
-    exchange_ = Exchange{.id = home_.next_id(), .started = since_};
+    exchange_ = Exchange{.id = home_.next_id(), .started = since_, .base = home_.settings().base_path};
     access_ = {};
   }
   input_.append(bytes);
@@ -170,6 +171,7 @@ void Connection::take_head() {
   auto head = parse_head(std::string_view(input_).substr(0, size), home_.settings());
   if (!head) return refuse(head.problems().front());
   take_names(head->request, *exchange_);
+  take_forwarding(Address::of_peer(descriptor_), home_.settings(), head->request, *exchange_);
   exchange_->shared_with = shared_origin(head->request, home_.settings());
   exchange_->differs_by_origin = !home_.settings().allowed_origins.empty() && exchange_->shared_with != "*";
   auto admission = home_.admit(*head, *exchange_);

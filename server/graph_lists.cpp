@@ -47,9 +47,9 @@ Reply listed(const Json& json) {
   return reply;
 }
 
-Json list_of(const std::vector<store::GraphVersion>& versions) {
+Json list_of(const Context& context, const std::vector<store::GraphVersion>& versions) {
   Json list = Json::array();
-  for (const store::GraphVersion& version : versions) list.push_back(to_json(version));
+  for (const store::GraphVersion& version : versions) list.push_back(to_json(context, version));
   return list;
 }
 
@@ -89,7 +89,7 @@ Reply graph_list(const Context& context) {
   const auto page = context.application.graphs.list(text_of(*values, "after"), text_of(*values, "query"),
                                                     static_cast<std::size_t>(*limit));
   if (!page) return problem_reply(page.problems(), context.exchange());
-  Json answer = {{"graphs", list_of(page->graphs)}};
+  Json answer = {{"graphs", list_of(context, page->graphs)}};
   if (page->more) answer["next"] = page->graphs.back().id;
   return listed(answer);
 }
@@ -111,7 +111,7 @@ Reply graph_versions(const Context& context) {
   const auto versions = context.application.graphs.versions(id);
   if (!versions) return problem_reply(versions.problems(), context.exchange());
   if (versions->empty()) return problem_reply(no_graph(id), context.exchange());
-  return listed({{"versions", list_of(*versions)}});
+  return listed({{"versions", list_of(context, *versions)}});
 }
 
 Operation describe_graph_difference() {

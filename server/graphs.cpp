@@ -14,8 +14,8 @@
 namespace dini::server {
 namespace {
 
-std::string address_of(const store::GraphVersion& version) {
-  return "/v1/graphs/" + version.id + "@" + std::to_string(version.version);
+std::string address_of(const Context& context, const store::GraphVersion& version) {
+  return std::string(context.exchange().base) + "/v1/graphs/" + version.id + "@" + std::to_string(version.version);
 }
 
 /// RFC 3339, in UTC.
@@ -119,10 +119,15 @@ std::string tag_of(const store::GraphVersion& version) {
   return "\"" + std::to_string(version.version) + "-" + to_hex(version.digest).substr(0, 16) + "\"";
 }
 
-Json to_json(const store::GraphVersion& version) {
-  return {{"id", version.id},        {"version", version.version},    {"title", version.title},
-          {"bytes", version.bytes},  {"hash", to_hex(version.hash)},  {"created", time_text(version.created)},
-          {"etag", tag_of(version)}, {"address", address_of(version)}};
+Json to_json(const Context& context, const store::GraphVersion& version) {
+  return {{"id", version.id},
+          {"version", version.version},
+          {"title", version.title},
+          {"bytes", version.bytes},
+          {"hash", to_hex(version.hash)},
+          {"created", time_text(version.created)},
+          {"etag", tag_of(version)},
+          {"address", address_of(context, version)}};
 }
 
 Result<std::map<std::string, std::string>> read_query(const Context& context, const std::vector<Parameter>& declared) {
@@ -206,9 +211,10 @@ Reply put_graph(const Context& context) {
   if (written->outcome == store::WriteOutcome::refused) return precondition_failed(context, id, written->current);
   const store::GraphVersion& version = *written->current;
   const bool created = written->outcome == store::WriteOutcome::created;
-  Reply reply = json_reply(to_json(version), created ? 201 : 200);
+  Reply reply = json_reply(to_json(context, version), created ? 201 : 200);
   reply.headers = {{"ETag", tag_of(version)}, {"Cache-Control", "no-store"}};
-  if (created) reply.headers.emplace_back("Location", "/v1/graphs/" + version.id);
+  if (created)
+    reply.headers.emplace_back("Location", std::string(context.exchange().base) + "/v1/graphs/" + version.id);
   return reply;
 }
 
@@ -238,7 +244,7 @@ Reply get_graph(const Context& context) {
     reply.status = 304;
     return reply;
   }
-  reply.headers.emplace_back("Content-Location", address_of(*found));
+  reply.headers.emplace_back("Content-Location", address_of(context, *found));
   reply.type = "application/json";
   reply.body = {found->document};
   return reply;

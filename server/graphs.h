@@ -33,7 +33,7 @@ Result<store::GraphVersion> stored_version(const Context& context, std::string_v
 std::string tag_of(const store::GraphVersion& version);
 
 /// What is told of a version.
-Json to_json(const store::GraphVersion& version);
+Json to_json(const Context& context, const store::GraphVersion& version);
 
 /// The query of a request by name; a name that is none of these, or comes twice, is a problem.
 Result<std::map<std::string, std::string>> read_query(const Context& context, const std::vector<Parameter>& declared);

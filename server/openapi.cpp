@@ -151,7 +151,7 @@ Json components(const std::map<std::string, const RequestDescription*>& requests
 
 }  // namespace
 
-Json openapi_document(std::span<const Route> routes, const std::string& version) {
+Json openapi_document(std::span<const Route> routes, const std::string& version, const std::string& base) {
   Json paths = Json::object();
   std::map<std::string, const RequestDescription*> requests;
   for (const Route& route : routes) {
@@ -169,7 +169,7 @@ Json openapi_document(std::span<const Route> routes, const std::string& version)
              "Graphs of geometry nodes, evaluated into Draco-compressed glTF. Every error is an "
              "`application/problem+json`; unknown members are errors everywhere."},
             {"license", {{"name", "MIT"}, {"identifier", "MIT"}}}}},
-          {"servers", {{{"url", "/"}, {"description", "This server."}}}},
+          {"servers", {{{"url", base.empty() ? "/" : base}, {"description", "This server."}}}},
           {"paths", std::move(paths)},
           {"components", components(requests)}};
 }

@@ -44,6 +44,8 @@ struct Exchange {
   Clock::time_point started = Clock::now();  ///< when its first byte came
   std::string trace = {};                    ///< of `traceparent`, in hexadecimal; empty without one
   std::string span = {};
+  std::string client = {};     ///< the address that it came from, as far as that can be told
+  std::string_view base = {};  ///< the path that everything is served below
   bool accepts_gzip = false;
   std::string shared_with = {};    ///< the origin whose pages may read the answer, "*" for all; empty for none other
   bool differs_by_origin = false;  ///< pages of another origin may be answered otherwise

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "server/addresses.h"
+#include "server/base_path.h"
 #include "server/text.h"
 
 namespace dini::server {
@@ -98,7 +99,7 @@ std::optional<Problem> read_request_line(std::string_view line, const Settings& 
 
 /// Takes the target apart. One with a scheme and a host, as for a proxy, means its own host and not that of the header
 /// (RFC 9112, 3.2.2).
-std::optional<Problem> read_target(RequestHead& head) {
+std::optional<Problem> read_target(const Settings& settings, RequestHead& head) {
   std::string_view target = head.target;
   for (const std::string_view scheme : {"http://", "https://"}) {
     if (!equal_ignoring_case(target.substr(0, scheme.size()), scheme)) continue;
@@ -123,6 +124,11 @@ std::optional<Problem> read_target(RequestHead& head) {
   }
   const auto question = target.find('?');
   if (head.request.path.empty()) head.request.path = decoded_path(target.substr(0, question));
+  if (const auto below = below_base(head.request.path, settings.base_path); below && !of_server) {
+    head.request.path = std::string(*below);
+  } else if (!of_server) {
+    return Problem{.code = "not-found", .detail = "Everything is below " + settings.base_path + "/ here."};
+  }
   if (question != std::string_view::npos) head.request.query = target.substr(question + 1);
   return std::nullopt;
 }
@@ -218,7 +224,7 @@ Result<RequestHead> parse_head(std::string_view bytes, const Settings& settings)
     if (problem) return *std::move(problem);
     first = false;
   }
-  if (auto problem = read_target(head)) return *std::move(problem);
+  if (auto problem = read_target(settings, head)) return *std::move(problem);
   if (auto problem = read_framing(head)) return *std::move(problem);
   return head;
 }

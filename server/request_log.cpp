@@ -36,6 +36,7 @@ std::string request_text(const Access& access, const Exchange& exchange, std::st
   add("graph", access.notes.graph);
   add("cache", cache_of(access));
   for (const auto& [stage, took] : access.notes.timings) add(stage, in_milliseconds(took));
+  add("client", exchange.client);
   add("trace", exchange.trace);
   return text;
 }
@@ -51,6 +52,7 @@ std::string request_members(const Access& access, const Exchange& exchange, std:
                {"status", access.status},
                {"bytes", access.bytes},
                {"milliseconds", std::move(milliseconds)}};
+  if (!exchange.client.empty()) line["client"] = exchange.client;
   if (!access.notes.graph.empty()) line["graph"] = access.notes.graph;
   if (!cache_of(access).empty()) line["cache"] = cache_of(access);
   if (!exchange.trace.empty()) {

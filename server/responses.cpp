@@ -23,6 +23,7 @@ constexpr std::array status_titles = {
     StatusTitle{204, "No Content", ""},
     StatusTitle{206, "Partial Content", ""},
     StatusTitle{304, "Not Modified", ""},
+    StatusTitle{308, "Permanent Redirect", ""},
     StatusTitle{400, "Bad Request", "The request could not be read"},
     StatusTitle{401, "Unauthorized", "A token is needed"},
     StatusTitle{403, "Forbidden", "This page may not send requests here"},
@@ -72,7 +73,7 @@ Reply problem_reply(const Problems& problems, const Exchange& exchange, const Js
   const Problem& first = problems.front();
   const int status = status_of(first.code);
   Reply reply =
-      json_reply({{"type", "/problems/" + first.code},
+      json_reply({{"type", std::string(exchange.base) + "/problems/" + first.code},
                   {"title", first.code == "invalid-asset" ? "The file cannot be used" : title_of(status).title},
                   {"status", status},
                   {"detail", excerpt(first.detail, detail_bytes)},

@@ -118,7 +118,48 @@ std::string all_methods() {
   return list;
 }
 
-Reply no_route(const Found& found, const Exchange& exchange) {
+/// Text as it is written in the path of an address.
+std::string encoded_path(std::string_view path) {
+  constexpr std::string_view hexadecimal = "0123456789ABCDEF";
+  std::string text;
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       std::string_view("/-._~@").find(c) != std::string_view::npos;
+    if (plain) {
+      text += c;
+    } else {
+      text.append("%").append(1, hexadecimal[byte >> 4]).append(1, hexadecimal[byte & 15]);
+    }
+  }
+  return text;
+}
+
+/// The address that is meant by one that is none: with a slash too many, or the base path without its own. Only what
+/// is known here is ever answered, so that nobody is sent elsewhere.
+std::optional<std::string> meant_address(const Application& application, const Request& request) {
+  std::string path = request.path;
+  if (path.empty()) {
+    path = "/";
+  } else if (path.size() > 1 && path.ends_with('/')) {
+    path.pop_back();
+    Request meant;
+    meant.method = request.method;
+    meant.path = path;
+    const Found found = find_route(application, meant);
+    if (found.route == nullptr && found.allowed.empty()) return std::nullopt;
+  } else {
+    return std::nullopt;
+  }
+  std::string address = application.settings.base_path + encoded_path(path);
+  if (!request.query.empty()) address += "?" + request.query;
+  return address;
+}
+
+Reply no_route(const Application& application, const Request& request, const Found& found, const Exchange& exchange) {
+  if (auto address = meant_address(application, request)) {
+    return {.status = 308, .headers = {{"Location", *std::move(address)}, {"Cache-Control", "no-store"}}};
+  }
   if (found.allowed.empty()) {
     return problem_reply(Problem{.code = "not-found", .detail = "There is no such address."}, exchange);
   }
@@ -151,7 +192,7 @@ std::variant<std::size_t, Reply> admit(const Application& application, const Req
   // Without a body nothing is won by refusing early.
   if (head.content_length == 0) return std::size_t{0};
   const Found found = find_route(application, head.request);
-  if (found.route == nullptr) return no_route(found, exchange);
+  if (found.route == nullptr) return no_route(application, head.request, found, exchange);
   return found.route->body_limit != nullptr ? found.route->body_limit(application.engine.limits()) : 0;
 }
 
@@ -182,7 +223,7 @@ void answer(Application& application, const std::shared_ptr<Call>& call) {
         context, [&] { return options_reply(request.path == "*" ? all_methods() : found.allowed, call->exchange); });
   }
   if (found.route == nullptr) {
-    return answer_with(context, [&] { return no_route(found, call->exchange); });
+    return answer_with(context, [&] { return no_route(application, request, found, call->exchange); });
   }
   context.arguments = std::move(found.arguments);
   if (const auto* instant = std::get_if<InstantHandler>(&found.route->handler)) {

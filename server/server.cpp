@@ -7,6 +7,7 @@
 
 #include "jobs/process_memory.h"
 #include "server/addresses.h"
+#include "server/base_path.h"
 #include "server/connections.h"
 #include "server/docs_page.h"
 #include "server/metrics.h"
@@ -106,7 +107,7 @@ struct Server::State {
     engine.keep_assets_in(asset_files(*graphs, settings));
     application.example_list = static_answer(application.examples.list().dump());
     const std::string version = engine.catalogue().value("engine", "");
-    application.openapi = static_answer(dump(openapi_document(routes(), version)));
+    application.openapi = static_answer(dump(openapi_document(routes(), version, settings.base_path)));
     application.docs = static_answer(docs_html(routes(), version));
   }
 
@@ -118,8 +119,9 @@ struct Server::State {
   /// What is known of a request once it has been answered, told to who operates the server.
   void note(const Access& access, const Exchange& exchange) {
     const std::string path = decoded_path(std::string_view(access.path).substr(0, access.path.find('?')));
+    const auto below = below_base(path, settings.base_path);
     const bool read = access.method != "-";
-    const std::string_view route = read ? pattern_of(application, access.method, path) : "other";
+    const std::string_view route = read && below ? pattern_of(application, access.method, *below) : "other";
     if (settings.log_format == LogFormat::json) {
       request_log->info(request_members(access, exchange, route));
     } else {

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "server/network.h"
+
 namespace dini::server {
 
 enum class LogFormat { text, json };
@@ -15,6 +17,8 @@ struct Settings {
   std::string host = "127.0.0.1";
   int port = 8080;                           ///< 0 takes a free one
   std::string token;                         ///< when set, every /v1 request needs `Authorization: Bearer <token>`
+  std::string base_path;                     ///< everything is served below it; empty or as "/dini"
+  std::vector<Network> trusted_proxies;      ///< whose word is taken for who asked them, and how
   std::vector<std::string> allowed_hosts;    ///< further names that a Host header may carry, with or without port
   std::vector<std::string> allowed_origins;  ///< whose pages may read answers and send requests; "*" for all
   LogFormat log_format = LogFormat::text;    ///< of the lines of requests

@@ -23,7 +23,7 @@ class LineWriter final : public jobs::Sweep::Taker {
       line["status"] = "succeeded";
       if (const SharedFile& model = (*outcome.computed)->model) {
         application_.artifacts.add(model);
-        line["model"]["address"] = artifact_address(*model);
+        line["model"]["address"] = artifact_address(*model, application_.settings.base_path);
       }
     } else {
       line["status"] = "failed";
