@@ -39,6 +39,12 @@ Reply problems_reply(const Context& context, const Problems& problems) {
   return problem_reply(problems, context.exchange());
 }
 
+Reply late_reply(const Context& context, Clock::time_point deadline, jobs::Flights::Begun begun) {
+  Reply reply = problem_reply(late_problem(context, deadline, begun), context.exchange());
+  if (!begun) reply.headers.emplace_back("Retry-After", "1");
+  return reply;
+}
+
 void reply_problems(const Context& context, const Problems& problems) {
   answer_with(context, [&] { return problems_reply(context, problems); });
 }

@@ -44,6 +44,8 @@ void continue_with(const Context& context, std::function<Reply()> step);
 void note_queue(const Context& context, jobs::Flights::Clock::time_point asked, jobs::Flights::Begun begun);
 void refuse_busy(const Context& context);
 Reply problems_reply(const Context& context, const Problems& problems);
+/// The answer to a request that was late. One that waited for a place all the time may be luckier another time.
+Reply late_reply(const Context& context, jobs::Flights::Clock::time_point deadline, jobs::Flights::Begun begun);
 
 template <class T>
 std::shared_ptr<jobs::Flights::Interest> ask(const Context& context, const jobs::Flights::Terms& terms,
@@ -60,7 +62,7 @@ std::shared_ptr<jobs::Flights::Interest> ask(const Context& context, const jobs:
                                              if (outcome) return write(*outcome);
                                              if (outcome.problems().front().code != "deadline")
                                                return problems_reply(context, outcome.problems());
-                                             return problems_reply(context, {late_problem(context, deadline, begun)});
+                                             return late_reply(context, deadline, begun);
                                            });
                                          });
   if (interest == nullptr) {

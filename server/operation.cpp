@@ -19,7 +19,9 @@ constexpr std::array headers = {
     AnswerHeader{"Content-Location", "The address at which this very answer stays."},
     AnswerHeader{"Vary", "The headers of the request that the answer depends on."},
     AnswerHeader{"Allow", "The methods that the address takes; with 405."},
-    AnswerHeader{"Retry-After", "Seconds to wait before the next try; with 503."},
+    AnswerHeader{
+        "Retry-After",
+        "Seconds to wait before the next try; with 503, and with 504 when all the time was spent waiting for a place."},
     AnswerHeader{"WWW-Authenticate", "`Bearer`; with 401."},
     AnswerHeader{"Server-Timing", "Milliseconds of each stage; with every answer."},
     AnswerHeader{"X-Request-Id", "Names the request in the log, and in a problem as `instance`; with every answer."},

@@ -91,3 +91,26 @@ TEST_CASE("Requests are counted by route, method and status, whatever their addr
   CHECK(metric(server.port(), "dini_build_info{version=\"0.0.0-toy\"}") == 1);
   CHECK(get(server.port(), "/metrics")->header("content-type") == "text/plain; version=0.0.4; charset=utf-8");
 }
+
+TEST_CASE("Who was late for want of a place is told when to try again, and who was late at work is not") {
+  const Running server;  // one slot, one place in the queue
+  const std::size_t before = toy::counters().started;
+  Client running(server.port());
+  running.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 60'000}})));
+  REQUIRE(eventually([&] { return toy::counters().started > before; }));
+  auto body = Json::parse(toy_body({{"bytes", 2}}));
+  body["deadline_ms"] = 30;
+  const auto waited = post(server.port(), "/v1/evaluate", body.dump());
+  REQUIRE(waited);
+  CHECK(waited->status == 504);
+  CHECK(waited->header("retry-after") == "1");
+  CHECK(waited->body.find("within the deadline of 30 ms: it waited for a place") != std::string::npos);
+  running.close();
+  REQUIRE(eventually([&] { return metric(server.port(), "dini_computing") == 0; }));
+  body = Json::parse(toy_body({{"milliseconds", 60'000}, {"bytes", 3}}));
+  body["deadline_ms"] = 200;
+  const auto worked = post(server.port(), "/v1/evaluate", body.dump());
+  REQUIRE(worked);
+  CHECK(worked->status == 504);
+  CHECK(worked->header("retry-after").empty());
+}
