@@ -6,11 +6,13 @@
 
 #include "graph/cache.h"
 #include "jobs/flights.h"
+#include "jobs/job_runner.h"
 #include "jobs/supersede.h"
 #include "server/answer_threads.h"
 #include "server/artifacts.h"
 #include "server/call.h"
 #include "server/examples.h"
+#include "server/job_events.h"
 #include "server/page.h"
 #include "server/settings.h"
 #include "service/engine.h"
@@ -36,6 +38,8 @@ struct Application {
   Cache known;  ///< bodies that were read, by their bytes, and requests that were checked, by their identity
   Artifacts artifacts;
   store::GraphStore& graphs;
+  jobs::JobRunner& jobs;
+  JobFeeds& job_feeds;
   StaticAnswer catalogue;
   StaticAnswer document_schema;
   StaticAnswer example_list;

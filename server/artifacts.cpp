@@ -10,6 +10,12 @@ namespace {
 
 Digest key_of(std::string_view sha256) { return DigestBuilder().text("artifact").text(sha256).finish(); }
 
+/// A file that a job made, by its hash; null when none did.
+Result<SharedFile> file_of_job(const Context& context, std::string_view name) {
+  const auto sha256 = digest_from_hex(name);
+  return sha256 ? context.application.jobs.kept().file(*sha256) : SharedFile();
+}
+
 }  // namespace
 
 void Artifacts::add(const SharedFile& file) {
@@ -30,7 +36,8 @@ Operation describe_artifact() {
           .title = "A file that was made, by its hash",
           .doc =
               "Answers with the bytes of a file that a sweep or an evaluation has made. They are kept while there is "
-              "room (`artifact_bytes`); after that the graph has to be evaluated again.",
+              "room (`artifact_bytes`), those of a job as long as what came of it; after that the graph has to be "
+              "evaluated again.",
           .parameters = {{.place = Parameter::Place::path,
                           .name = "sha256",
                           .doc = "The SHA-256 of the file, 64 hexadecimal digits in lower case.",
@@ -46,12 +53,17 @@ Operation describe_artifact() {
                        .contents = contents,
                        .headers = {"ETag", "Cache-Control", "Accept-Ranges", "Content-Range"}},
                       not_modified()},
-          .problems = {"not-found", "range-not-satisfiable"}};
+          .problems = {"not-found", "range-not-satisfiable", "storage-failed"}};
 }
 
 Reply artifact(const Context& context) {
   const std::string& name = context.arguments.front();
-  const SharedFile file = context.application.artifacts.find(name);
+  SharedFile file = context.application.artifacts.find(name);
+  if (file == nullptr) {
+    auto kept = file_of_job(context, name);
+    if (!kept) return problem_reply(kept.problems(), context.exchange());
+    file = *std::move(kept);
+  }
   if (file == nullptr) {
     return problem_reply(
         Problem{.code = "not-found", .detail = "No file of that hash is kept here; evaluate its graph again."},

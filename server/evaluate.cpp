@@ -1,6 +1,7 @@
 #include "server/computing.h"
 #include "server/evaluation.h"
 #include "server/handlers.h"
+#include "server/jobs.h"
 #include "server/responses.h"
 #include "service/identity.h"
 #include "service/requests/requests.h"
@@ -44,7 +45,7 @@ Operation describe_evaluate() {
                                          const auto offers = evaluation_types(usual_formats());
                                          return std::vector<std::string>(offers.begin(), offers.end());
                                        }()),
-                         if_none_match_header(), supersede_key_header()},
+                         if_none_match_header(), supersede_key_header(), prefer_header(), idempotency_key_header()},
           .request = &evaluate_description(),
           .answers = {{.status = 200,
                        .doc = "The file of the model, or without an output that of the preview; the report; or the "
@@ -59,10 +60,13 @@ Operation describe_evaluate() {
                              return contents;
                            }(),
                        .headers = {"ETag", "Cache-Control", "Vary", "Content-Disposition"}},
+                      job_answers().front(),
                       not_modified()},
           .problems =
               [] {
                 auto codes = codes_of(ProblemKind::graph);
+                const auto of_jobs = job_problems();
+                codes.insert(codes.end(), of_jobs.begin(), of_jobs.end());
                 codes.push_back("not-acceptable");
                 return codes;
               }(),
@@ -72,6 +76,11 @@ Operation describe_evaluate() {
 void evaluate(const Context& context) {
   const Result<std::string_view> type = evaluation_type(context.engine(), context.request().header("Accept"));
   if (!type) return reply_problems(context, type.problems());
+  if (prefers_job(context.request())) {
+    auto json = read_json(context);
+    if (!json) return reply_problems(context, json.problems());
+    return begin_job(context, *std::move(json), format_of_answer(context.engine(), *type));
+  }
   const Result<SharedBody> body = read_body(context, format_of_answer(context.engine(), *type));
   if (!body) {
     reply_problems(context, body.problems());

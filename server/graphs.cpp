@@ -1,7 +1,6 @@
 #include "server/graphs.h"
 
 #include <charconv>
-#include <ctime>
 
 #include "graph/nearest.h"
 #include "server/addresses.h"
@@ -16,17 +15,6 @@ namespace {
 
 std::string address_of(const Context& context, const store::GraphVersion& version) {
   return std::string(context.exchange().base) + "/v1/graphs/" + version.id + "@" + std::to_string(version.version);
-}
-
-/// RFC 3339, in UTC.
-std::string time_text(std::int64_t milliseconds) {
-  const std::time_t seconds = milliseconds / 1000;
-  std::tm parts{};
-  gmtime_r(&seconds, &parts);
-  char text[sizeof("2026-01-01T00:00:00.000Z")];
-  const std::size_t length = std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%S.", &parts);
-  std::string fraction = std::to_string(milliseconds % 1000);
-  return std::string(text, length) + std::string(3 - fraction.size(), '0') + fraction + "Z";
 }
 
 bool names_current(std::string_view header, const store::GraphVersion* current) {

@@ -72,6 +72,17 @@ Reply graph_interface(const Context& context);
 Operation describe_graph_interface();
 void graph_output(const Context& context);
 Operation describe_graph_output();
+/// Long work: begun, asked about, followed, stopped, and what came of it.
+void create_job(const Context& context);
+Operation describe_create_job();
+Reply get_job(const Context& context);
+Operation describe_get_job();
+Reply job_events(const Context& context);
+Operation describe_job_events();
+Reply cancel_job(const Context& context);
+Operation describe_cancel_job();
+Reply job_result(const Context& context);
+Operation describe_job_result();
 /// A file that was made.
 Reply artifact(const Context& context);
 Operation describe_artifact();

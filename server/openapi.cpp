@@ -88,8 +88,9 @@ Json problems_json(int status, const std::vector<const ProblemCode*>& codes, boo
 Json body_json(const Operation& operation) {
   Json content = Json::object();
   if (operation.request != nullptr) {
-    content["application/json"] = {{"schema", schema::reference(operation.request->name)},
-                                   {"example", example_of(*operation.request)}};
+    Json schema = schema::reference(operation.request->name);
+    if (operation.or_request != nullptr) schema = {{"anyOf", {schema, schema::reference(operation.or_request->name)}}};
+    content["application/json"] = {{"schema", std::move(schema)}, {"example", example_of(*operation.request)}};
   }
   if (operation.takes_document) {
     content["application/json"] = {{"schema", schema::reference("Graph")}, {"example", example_graph()}};
@@ -116,8 +117,7 @@ Json operation_json(const Operation& operation, const Route& route, bool head) {
     // OpenAPI tells what is accepted by the media types of the answers, and passes over a parameter of that name.
     if (parameter.name != "Accept") json["parameters"].push_back(parameter_json(parameter));
   }
-  if (operation.request != nullptr || operation.takes_document || !operation.file_types.empty())
-    json["requestBody"] = body_json(operation);
+  if (operation.has_body()) json["requestBody"] = body_json(operation);
   json["security"] =
       needs_token(route.path) ? Json::array({Json::object(), {{"token", Json::array()}}}) : Json::array();
   return json;
@@ -159,7 +159,9 @@ Json openapi_document(std::span<const Route> routes, const std::string& version,
     Json& path = paths[std::string(route.path)];
     path[to_lower(route.method)] = operation_json(operation, route, false);
     if (route.method == "GET") path["head"] = operation_json(operation, route, true);
-    if (operation.request != nullptr) requests.emplace(operation.request->name, operation.request);
+    for (const RequestDescription* request : {operation.request, operation.or_request}) {
+      if (request != nullptr) requests.emplace(request->name, request);
+    }
   }
   return {{"openapi", "3.1.0"},
           {"info",

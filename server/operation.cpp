@@ -17,6 +17,7 @@ constexpr std::array headers = {
     AnswerHeader{"Content-Range", "Which part of how many bytes this is."},
     AnswerHeader{"Location", "The address of what was made."},
     AnswerHeader{"Content-Location", "The address at which this very answer stays."},
+    AnswerHeader{"Preference-Applied", "`respond-async`: what was asked for by `Prefer` was done."},
     AnswerHeader{"Vary", "The headers of the request that the answer depends on."},
     AnswerHeader{"Allow", "The methods that the address takes; with 405."},
     AnswerHeader{
@@ -31,8 +32,7 @@ constexpr std::array headers = {
 constexpr std::array<std::string_view, 9> always = {"bad-request",        "request-timeout",     "uri-too-long",
                                                     "expectation-failed", "misdirected-request", "headers-too-large",
                                                     "internal",           "out-of-memory",       "http-version"};
-constexpr std::array<std::string_view, 5> with_body = {"foreign-origin", "length-required", "body-too-large",
-                                                       "unsupported-media-type", "busy"};
+constexpr std::array<std::string_view, 3> with_body = {"length-required", "unsupported-media-type", "busy"};
 constexpr std::array<std::string_view, 6> with_json = {"not-json",      "required-input-missing", "unknown-member",
                                                        "type-mismatch", "limit-exceeded",         "more-problems"};
 constexpr std::array<std::string_view, 5> with_computing = {"superseded", "canceled", "deadline", "busy",
@@ -90,8 +90,8 @@ std::vector<std::string_view> every_problem(const Operation& operation, std::str
   may.insert(always.begin(), always.end());
   if (is_probe(path)) may.erase("misdirected-request");
   if (needs_token(path)) may.insert("unauthorized");
-  if (method == "POST" || method == "PUT") may.insert(with_body.begin(), with_body.end());
-  if (method == "DELETE") may.insert({"foreign-origin", "body-too-large"});
+  if (method != "GET") may.insert({"foreign-origin", "body-too-large"});
+  if (operation.has_body()) may.insert(with_body.begin(), with_body.end());
   if (operation.request != nullptr) may.insert(with_json.begin(), with_json.end());
   if (operation.computes) may.insert(with_computing.begin(), with_computing.end());
   std::vector<std::string_view> codes;

@@ -46,12 +46,15 @@ struct Operation {
   std::string title;  ///< a few words
   std::string doc;    ///< sentences
   std::vector<Parameter> parameters = {};
-  const RequestDescription* request = nullptr;  ///< of a JSON body
-  bool takes_document = false;                  ///< the body is a graph document
-  std::vector<std::string> file_types = {};     ///< media types of a body that is a file
+  const RequestDescription* request = nullptr;     ///< of a JSON body
+  const RequestDescription* or_request = nullptr;  ///< of another one that may be sent instead
+  bool takes_document = false;                     ///< the body is a graph document
+  std::vector<std::string> file_types = {};        ///< media types of a body that is a file
   std::vector<Answer> answers = {};
   std::vector<std::string_view> problems = {};  ///< codes of its own; `every_problem` adds those of HTTP
   bool computes = false;                        ///< its work waits for a place, and may be stopped
+
+  bool has_body() const { return request != nullptr || takes_document || !file_types.empty(); }
 };
 
 /// A header of answers.

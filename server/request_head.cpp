@@ -203,8 +203,8 @@ std::optional<Problem> read_framing(RequestHead& head) {
     if (head.content_length > 0 && !may_have_body(method)) {
       return bad_request("A " + method + " request must not have a body.");
     }
-  } else if (may_have_body(method) && method != "DELETE") {
-    return Problem{.code = "length-required", .detail = "Send Content-Length with the body."};
+  } else {
+    head.lacks_length = may_have_body(method) && method != "DELETE";
   }
   return std::nullopt;
 }

@@ -36,6 +36,11 @@ constexpr std::array all_routes = {
     Route{"POST", "/v1/validate", validate, describe_validate, graph_body},
     Route{"POST", "/v1/inspect", inspect, describe_inspect, graph_body},
     Route{"POST", "/v1/sweeps", sweep, describe_sweep, graph_body},
+    Route{"POST", "/v1/jobs", create_job, describe_create_job, graph_body},
+    Route{"GET", "/v1/jobs/{id}", get_job, describe_get_job},
+    Route{"GET", "/v1/jobs/{id}/events", job_events, describe_job_events},
+    Route{"POST", "/v1/jobs/{id}/cancel", cancel_job, describe_cancel_job},
+    Route{"GET", "/v1/jobs/{id}/result", job_result, describe_job_result},
     Route{"GET", "/v1/graphs", graph_list, describe_graph_list},
     Route{"GET", "/v1/graphs/{id}", get_graph, describe_get_graph},
     Route{"PUT", "/v1/graphs/{id}", put_graph, describe_put_graph, graph_body},
@@ -103,8 +108,8 @@ Reply options_reply(const std::string& allowed, const Exchange& exchange) {
   if (exchange.shared_with.empty()) return reply;
   reply.headers.emplace_back("Access-Control-Allow-Methods", allowed);
   reply.headers.emplace_back("Access-Control-Allow-Headers",
-                             "Accept, Authorization, Content-Type, If-Match, If-None-Match, If-Range, Range, "
-                             "Supersede-Key");
+                             "Accept, Authorization, Content-Type, Idempotency-Key, If-Match, If-None-Match, "
+                             "If-Range, Last-Event-ID, Prefer, Range, Supersede-Key");
   reply.headers.emplace_back("Access-Control-Max-Age", "600");
   return reply;
 }
@@ -190,9 +195,12 @@ std::variant<std::size_t, Reply> admit(const Application& application, const Req
     return problem_reply(*std::move(problem), exchange);
   }
   // Without a body nothing is won by refusing early.
-  if (head.content_length == 0) return std::size_t{0};
+  if (head.content_length == 0 && !head.lacks_length) return std::size_t{0};
   const Found found = find_route(application, head.request);
   if (found.route == nullptr) return no_route(application, head.request, found, exchange);
+  if (head.lacks_length && found.route->body_limit != nullptr) {
+    return problem_reply(Problem{.code = "length-required", .detail = "Send Content-Length with the body."}, exchange);
+  }
   return found.route->body_limit != nullptr ? found.route->body_limit(application.engine.limits()) : 0;
 }
 

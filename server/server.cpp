@@ -14,6 +14,7 @@
 #include "server/openapi.h"
 #include "server/request_log.h"
 #include "server/routes.h"
+#include "server/sweep_line.h"
 #include "server/text.h"
 #include "service/document_schema.h"
 #include "store/asset_files.h"
@@ -29,11 +30,19 @@ constexpr std::chrono::seconds farewell{2};
 
 std::size_t cores() { return std::max(1u, std::thread::hardware_concurrency()); }
 
+jobs::JobRunner::Terms job_terms(const Settings& settings) {
+  return {.at_once = settings.jobs_at_once,
+          .most_waiting = settings.jobs_waiting,
+          .deadline = settings.job_deadline,
+          .result_time = settings.job_result_time};
+}
+
 /// The settings with what is left open decided for this machine.
 Settings decided(Settings settings) {
   if (settings.answer_threads == 0) settings.answer_threads = std::max<std::size_t>(4, 2 * cores());
   if (settings.compute_slots == 0) settings.compute_slots = cores();
   if (settings.compute_queue == 0) settings.compute_queue = 16 * settings.compute_slots;
+  if (settings.jobs_at_once == 0) settings.jobs_at_once = std::max<std::size_t>(2, settings.compute_slots) - 1;
   if (settings.compute_bytes == 0) settings.compute_bytes = jobs::available_bytes() / 2;
   return settings;
 }
@@ -81,6 +90,9 @@ struct Server::State {
             [this](const Access& access, const Exchange& exchange) { note(access, exchange); }),
         threads(settings.answer_threads),
         flights(queue, alarms),
+        runner(engine, flights, store::JobStore(graphs->database()), job_terms(settings),
+               [this](const jobs::VariantOutcome& outcome) { return sweep_line(application, outcome); }),
+        job_feeds(runner, alarms, threads, settings.base_path),
         application{.engine = engine,
                     .settings = settings,
                     .page = std::move(page),
@@ -93,6 +105,8 @@ struct Server::State {
                     .known = Cache(settings.known_bytes),
                     .artifacts = Artifacts(settings.artifact_bytes),
                     .graphs = *graphs,
+                    .jobs = runner,
+                    .job_feeds = job_feeds,
                     .catalogue = static_answer(dump(engine.catalogue())),
                     .document_schema = static_answer(dump(document_schema(engine.catalogue()))),
                     .example_list = {},
@@ -136,6 +150,8 @@ struct Server::State {
   jobs::Alarms alarms;
   AnswerThreads threads;
   jobs::Flights flights;
+  jobs::JobRunner runner;
+  JobFeeds job_feeds;
   Application application;
   jobs::ComputeQueue queue;
   int port = 0;
@@ -156,6 +172,7 @@ Result<std::unique_ptr<Server>> Server::start(const Engine& engine, const Settin
                    .detail = "Cannot listen on " + settings.host + " port " + std::to_string(settings.port) + "."};
   }
   state->connections.start();
+  state->runner.start();
   return std::unique_ptr<Server>(new Server(std::move(state)));
 } catch (const std::bad_alloc&) {
   return Problem{.code = "out-of-memory", .detail = "There is not enough memory to start."};
@@ -173,6 +190,7 @@ void Server::stop() {
   if (std::exchange(state_->stopped, true)) return;
   using Clock = Connections::Clock;
   state_->connections.drain();
+  state_->runner.stop();
   if (!state_->connections.wait_closed(Clock::now() + state_->settings.drain_deadline)) {
     state_->flights.stop_all(StopReason::shutting_down);
     state_->connections.wait_closed(Clock::now() + farewell);

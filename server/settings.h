@@ -39,6 +39,11 @@ struct Settings {
   std::size_t store_bytes = std::size_t{4} << 30;       ///< of all graphs that are kept
   std::size_t asset_file_bytes = std::size_t{4} << 30;  ///< of all uploaded files that are kept
 
+  std::size_t jobs_at_once = 0;     ///< 0 for one less than compute slots, so that one is left for who waits
+  std::size_t jobs_waiting = 1000;  ///< past that: 503
+  std::chrono::milliseconds job_deadline{600'000};        ///< for the evaluation of a job, from when it begins
+  std::chrono::milliseconds job_result_time{86'400'000};  ///< how long what came of a job is kept
+
   std::size_t head_bytes = 32 * 1024;  ///< request line and headers together
   std::size_t line_bytes = 8 * 1024;   ///< the request line, and each header
   std::size_t header_count = 100;

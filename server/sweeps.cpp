@@ -2,6 +2,7 @@
 #include "server/computing.h"
 #include "server/handlers.h"
 #include "server/responses.h"
+#include "server/sweep_line.h"
 #include "service/requests/requests.h"
 #include "service/requests/schema.h"
 
@@ -17,19 +18,7 @@ class LineWriter final : public jobs::Sweep::Taker {
       : application_(application), body_(std::move(body)) {}
 
   bool take(const jobs::VariantOutcome& outcome) override {
-    Json line = {{"index", outcome.index}, {"parameters", outcome.setting}};
-    if (outcome.computed) {
-      line.update(application_.engine.report(**outcome.prepared, **outcome.computed, Sent::request, Extent::outcome));
-      line["status"] = "succeeded";
-      if (const SharedFile& model = (*outcome.computed)->model) {
-        application_.artifacts.add(model);
-        line["model"]["address"] = artifact_address(*model, application_.settings.base_path);
-      }
-    } else {
-      line["status"] = "failed";
-      line["errors"] = to_json(outcome.computed.problems());
-    }
-    return body_->add(dump(line) + "\n");
+    return body_->add(sweep_line(application_, outcome) + "\n");
   }
 
   bool has_room(std::function<void()> resume) override { return body_->has_room(std::move(resume)); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <ctime>
 
 namespace dini::server {
 namespace {
@@ -61,6 +62,16 @@ std::string escape_controls(std::string_view text, std::size_t limit) {
   }
   if (text.size() > limit) result += "...";
   return result;
+}
+
+std::string time_text(std::int64_t milliseconds) {
+  const std::time_t seconds = milliseconds / 1000;
+  std::tm parts{};
+  gmtime_r(&seconds, &parts);
+  char text[sizeof("2026-01-01T00:00:00.000Z")];
+  const std::size_t length = std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%S.", &parts);
+  std::string fraction = std::to_string(milliseconds % 1000);
+  return std::string(text, length) + std::string(3 - fraction.size(), '0') + fraction + "Z";
 }
 
 std::string content_hash(std::string_view bytes) {

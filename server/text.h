@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,9 @@ std::optional<std::size_t> whole_number(std::string_view text);
 /// Text from outside made safe for a terminal and a log line: controls and bytes past ASCII become \xNN, and at most
 /// `limit` bytes are kept.
 std::string escape_controls(std::string_view text, std::size_t limit = 200);
+
+/// Milliseconds since 1970 as RFC 3339, in UTC.
+std::string time_text(std::int64_t milliseconds);
 
 /// FNV-1a, as 16 hexadecimal digits: names the content of files that never change while the server runs.
 std::string content_hash(std::string_view bytes);

@@ -94,6 +94,7 @@ Result<std::unique_ptr<Database>> Database::open(const std::filesystem::path& fo
 std::unique_ptr<Database> Database::in_memory(std::size_t most_bytes) {
   std::unique_ptr<Database> database(new Database(most_bytes, true));
   database->writer_ = std::make_unique<SQLite::Database>(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  database->writer_->exec("PRAGMA foreign_keys = ON");
   make_tables(*database->writer_);
   bound(*database->writer_, most_bytes);
   return database;

@@ -1,12 +1,9 @@
 #include "store/graph_store.h"
 
-#include <SQLiteCpp/Statement.h>
-#include <algorithm>
-#include <chrono>
-
 #include "store/asset_references.h"
 #include "store/database.h"
 #include "store/schema.h"
+#include "store/statements.h"
 
 namespace dini::store {
 namespace {
@@ -14,13 +11,6 @@ namespace {
 /// The columns that `version_in` takes.
 const std::string columns = "v.id, v.version, v.created, v.hash, v.digest, v.bytes, v.title";
 const std::string current_of = "FROM graphs g JOIN versions v ON v.id = g.id AND v.version = g.version ";
-
-Digest digest_in(const SQLite::Column& column) {
-  Digest digest{};
-  const auto* bytes = static_cast<const std::uint8_t*>(column.getBlob());
-  std::copy_n(bytes, std::min<std::size_t>(digest.size(), static_cast<std::size_t>(column.getBytes())), digest.begin());
-  return digest;
-}
 
 GraphVersion version_in(SQLite::Statement& row) {
   return {.id = row.getColumn(0).getString(),
@@ -30,14 +20,6 @@ GraphVersion version_in(SQLite::Statement& row) {
           .digest = digest_in(row.getColumn(4)),
           .bytes = row.getColumn(5).getInt64(),
           .title = row.getColumn(6).getString()};
-}
-
-void bind_text(SQLite::Statement& statement, int place, std::string_view text) {
-  statement.bind(place, std::string(text));
-}
-
-void bind_digest(SQLite::Statement& statement, int place, const Digest& digest) {
-  statement.bind(place, digest.data(), static_cast<int>(digest.size()));
 }
 
 /// Columns of the current version, or of one by its number.
@@ -62,11 +44,6 @@ std::int64_t next_number(SQLite::Database& database, std::string_view id) {
   bind_text(select, 1, id);
   select.executeStep();
   return select.getColumn(0).getInt64();
-}
-
-std::int64_t now_milliseconds() {
-  const auto now = std::chrono::system_clock::now().time_since_epoch();
-  return std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
 }
 
 void insert_version(SQLite::Database& database, const GraphVersion& version, std::string_view document) {
@@ -103,7 +80,7 @@ std::string containing(std::string_view text) {
 
 }  // namespace
 
-GraphStore::GraphStore(std::unique_ptr<Database> database) : database_(std::move(database)) {}
+GraphStore::GraphStore(std::shared_ptr<Database> database) : database_(std::move(database)) {}
 GraphStore::~GraphStore() = default;
 
 Result<std::unique_ptr<GraphStore>> GraphStore::open(const std::filesystem::path& folder, std::size_t most_bytes) {
@@ -177,10 +154,10 @@ Result<std::optional<GraphVersion>> GraphStore::look_up(std::string_view id,
 
 Result<GraphPage> GraphStore::list(std::string_view after, std::string_view query, std::size_t limit) const {
   return database_->read([&](SQLite::Database& database) -> Result<GraphPage> {
-    SQLite::Statement select(database,
-                             "SELECT " + columns + " " + current_of +
-                                 "WHERE g.deleted IS NULL AND g.id > ?1 AND (v.id LIKE ?2 ESCAPE '\\' OR v.title LIKE ?2 "
-                                 "ESCAPE '\\') ORDER BY g.id LIMIT ?3");
+    SQLite::Statement select(
+        database, "SELECT " + columns + " " + current_of +
+                      "WHERE g.deleted IS NULL AND g.id > ?1 AND (v.id LIKE ?2 ESCAPE '\\' OR v.title LIKE ?2 "
+                      "ESCAPE '\\') ORDER BY g.id LIMIT ?3");
     bind_text(select, 1, after);
     bind_text(select, 2, containing(query));
     select.bind(3, static_cast<std::int64_t>(limit) + 1);
@@ -194,8 +171,7 @@ Result<GraphPage> GraphStore::list(std::string_view after, std::string_view quer
 
 Result<std::vector<GraphVersion>> GraphStore::versions(std::string_view id) const {
   return database_->read([&](SQLite::Database& database) -> Result<std::vector<GraphVersion>> {
-    SQLite::Statement select(database,
-                             "SELECT " + columns + " FROM versions v WHERE v.id = ? ORDER BY v.version DESC");
+    SQLite::Statement select(database, "SELECT " + columns + " FROM versions v WHERE v.id = ? ORDER BY v.version DESC");
     bind_text(select, 1, id);
     std::vector<GraphVersion> versions;
     while (select.executeStep()) versions.push_back(version_in(select));

@@ -106,10 +106,13 @@ class GraphStore {
   /// What is wrong with it, in words; empty when nothing is. Reads everything.
   Result<std::string> fault() const;
 
- private:
-  explicit GraphStore(std::unique_ptr<Database> database);
+  /// Where else may be kept what belongs to the same data.
+  const std::shared_ptr<Database>& database() const { return database_; }
 
-  std::unique_ptr<Database> database_;
+ private:
+  explicit GraphStore(std::shared_ptr<Database> database);
+
+  std::shared_ptr<Database> database_;
 };
 
 }  // namespace dini::store

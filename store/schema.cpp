@@ -52,8 +52,52 @@ void add_asset_references(SQLite::Database& database) {
   }
 }
 
+/// Long work: what was asked, how it fares, and what came of it. `body` is the request as it was sent, so that the work
+/// can begin again; `digest` is of it. A sweep has a line for each variant that is done. Files are kept once, however
+/// many jobs have made them.
+void add_jobs(SQLite::Database& database) {
+  database.exec(R"(
+    CREATE TABLE jobs (
+      number INTEGER PRIMARY KEY,
+      id TEXT NOT NULL UNIQUE,
+      kind TEXT NOT NULL,
+      state TEXT NOT NULL,
+      created INTEGER NOT NULL,
+      started INTEGER NOT NULL DEFAULT 0,
+      finished INTEGER NOT NULL DEFAULT 0,
+      idempotency_key TEXT UNIQUE,
+      digest BLOB NOT NULL,
+      body BLOB NOT NULL,
+      format TEXT NOT NULL,
+      total INTEGER NOT NULL,
+      errors TEXT NOT NULL DEFAULT '[]',
+      report TEXT NOT NULL DEFAULT ''
+    );
+    CREATE INDEX jobs_by_state ON jobs (state, finished);
+    CREATE TABLE job_lines (
+      job INTEGER NOT NULL REFERENCES jobs (number) ON DELETE CASCADE,
+      line INTEGER NOT NULL,
+      failed INTEGER NOT NULL,
+      text TEXT NOT NULL,
+      PRIMARY KEY (job, line)
+    ) WITHOUT ROWID;
+    CREATE TABLE files (
+      sha256 BLOB PRIMARY KEY,
+      media_type TEXT NOT NULL,
+      extension TEXT NOT NULL,
+      bytes BLOB NOT NULL
+    );
+    CREATE TABLE job_files (
+      job INTEGER NOT NULL REFERENCES jobs (number) ON DELETE CASCADE,
+      sha256 BLOB NOT NULL REFERENCES files (sha256),
+      PRIMARY KEY (job, sha256)
+    ) WITHOUT ROWID;
+    CREATE INDEX job_files_by_file ON job_files (sha256);
+  )");
+}
+
 /// What makes each version of the schema of the one before it; the first, of an empty database. A step is never changed.
-constexpr std::array steps = {add_graphs, add_asset_references};
+constexpr std::array steps = {add_graphs, add_asset_references, add_jobs};
 constexpr int schema_version = static_cast<int>(steps.size());
 
 int version_of(SQLite::Database& database) { return database.execAndGet("PRAGMA user_version").getInt(); }

@@ -12,4 +12,7 @@ const Json& result_schemas();
 /// Those of graphs that are kept.
 Json stored_graph_schemas();
 
+/// Those of jobs.
+Json job_schemas();
+
 }  // namespace dini

@@ -70,8 +70,11 @@ TEST_CASE("A server that is told to stop takes nobody new, and tells who is ther
   REQUIRE(get(server.port(), "/healthz")->status == 200);
   // The head is complete only after the signal; the server waits for the rest of it.
   probe.send("GET /readyz HTTP/1.1\r\n");
+  Client idle(server.port());
+  REQUIRE(get(server.port(), "/healthz")->status == 200);  // who came before has been let in
   server.program().signal(SIGTERM);
-  REQUIRE(eventually([&] { return Client(server.port()).closed(); }));
+  REQUIRE(idle.closed());
+  CHECK_FALSE(get(server.port(), "/healthz"));
   probe.send(host + "\r\n");
   const auto answer = probe.receive();
   REQUIRE(answer);

@@ -111,7 +111,7 @@ TEST_CASE("Every error has the same form") {
       {post(server.port(), "/v1/evaluate", toy_body({{"problem", "degenerate"}})), 422},
       {post(server.port(), "/v1/evaluate", toy_body({{"throws", true}})), 500},
       {ask(server.port(), "nonsense\r\n\r\n"), 400},
-      {ask(server.port(), "POST / HTTP/1.1\r\nHost: localhost\r\n\r\n"), 411},
+      {ask(server.port(), "POST /v1/validate HTTP/1.1\r\nHost: localhost\r\n\r\n"), 411},
   };
   for (const auto& [answer, status] : answers) {
     REQUIRE(answer);

@@ -1,0 +1,29 @@
+#include "jobs/job_request.h"
+
+namespace dini::jobs {
+namespace {
+
+bool is_sweep(const Json& body) { return body.contains("grid") || body.contains("zip") || body.contains("list"); }
+
+Result<JobRequest> read_sweep(Json body, const Engine& engine) {
+  auto read = read_sweep_body(std::move(body), engine);
+  if (!read) return read.problems();
+  auto variants = Variants::read(*read, read->parameters, engine.limits().sweep_variants);
+  if (!variants) return variants.problems();
+  const auto deadline = read->deadline_milliseconds;
+  const auto first = static_cast<std::size_t>(read->first);
+  return JobRequest{SweepRequest{*std::move(read), *std::move(variants), first}, deadline};
+}
+
+}  // namespace
+
+Result<JobRequest> read_job_request(Json body, const std::string& format, const Engine& engine) {
+  if (is_sweep(body)) return read_sweep(std::move(body), engine);
+  auto read = read_evaluate_body(std::move(body), engine);
+  if (!read) return read.problems();
+  read->format = format;
+  const auto deadline = read->deadline_milliseconds;
+  return JobRequest{EvaluateRequest(*std::move(read)), deadline};
+}
+
+}  // namespace dini::jobs

@@ -1,0 +1,374 @@
+#include "jobs/job_runner.h"
+
+#include <algorithm>
+
+#include "service/problem_json.h"
+
+namespace dini::jobs {
+namespace {
+
+/// When work is asked for again that was not let in, and when the store is asked again that did not write.
+constexpr std::chrono::milliseconds busy_pause{50};
+constexpr std::chrono::milliseconds storage_pause{1000};
+/// How often old jobs are looked for, at the least.
+constexpr std::chrono::milliseconds expiry_pause{60'000};
+
+/// Lines are written together: as many as come in this time, or are so large.
+constexpr std::chrono::milliseconds line_time{200};
+constexpr std::size_t line_bytes = std::size_t{8} << 20;
+
+double progress_of(std::size_t done, std::size_t total) {
+  return total == 0 ? 1 : static_cast<double>(done) / static_cast<double>(total);
+}
+
+}  // namespace
+
+/// How a job ended.
+struct JobRunner::Ending {
+  std::string state;
+  std::string errors = "[]";
+  store::JobResult result = {};
+};
+
+/// A job that was begun and has not ended.
+struct JobRunner::Live {
+  std::shared_ptr<Flights::Interest> interest;
+  std::shared_ptr<Sweep> sweep;
+  bool canceling = false;
+  double progress = 0;
+  std::optional<Ending> ending;  ///< what could not be written yet
+};
+
+/// Keeps the lines of a sweep.
+class JobRunner::SweepTaker final : public Sweep::Taker {
+ public:
+  SweepTaker(JobRunner& runner, std::string id, SharedLive live, std::size_t first, std::size_t total)
+      : runner_(runner), id_(std::move(id)), live_(std::move(live)), told_(first), total_(total) {}
+
+  bool take(const VariantOutcome& outcome) override {
+    store::JobLine line{.index = outcome.index, .failed = !outcome.computed, .text = runner_.line_of_(outcome)};
+    if (outcome.computed) line.file = (*outcome.computed)->model;
+    bytes_ += line.text.size() + (line.file ? line.file->bytes->size() : 0);
+    lines_.push_back(std::move(line));
+    ++told_;
+    if (bytes_ < line_bytes && Clock::now() < written_ + line_time) return true;
+    return write();
+  }
+
+  bool has_room(std::function<void()>) override { return true; }
+
+  void end(const Problems& reasons, std::size_t) override {
+    write();
+    if (!failure_.empty()) return runner_.end_with(id_, failure_);
+    if (!reasons.empty()) return runner_.end_with(id_, reasons);
+    runner_.end(id_, {.state = "succeeded"});
+  }
+
+ private:
+  /// False when it cannot be: then there is no use in going on.
+  bool write() {
+    if (!lines_.empty()) {
+      const auto written = runner_.jobs_.add_lines(id_, lines_);
+      if (!written) failure_ = written.problems();
+    }
+    lines_.clear();
+    bytes_ = 0;
+    written_ = Clock::now();
+    {
+      const std::lock_guard lock(runner_.mutex_);
+      live_->progress = progress_of(told_, total_);
+    }
+    return failure_.empty();
+  }
+
+  JobRunner& runner_;
+  const std::string id_;
+  const SharedLive live_;
+  std::size_t told_;
+  const std::size_t total_;
+  std::vector<store::JobLine> lines_;
+  std::size_t bytes_ = 0;
+  Clock::time_point written_ = Clock::now();
+  Problems failure_;
+};
+
+JobRunner::JobRunner(const Engine& engine, Flights& flights, store::JobStore jobs, const Terms& terms,
+                     LineWriter line_of)
+    : engine_(engine), flights_(flights), jobs_(std::move(jobs)), terms_(terms), line_of_(std::move(line_of)) {}
+
+void JobRunner::start() {
+  for (const char* const state : {"running", "queued"}) {
+    const auto left = jobs_.in_state(state);
+    if (!left) continue;
+    for (const store::JobRecord& job : *left) waiting_.push_back(job.id);
+  }
+  thread_ = std::thread([this] { work(); });
+}
+
+JobRunner::~JobRunner() {
+  stop();
+  for (const auto& [id, live] : live_) live->sweep = nullptr;  // they hold each other
+}
+
+void JobRunner::stop() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopped_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable()) thread_.join();
+  const std::lock_guard lock(watching_);
+  ticks_ = true;  // so that nothing sets the alarm again
+  for (const Watch* watch : watches_) watch->changed_();
+}
+
+bool JobRunner::is_stopped() const {
+  const std::lock_guard lock(mutex_);
+  return stopped_;
+}
+
+JobRunner::Load JobRunner::load() const {
+  const std::lock_guard lock(mutex_);
+  return {live_.size(), waiting_.size()};
+}
+
+Result<std::optional<store::AddedJob>> JobRunner::add(const store::NewJob& job) {
+  auto added = jobs_.add(job, terms_.most_waiting);
+  if (!added || !*added || (*added)->outcome != store::AddedJob::Outcome::added) return added;
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_.push_back(job.id);
+  }
+  changed_.notify_all();
+  return added;
+}
+
+JobStatus JobRunner::status_of(store::JobRecord record) const {
+  const std::lock_guard lock(mutex_);
+  JobStatus status{std::move(record), 0};
+  if (status.record.state == "succeeded") status.progress = 1;
+  const auto found = live_.find(status.record.id);
+  if (found == live_.end()) return status;
+  Live& live = *found->second;
+  if (live.interest != nullptr && live.sweep == nullptr) {
+    const Progress::State state = live.interest->progress();
+    if (state.announced > 0) {
+      const double fraction = static_cast<double>(state.done) / static_cast<double>(state.announced);
+      live.progress = std::max(live.progress, std::min(fraction, 1.0));
+    }
+  }
+  if (status.record.state == "running") {
+    status.progress = live.progress;
+    if (live.canceling) status.record.state = "canceling";
+  }
+  return status;
+}
+
+Result<std::optional<JobStatus>> JobRunner::find(const std::string& id) const {
+  auto record = jobs_.find(id);
+  if (!record) return record.problems();
+  if (!*record) return std::optional<JobStatus>();
+  return std::optional(status_of(**std::move(record)));
+}
+
+Result<std::optional<JobStatus>> JobRunner::cancel(const std::string& id) {
+  std::shared_ptr<Flights::Interest> interest;
+  std::shared_ptr<Sweep> sweep;
+  bool waited = false;
+  {
+    const std::lock_guard lock(mutex_);
+    waited = std::erase(waiting_, id) > 0;
+    if (const auto found = live_.find(id); found != live_.end()) {
+      found->second->canceling = true;
+      interest = found->second->interest;
+      sweep = found->second->sweep;
+    }
+  }
+  if (waited) {
+    const auto ended = jobs_.finish(id, "canceled", "[]", {});
+    if (!ended) {
+      const std::lock_guard lock(mutex_);
+      waiting_.push_back(id);
+      return ended.problems();
+    }
+    tell(id);
+  } else if (sweep != nullptr) {
+    sweep->stop(StopReason::canceled);
+    end(id, {.state = "canceled"});
+  } else if (interest != nullptr) {
+    interest->stop(StopReason::canceled);
+  }
+  return find(id);
+}
+
+/// Begins jobs when it is their turn, until it is told to stop.
+void JobRunner::work() {
+  Clock::time_point expiry = Clock::now();
+  std::unique_lock lock(mutex_);
+  while (!stopped_) {
+    const bool late = std::ranges::any_of(live_, [](const auto& live) { return live.second->ending.has_value(); });
+    if (late) {
+      changed_.wait_for(lock, storage_pause, [this] { return stopped_; });
+      lock.unlock();
+      write_late_ends();
+      lock.lock();
+    } else if (!waiting_.empty() && live_.size() < terms_.at_once) {
+      const std::string id = waiting_.front();
+      waiting_.pop_front();
+      const SharedLive live = live_[id] = std::make_shared<Live>();
+      lock.unlock();
+      begin(id, live);
+      lock.lock();
+    } else if (Clock::now() >= expiry) {
+      lock.unlock();
+      jobs_.expire(terms_.result_time);
+      lock.lock();
+      expiry = Clock::now() + std::min(expiry_pause, terms_.result_time / 4);
+    } else {
+      changed_.wait_until(lock, expiry);
+    }
+  }
+}
+
+void JobRunner::begin(const std::string& id, const SharedLive& live) {
+  const auto record = jobs_.find(id);
+  const auto body = jobs_.body(id);
+  const auto begun = record && body ? jobs_.begin(id) : Result<bool>(false);
+  if (!record || !body || !begun || !*record) {
+    std::unique_lock lock(mutex_);
+    live_.erase(id);
+    if (record && !*record) return;  // it is there no more
+    waiting_.push_front(id);         // the store does not work just now
+    changed_.wait_for(lock, storage_pause, [this] { return stopped_; });
+    return;
+  }
+  tell(id);
+  auto json = parse_json(*body, engine_.limits());
+  if (!json) return end_with(id, json.problems());
+  auto request = read_job_request(*std::move(json), (*record)->format, engine_);
+  if (!request) return end_with(id, request.problems());
+  const auto within = [&](std::chrono::milliseconds limit) -> Clock::duration {
+    return std::min(limit, std::chrono::milliseconds(request->deadline_milliseconds.value_or(limit.count())));
+  };
+  if (!request->is_sweep()) {
+    return evaluate(id, live, std::get<EvaluateRequest>(request->asked), within(terms_.deadline));
+  }
+  SweepRequest asked = std::get<SweepRequest>(std::move(request->asked));
+  asked.first = std::min(asked.variants.size(), asked.first + static_cast<std::size_t>((*record)->done));
+  const auto limit = static_cast<std::int64_t>(engine_.limits().sweep_milliseconds);
+  sweep(id, live, std::move(asked), within(std::chrono::milliseconds(limit)));
+}
+
+/// Asks for a place until there is one; `ask` gives null when there is none.
+template <class Ask>
+void JobRunner::ask_until_admitted(const std::string& id, const SharedLive& live, Ask ask) {
+  std::unique_lock lock(mutex_);
+  while (!stopped_ && !live->canceling) {
+    lock.unlock();
+    const std::shared_ptr<Flights::Interest> interest = ask();
+    lock.lock();
+    if (interest != nullptr) {
+      live->interest = interest;
+      break;
+    }
+    changed_.wait_for(lock, busy_pause, [this] { return stopped_; });
+  }
+  if (!live->canceling) return;
+  // Who canceled it came before there was anything to stop.
+  const auto interest = live->interest;
+  lock.unlock();
+  if (interest != nullptr) return interest->stop(StopReason::canceled);
+  end(id, {.state = "canceled"});
+}
+
+void JobRunner::evaluate(const std::string& id, const SharedLive& live, const EvaluateRequest& request,
+                         Clock::duration limit) {
+  const Clock::time_point deadline = Clock::now() + limit;
+  const auto prepared = engine_.prepare(request, Cancel(deadline));
+  if (!prepared) return end_with(id, prepared.problems());
+  const auto computed = [this, id, prepared = *prepared](const Result<SharedComputed>& outcome, Flights::Begun) {
+    if (!outcome) return end_with(id, outcome.problems());
+    const Computed& made = **outcome;
+    end(id, {.state = "succeeded",
+             .result = {dump(engine_.report(*prepared, made)), made.model ? made.model : made.preview}});
+  };
+  ask_until_admitted(id, live, [&, prepared = *prepared] {
+    return flights_.ask<Computed>(
+        {.key = prepared->content, .bytes = prepared->bytes, .work = prepared->work, .deadline = deadline},
+        [this, prepared](const Job& job) -> Result<SharedComputed> {
+          if (SharedComputed known = engine_.find(*prepared)) return known;
+          return engine_.compute(*prepared, job);
+        },
+        computed);
+  });
+}
+
+void JobRunner::sweep(const std::string& id, const SharedLive& live, SweepRequest request, Clock::duration limit) {
+  request.deadline = Clock::now() + limit;
+  const auto shared = std::make_shared<const SweepRequest>(std::move(request));
+  const auto predicted = [this, id, live, shared](const Result<std::shared_ptr<const SweepCost>>& cost,
+                                                  Flights::Begun) {
+    if (!cost) return end_with(id, cost.problems());
+    auto taker = std::make_unique<SweepTaker>(*this, id, live, shared->first, shared->variants.size());
+    const auto sweep = std::make_shared<Sweep>(engine_, flights_, *shared, **cost, std::move(taker));
+    bool canceled = false;
+    {
+      const std::lock_guard lock(mutex_);
+      canceled = live->canceling;
+      if (!canceled) live->sweep = sweep;
+      live->progress = progress_of(shared->first, shared->variants.size());
+    }
+    if (canceled) return end(id, {.state = "canceled"});
+    sweep->start();
+  };
+  ask_until_admitted(id, live, [&] {
+    return flights_.ask<SweepCost>(
+        {.key = DigestBuilder().text("job").text(id).finish(), .deadline = shared->deadline},
+        [this, shared](const Job& job) { return predict(engine_, *shared, job); }, predicted);
+  });
+}
+
+/// A job that did not come to its end. One that the shutdown stopped is left as it is, for the next process.
+void JobRunner::end_with(const std::string& id, const Problems& problems) {
+  const std::string& code = problems.front().code;
+  if (code == "shutting-down") return;
+  if (code == "canceled") return end(id, {.state = "canceled"});
+  end(id, {.state = "failed", .errors = dump(to_json(problems))});
+}
+
+void JobRunner::end(const std::string& id, Ending ending) {
+  if (write_end(id, ending)) return;
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto found = live_.find(id); found != live_.end()) found->second->ending = std::move(ending);
+  }
+  changed_.notify_all();
+}
+
+bool JobRunner::write_end(const std::string& id, const Ending& ending) {
+  if (!jobs_.finish(id, ending.state, ending.errors, ending.result)) return false;
+  std::shared_ptr<Sweep> sweep;  // let go of without the lock; it and what is live hold each other
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto found = live_.find(id); found != live_.end()) {
+      sweep = std::move(found->second->sweep);
+      live_.erase(found);
+    }
+  }
+  changed_.notify_all();
+  tell(id);
+  return true;
+}
+
+void JobRunner::write_late_ends() {
+  std::map<std::string, Ending> late;
+  {
+    const std::lock_guard lock(mutex_);
+    for (const auto& [id, live] : live_) {
+      if (live->ending) late.emplace(id, *live->ending);
+    }
+  }
+  for (const auto& [id, ending] : late) write_end(id, ending);
+}
+
+}  // namespace dini::jobs

@@ -1,0 +1,29 @@
+#include "service/requests/results.h"
+#include "service/requests/schema.h"
+
+namespace dini {
+
+Json job_schemas() {
+  using namespace schema;
+  const Json variants = object({{"total", whole("How many there are.")},
+                                {"done", whole("How many have a line.")},
+                                {"failed", whole("How many of these failed.")}},
+                               "Of a sweep.");
+  return {
+      {"Job", object({{"id", text("Names the job.")},
+                      {"kind", word({"evaluate", "sweep"}, "What it does.")},
+                      {"state", word({"queued", "running", "succeeded", "failed", "canceling", "canceled", "expired"},
+                                     "Where it is.")},
+                      {"progress", number("From 0 to 1; never goes back while the job runs.")},
+                      {"created", text("When it was asked for: RFC 3339, in UTC.")},
+                      {"started", text("When it began last."), true},
+                      {"finished", text("When it ended."), true},
+                      {"variants", variants, true},
+                      {"errors", list(reference("ProblemEntry"), "Why it failed.")},
+                      {"address", text("Where to ask how it fares.")},
+                      {"events", text("Where to follow it.")},
+                      {"result", text("Where what came of it is, once it has succeeded."), true}},
+                     "Long work.")}};
+}
+
+}  // namespace dini
