@@ -74,7 +74,7 @@ TEST_CASE("A server that is told to stop takes nobody new, and tells who is ther
   REQUIRE(get(server.port(), "/healthz")->status == 200);  // who came before has been let in
   server.program().signal(SIGTERM);
   REQUIRE(idle.closed());
-  CHECK_FALSE(get(server.port(), "/healthz"));
+  CHECK(Client(server.port()).closed());
   probe.send(host + "\r\n");
   const auto answer = probe.receive();
   REQUIRE(answer);

@@ -62,6 +62,7 @@ std::size_t Client::flood(std::string_view piece, std::size_t limit) {
 }
 
 bool Client::readable(std::chrono::milliseconds wait) const {
+  if (descriptor_ < 0) return true;  // it was refused: the end is there already
   pollfd state{descriptor_, POLLIN, 0};
   return ::poll(&state, 1, static_cast<int>(wait.count())) > 0;
 }
