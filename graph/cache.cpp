@@ -30,6 +30,11 @@ void Cache::insert_any(const Digest& digest, std::shared_ptr<const void> thing, 
   }
 }
 
+bool Cache::contains(const Digest& digest) const {
+  const std::lock_guard lock(mutex_);
+  return index_.contains(digest);
+}
+
 void Cache::clear() {
   std::list<Entry> gone;  // freed when others may come in again
   const std::lock_guard lock(mutex_);

@@ -31,6 +31,9 @@ class Cache {
     insert_any(digest, std::move(thing), bytes);
   }
 
+  /// Whether it is there. Does not count as a use.
+  bool contains(const Digest& digest) const;
+
   /// Lets everything go.
   void clear();
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <set>
 #include <tbb/task_group.h>
 
 #include "graph/cost.h"
@@ -215,6 +216,28 @@ std::optional<Evaluation> find_evaluation(const Plan& plan, const std::vector<st
   if (!evaluator.nothing_to_run()) return std::nullopt;
   Result<Evaluation> evaluation = evaluator.collect();
   return evaluation ? std::optional(*std::move(evaluation)) : std::nullopt;
+}
+
+Foreseen foresee(const Plan& plan, const std::vector<std::size_t>& targets, const Cache& cache) {
+  Foreseen foreseen;
+  std::set<Digest> seen;
+  std::vector<std::size_t> stack = targets;
+  while (!stack.empty()) {
+    const std::size_t index = standing_at(plan, stack.back());
+    stack.pop_back();
+    const PlannedNode& node = plan.nodes[index];
+    if (!seen.insert(node.fingerprint).second) continue;
+    if (cache.contains(node.fingerprint)) {
+      foreseen.known.push_back(index);
+      continue;
+    }
+    foreseen.running.push_back(index);
+    const std::vector<std::size_t> sources = source_nodes(node);
+    stack.insert(stack.end(), sources.begin(), sources.end());
+  }
+  std::ranges::sort(foreseen.running);
+  std::ranges::sort(foreseen.known);
+  return foreseen;
 }
 
 }  // namespace dini

@@ -39,6 +39,13 @@ struct Evaluation {
 /// predicted work of every node that has to run is announced before the first one runs, and is done when the node is.
 Result<Evaluation> evaluate(const Plan& plan, const std::vector<std::size_t>& targets, Cache& cache, const Job& job);
 
+/// What `evaluate` would do: nodes by index into the plan, each thing that is computed once.
+struct Foreseen {
+  std::vector<std::size_t> running;  ///< in the order of the plan
+  std::vector<std::size_t> known;    ///< whose results are in the cache; what only they need does not run
+};
+Foreseen foresee(const Plan& plan, const std::vector<std::size_t>& targets, const Cache& cache);
+
 /// What `evaluate` would answer if nothing had to be computed; nothing when something has to be.
 std::optional<Evaluation> find_evaluation(const Plan& plan, const std::vector<std::size_t>& targets, Cache& cache);
 

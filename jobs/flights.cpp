@@ -79,6 +79,11 @@ bool Flights::admitted(const std::shared_ptr<ComputeQueue::Task>& task) {
 
 void Flights::Interest::stop(StopReason reason) { flights_->leave(shared_from_this(), reason); }
 
+bool Flights::Interest::has_begun() const {
+  const std::lock_guard lock(flights_->mutex_);
+  return flight_ != nullptr && flight_->begun.has_value();
+}
+
 Progress::State Flights::Interest::progress() const {
   const std::lock_guard lock(flights_->mutex_);
   return flight_ != nullptr ? flight_->job.progress.state() : Progress::State{};

@@ -43,6 +43,9 @@ class Flights {
     /// Ends it: unless it has been told, it is told now why not. Any thread, any time, more than once.
     void stop(StopReason reason);
 
+    /// Whether the work runs, for this interest.
+    bool has_begun() const;
+
     /// How far the work is; nothing once the outcome was told or the interest has ended.
     Progress::State progress() const;
 

@@ -5,11 +5,15 @@
 
 #include "server/responses.h"
 #include "server/routes.h"
+#include "server/text.h"
 
 namespace dini::server {
 namespace {
 
 using Clock = jobs::Flights::Clock;
+
+/// The one word that the header `Supersede` may be.
+constexpr std::string_view after_current = "after-current";
 
 std::string milliseconds_text(Clock::duration duration) {
   const double milliseconds = std::chrono::duration<double, std::milli>(duration).count();
@@ -49,9 +53,18 @@ void reply_problems(const Context& context, const Problems& problems) {
   answer_with(context, [&] { return problems_reply(context, problems); });
 }
 
+std::optional<Problem> wrong_supersede(const Request& request) {
+  if (!request.has_header("Supersede") || trim(request.header("Supersede")) == after_current) return std::nullopt;
+  return Problem{.code = "not-in-choices",
+                 .detail = "The header Supersede is left out or '" + std::string(after_current) + "'.",
+                 .in_request = true};
+}
+
 void take_over(const Context& context, const std::shared_ptr<jobs::Flights::Interest>& interest) {
+  const bool patient = trim(context.request().header("Supersede")) == after_current;
   context.application.supersede.take_over(std::string(context.request().header("Supersede-Key")),
-                                          context.exchange().started, interest);
+                                          context.exchange().started, interest,
+                                          patient ? jobs::Superseding::after_current : jobs::Superseding::at_once);
 }
 
 void continue_with(const Context& context, std::function<Reply()> step) {

@@ -18,6 +18,9 @@ Problem late_problem(const Context& context, jobs::Flights::Clock::time_point de
 /// Answers that a request is not let in, or that what was asked of it cannot be had.
 void reply_problems(const Context& context, const Problems& problems);
 
+/// What is wrong with the header `Supersede`, which says how older requests are replaced.
+std::optional<Problem> wrong_supersede(const Request& request);
+
 /// The newest request of the client's `Supersede-Key` is this one: see jobs::Supersede.
 void take_over(const Context& context, const std::shared_ptr<jobs::Flights::Interest>& interest = nullptr);
 

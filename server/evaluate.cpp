@@ -45,7 +45,8 @@ Operation describe_evaluate() {
                                          const auto offers = evaluation_types(usual_formats());
                                          return std::vector<std::string>(offers.begin(), offers.end());
                                        }()),
-                         if_none_match_header(), supersede_key_header(), prefer_header(), idempotency_key_header()},
+                         if_none_match_header(), supersede_key_header(), supersede_header(), prefer_header(),
+                         idempotency_key_header()},
           .request = &evaluate_description(),
           .answers = {{.status = 200,
                        .doc = "The file of the model, or without an output that of the preview; the report; or the "
@@ -76,6 +77,7 @@ Operation describe_evaluate() {
 void evaluate(const Context& context) {
   const Result<std::string_view> type = evaluation_type(context.engine(), context.request().header("Accept"));
   if (!type) return reply_problems(context, type.problems());
+  if (auto problem = wrong_supersede(context.request())) return reply_problems(context, {*std::move(problem)});
   if (prefers_job(context.request())) {
     auto json = read_json(context);
     if (!json) return reply_problems(context, json.problems());

@@ -48,6 +48,9 @@ Operation describe_validate();
 /// The value on one wire.
 void inspect(const Context& context);
 Operation describe_inspect();
+/// What an evaluation would do.
+Reply explain(const Context& context);
+Operation describe_explain();
 /// The model, the report, or both.
 void evaluate(const Context& context);
 Operation describe_evaluate();

@@ -72,6 +72,17 @@ Parameter supersede_key_header() {
           .example = "slider-1"};
 }
 
+Parameter supersede_header() {
+  return {
+      .place = Parameter::Place::header,
+      .name = "Supersede",
+      .doc =
+          "`after-current`: an older request of the key that runs already is finished, and only those that wait are "
+          "replaced, so that a drag that never rests shows frames.",
+      .schema = {{"type", "string"}, {"enum", {"after-current"}}},
+      .example = "after-current"};
+}
+
 Answer not_modified() {
   return {.status = 304, .doc = "The client has this answer already.", .headers = {"ETag", "Cache-Control"}};
 }

@@ -69,6 +69,7 @@ std::span<const AnswerHeader> answer_headers();
 Parameter accept_header(std::string doc, const std::vector<std::string>& offers);
 Parameter if_none_match_header();
 Parameter supersede_key_header();
+Parameter supersede_header();
 
 /// The answer 304, and the two headers that go with it.
 Answer not_modified();

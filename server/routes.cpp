@@ -34,6 +34,7 @@ constexpr std::array all_routes = {
     Route{"GET", "/images/examples/{name}", example_picture, describe_example_picture},
     Route{"POST", "/v1/evaluate", evaluate, describe_evaluate, graph_body},
     Route{"POST", "/v1/validate", validate, describe_validate, graph_body},
+    Route{"POST", "/v1/explain", explain, describe_explain, graph_body},
     Route{"POST", "/v1/inspect", inspect, describe_inspect, graph_body},
     Route{"POST", "/v1/sweeps", sweep, describe_sweep, graph_body},
     Route{"POST", "/v1/jobs", create_job, describe_create_job, graph_body},
@@ -109,7 +110,7 @@ Reply options_reply(const std::string& allowed, const Exchange& exchange) {
   reply.headers.emplace_back("Access-Control-Allow-Methods", allowed);
   reply.headers.emplace_back("Access-Control-Allow-Headers",
                              "Accept, Authorization, Content-Type, Idempotency-Key, If-Match, If-None-Match, "
-                             "If-Range, Last-Event-ID, Prefer, Range, Supersede-Key");
+                             "If-Range, Last-Event-ID, Prefer, Range, Supersede, Supersede-Key");
   reply.headers.emplace_back("Access-Control-Max-Age", "600");
   return reply;
 }

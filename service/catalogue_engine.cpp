@@ -12,6 +12,7 @@
 #include "nodes/all.h"
 #include "nodes/formats.h"
 #include "service/document_graph.h"
+#include "service/explain.h"
 #include "service/interface.h"
 #include "service/places.h"
 #include "service/preview.h"
@@ -157,6 +158,19 @@ std::vector<std::string> CatalogueEngine::blocked(const EvaluateRequest& request
   return blocked_nodes(environment(cancel), request, cancel);
 }
 
+std::vector<std::size_t> CatalogueEngine::wanted_nodes(const PreparedGraph& prepared) const {
+  std::vector<std::size_t> wanted = prepared.targets;
+  if (prepared.previews.empty() || cache_.contains(prepared.preview_digest)) return wanted;
+  const std::vector<std::size_t> drawn = drawn_nodes(prepared);
+  wanted.insert(wanted.end(), drawn.begin(), drawn.end());
+  return wanted;
+}
+
+Json CatalogueEngine::explain(const Prepared& asked) const {
+  const PreparedGraph& prepared = own(asked);
+  return explanation(prepared, wanted_nodes(prepared), cache_, history_);
+}
+
 SharedComputed CatalogueEngine::find(const Prepared& asked) const {
   const PreparedGraph& prepared = own(asked);
   auto found = std::make_shared<ComputedGraph>();
@@ -194,14 +208,9 @@ Result<SharedFile> CatalogueEngine::preview_file(const PreparedGraph& prepared, 
 Result<SharedComputed> CatalogueEngine::compute(const Prepared& asked, const Job& job) const {
   const PreparedGraph& prepared = own(asked);
   const auto begin = std::chrono::steady_clock::now();
-  std::vector<std::size_t> targets = prepared.targets;
-  const bool draws = !prepared.previews.empty() && cache_.find<File>(prepared.preview_digest) == nullptr;
-  if (draws) {
-    const std::vector<std::size_t> drawn = drawn_nodes(prepared);
-    targets.insert(targets.end(), drawn.begin(), drawn.end());
-  }
-  Result<Evaluation> evaluation = dini::evaluate(prepared.plan, targets, cache_, job);
+  Result<Evaluation> evaluation = dini::evaluate(prepared.plan, wanted_nodes(prepared), cache_, job);
   if (!evaluation) return evaluation.problems();
+  history_.note(prepared.graph->hash, prepared.plan, *evaluation);
   auto computed = std::make_shared<ComputedGraph>();
   computed->milliseconds["evaluate"] = milliseconds_since(begin);
   if (prepared.export_node) {

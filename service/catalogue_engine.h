@@ -3,6 +3,7 @@
 #include "graph/cache.h"
 #include "service/asset_library.h"
 #include "service/engine.h"
+#include "service/history.h"
 #include "service/prepare.h"
 #include "service/report.h"
 
@@ -24,6 +25,7 @@ class CatalogueEngine final : public Engine {
   Result<Json> validate(const Graph& graph, const Json& parameters, const Cancel& cancel, Sent sent) const override;
   Result<SharedPrepared> prepare(const EvaluateRequest& request, const Cancel& cancel) const override;
   std::vector<std::string> blocked(const EvaluateRequest& request, const Cancel& cancel) const override;
+  Json explain(const Prepared& prepared) const override;
   SharedComputed find(const Prepared& prepared) const override;
   Result<SharedComputed> compute(const Prepared& prepared, const Job& job) const override;
   using Engine::report;
@@ -38,6 +40,9 @@ class CatalogueEngine final : public Engine {
   }
   Environment environment(const Cancel& cancel) const { return {registry_, limits_, formats_, asset_finder(cancel)}; }
 
+  /// What has to be evaluated: the targets, and what is drawn unless the drawing is known.
+  std::vector<std::size_t> wanted_nodes(const PreparedGraph& prepared) const;
+
   /// The drawn previews, from the cache or into it.
   Result<SharedFile> preview_file(const PreparedGraph& prepared, const Evaluation& evaluation,
                                   const Cancel& cancel) const;
@@ -47,6 +52,7 @@ class CatalogueEngine final : public Engine {
   Registry registry_;
   Json catalogue_;
   mutable Cache cache_;
+  mutable History history_;
   mutable AssetLibrary assets_;
 };
 

@@ -149,6 +149,9 @@ class Engine {
   /// Of a request that cannot be prepared: the nodes that are well in themselves but stand behind the ones to blame.
   virtual std::vector<std::string> blocked(const EvaluateRequest& request, const Cancel& cancel) const = 0;
 
+  /// Which nodes `compute` would run and why, with predicted sizes and times: the schema `Explanation`.
+  virtual Json explain(const Prepared& prepared) const = 0;
+
   /// The answer, if nothing has to be computed for it; else null.
   virtual SharedComputed find(const Prepared& prepared) const = 0;
 

@@ -192,6 +192,7 @@ Json catalogue() {
 Json with_stored_graphs(Json schemas) {
   schemas.update(stored_graph_schemas());
   schemas.update(job_schemas());
+  schemas.update(explain_schemas());
   return schemas;
 }
 

@@ -12,6 +12,9 @@ const Json& result_schemas();
 /// Those of graphs that are kept.
 Json stored_graph_schemas();
 
+/// That of what an evaluation would do.
+Json explain_schemas();
+
 /// Those of jobs.
 Json job_schemas();
 

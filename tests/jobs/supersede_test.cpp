@@ -65,6 +65,37 @@ TEST_CASE("A request that took longer to be read than a newer one is the superse
   CHECK(older == "superseded");
 }
 
+TEST_CASE("After the current one: what runs is finished, what waits is replaced") {
+  std::string a, b, c;
+  Field field;
+  const auto running = field.ask(a);
+  field.registry.take_over("k", field.start, running, Superseding::after_current);
+  REQUIRE(eventually([&] { return running->has_begun(); }));
+  const auto waiting = field.ask(b);
+  field.registry.take_over("k", field.start + 1ms, waiting, Superseding::after_current);
+  CHECK_FALSE(waiting->has_begun());
+  const auto newest = field.ask(c);
+  field.registry.take_over("k", field.start + 2ms, newest, Superseding::after_current);
+  CHECK(a.empty());
+  CHECK(b == "superseded");
+  field.go = true;
+  REQUIRE(eventually([&] { return c == "done"; }));
+  CHECK(a == "done");
+}
+
+TEST_CASE("At once: all that are there are stopped, also those that were let run before") {
+  std::string a, b;
+  Field field;
+  const auto running = field.ask(a), waiting = field.ask(b);
+  REQUIRE(eventually([&] { return running->has_begun(); }));
+  field.registry.take_over("k", field.start, running, Superseding::after_current);
+  field.registry.take_over("k", field.start + 1ms, waiting, Superseding::after_current);
+  CHECK(a.empty());
+  field.registry.take_over("k", field.start + 2ms, nullptr);
+  CHECK(a == "superseded");
+  CHECK(b == "superseded");
+}
+
 TEST_CASE("Many keys are not remembered for ever") {
   std::string last;
   Field field;

@@ -22,9 +22,11 @@ struct Described {
 
   bool is_head() const { return method == "HEAD"; }
   bool has_body() const { return operation.contains("requestBody"); }
-  /// What the engine does for it can go wrong. What goes wrong with a variant of a sweep is in its line, and a job is
-  /// answered before it is done.
-  bool is_worked_for() const { return has_body() && path != "/v1/sweeps" && path != "/v1/jobs" && method != "PUT"; }
+  /// What the engine does for it can go wrong. What goes wrong with a variant of a sweep is in its line, a job is
+  /// answered before it is done, and an explanation before anything is.
+  bool is_worked_for() const {
+    return has_body() && method != "PUT" && path != "/v1/sweeps" && path != "/v1/jobs" && path != "/v1/explain";
+  }
   bool is_of_job() const { return path.starts_with("/v1/jobs/"); }
   /// Its answer when all is well.
   int usual_status() const {

@@ -223,3 +223,27 @@ TEST_CASE("A preview and a budget of the wrong type are refused") {
     CHECK(answer->json()["errors"][0]["pointer"] == "/" + name);
   }
 }
+
+TEST_CASE("A drag that never rests shows frames when it asks for what runs to be finished") {
+  auto settings = quick_settings();
+  settings.compute_queue = 4;
+  const Running server(settings);
+  const std::size_t before = toy::counters().started;
+  std::vector<std::unique_ptr<Client>> drag;
+  for (int i = 0; i < 30; ++i) {
+    drag.push_back(std::make_unique<Client>(server.port()));
+    drag.back()->send(post_text("/v1/evaluate", toy_body({{"milliseconds", 100 + i}, {"bytes", 100 + i}}),
+                                "Supersede-Key: slider\r\nSupersede: after-current\r\n"));
+    REQUIRE(eventually([&] { return i > 0 || toy::counters().started > before; }));
+  }
+  int shown = 0, replaced = 0;
+  for (auto& client : drag) {
+    const auto answer = client->receive();
+    REQUIRE(answer);
+    shown += answer->status == 200 ? 1 : 0;
+    replaced += answer->code() == "superseded" ? 1 : 0;
+  }
+  CHECK(shown >= 2);
+  CHECK(shown + replaced == 30);
+  CHECK(post(server.port(), "/v1/evaluate", toy_body({}), "Supersede: later\r\n")->code() == "not-in-choices");
+}

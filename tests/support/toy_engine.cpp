@@ -161,6 +161,12 @@ Result<SharedPrepared> ToyEngine::prepare(const EvaluateRequest& request, const 
 
 std::vector<std::string> ToyEngine::blocked(const EvaluateRequest&, const Cancel&) const { return {"skin"}; }
 
+Json ToyEngine::explain(const Prepared& prepared) const {
+  const int known = find(prepared) != nullptr ? 1 : 0;
+  return {{"runs", 1 - known}, {"known", known}, {"work", 0},
+          {"milliseconds", 0}, {"bytes", 0},     {"nodes", Json::object()}};
+}
+
 SharedComputed ToyEngine::find(const Prepared& prepared) const {
   const std::lock_guard lock(mutex_);
   const auto found = known_.find(prepared.content);

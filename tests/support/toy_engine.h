@@ -47,6 +47,7 @@ class ToyEngine final : public Engine {
   Result<Json> validate(const Graph& graph, const Json& parameters, const Cancel& cancel, Sent sent) const override;
   Result<SharedPrepared> prepare(const EvaluateRequest& request, const Cancel& cancel) const override;
   std::vector<std::string> blocked(const EvaluateRequest& request, const Cancel& cancel) const override;
+  Json explain(const Prepared& prepared) const override;
   SharedComputed find(const Prepared& prepared) const override;
   Result<SharedComputed> compute(const Prepared& prepared, const Job& job) const override;
   using Engine::report;

@@ -43,6 +43,7 @@ class TroubledEngine final : public Engine {
   std::vector<std::string> blocked(const EvaluateRequest& request, const Cancel& cancel) const override {
     return engine_->blocked(request, cancel);
   }
+  Json explain(const Prepared& prepared) const override { return engine_->explain(prepared); }
   SharedComputed find(const Prepared& prepared) const override {
     return trouble_ == Trouble::none ? engine_->find(prepared) : nullptr;
   }

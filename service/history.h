@@ -1,0 +1,49 @@
+#pragma once
+
+#include <deque>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <unordered_set>
+
+#include "graph/digest.h"
+#include "graph/evaluate.h"
+#include "graph/plan.h"
+
+namespace dini {
+
+/// What an engine remembers of its evaluations besides their results, so that it can say why something has to be
+/// computed and how long that takes. Bounded; any thread.
+class History {
+ public:
+  /// Notes a finished evaluation of the graph with that hash.
+  void note(const Digest& graph, const Plan& plan, const Evaluation& evaluation);
+
+  /// Whether a node with that fingerprint was computed, as far as is remembered.
+  bool was_computed(const Digest& fingerprint) const;
+
+  /// The parameters of the last evaluation of a graph; nothing when none is remembered.
+  std::optional<ParameterValues> last_parameters(const Digest& graph) const;
+
+  /// Measured milliseconds for a unit of predicted work of a node type, or of all types while that one has not run.
+  double milliseconds_per_unit(const std::string& type) const;
+
+ private:
+  struct Speed {
+    double milliseconds = 0;
+    double work = 0;
+  };
+
+  void note_computed(const Digest& fingerprint);
+
+  mutable std::mutex mutex_;
+  std::unordered_set<Digest, DigestHash> computed_;
+  std::deque<Digest> computed_order_;  ///< the oldest first
+  std::map<Digest, ParameterValues> parameters_;
+  std::deque<Digest> parameters_order_;
+  std::map<std::string, Speed> speeds_;
+  Speed all_;
+};
+
+}  // namespace dini

@@ -1,0 +1,138 @@
+// Explanations: what an evaluation would do, told before it does it, and held against what it then does.
+
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "tests/support/example_engine.h"
+#include "tests/support/requests.h"
+
+using namespace dini;
+using namespace dini::support;
+
+namespace {
+
+/// A ball that is moved by one parameter and colored by none, beside a node that nothing asks for.
+Json moved_ball() {
+  Json graph = document(
+      {{"ball", make("sphere_mesh", {{"segments", 32}, {"rings", 16}})},
+       {"pair", make("point_pair", {{"position", {2, 0, 0}}})},
+       {"moved",
+        make("boost", {{"shape", from("ball")}, {"generator", from("pair")}, {"amount", {{"parameter", "amount"}}}})},
+       {"size", make("measure", {{"model", from("moved")}})},
+       {"lonely", make("circle", {{"radius", 2}})},
+       {"out", make("export", {{"model", from("moved")}})}});
+  graph["parameters"] = {{"amount", {{"type", "number"}, {"default", 0.1}, {"min", 0}, {"max", 1}}}};
+  return graph;
+}
+
+Json explained(const Engine& engine, const Asked& asked) {
+  const auto prepared = prepared_for(engine, asked);
+  require_none(prepared ? Problems{} : prepared.problems());
+  return engine.explain(**prepared);
+}
+
+Json evaluated(const Engine& engine, const Asked& asked) {
+  const auto answer = answered(engine, asked);
+  require_none(answer ? Problems{} : answer.problems());
+  return answer->report();
+}
+
+/// The nodes that an explanation says will run, and those of a report that did.
+std::set<std::string> running(const Json& explanation) {
+  std::set<std::string> ids;
+  for (const auto& [id, node] : explanation["nodes"].items()) {
+    if (node["state"] == "runs") ids.insert(id);
+  }
+  return ids;
+}
+std::set<std::string> ran(const Json& report, const Json& explanation) {
+  std::set<std::string> ids;
+  for (const auto& [id, node] : report["nodes"].items()) {
+    if (node["cached"] == false && explanation["nodes"].contains(id)) ids.insert(id);
+  }
+  return ids;
+}
+
+Json because(const Json& explanation, const std::string& node) { return explanation["nodes"][node]["why"]; }
+
+std::size_t vertices_of(const Json& meshes) {
+  std::size_t vertices = 0;
+  for (const Json& mesh : meshes) vertices += mesh["vertices"].get<std::size_t>();
+  return vertices;
+}
+
+Json parameter(const std::string& name) { return {{"because", "parameter"}, {"name", name}}; }
+Json upstream(const std::string& name) { return {{"because", "upstream"}, {"name", name}}; }
+const Json is_new = {{"because", "new"}};
+const Json evicted = {{"because", "evicted"}};
+
+}  // namespace
+
+TEST_CASE("An explanation names what runs and why: new, a parameter, upstream, evicted") {
+  const auto engine = make_engine();
+  const Json graph = moved_ball();
+  const Json first = explained(*engine, {.graph = graph});
+  CHECK(running(first) == std::set<std::string>{"ball", "pair", "moved", "out"});
+  CHECK(because(first, "ball") == Json::array({is_new}));
+  CHECK(because(first, "moved") == Json::array({upstream("ball"), upstream("pair")}));
+  CHECK(first["runs"] == 4);
+  CHECK(first["known"] == 0);
+  CHECK(first["milliseconds"] > 0);
+
+  evaluated(*engine, {.graph = graph});
+  const Json again = explained(*engine, {.graph = graph});
+  CHECK(running(again).empty());
+  CHECK(again["known"] == 1);
+  CHECK(again["work"] == 0);
+  CHECK(again["bytes"] == 0);
+  CHECK(again["nodes"]["out"]["state"] == "known");
+  CHECK(again["nodes"]["ball"]["state"] == "skipped");
+
+  const Asked other = {.graph = graph, .parameters = {{"amount", 0.2}}};
+  const Json changed = explained(*engine, other);
+  CHECK(running(changed) == std::set<std::string>{"moved", "out"});
+  CHECK(changed["nodes"]["ball"]["state"] == "known");
+  CHECK(because(changed, "moved") == Json::array({parameter("amount")}));
+  CHECK(because(changed, "out") == Json::array({upstream("moved")}));
+  CHECK(ran(evaluated(*engine, other), changed) == running(changed));
+
+  engine->forget();
+  const Json gone = explained(*engine, other);
+  CHECK(running(gone) == running(first));
+  for (const char* const node : {"ball", "pair", "moved", "out"}) CHECK(because(gone, node) == Json::array({evicted}));
+}
+
+TEST_CASE("What an explanation predicts is what runs, and no mesh has more vertices, in every example") {
+  for (const auto& [example, graph] : examples()) {
+    CAPTURE(example);
+    const auto engine = example_engine();
+    const Asked asked = {.graph = graph};
+    const Json explanation = explained(*engine, asked);
+    const Json report = evaluated(*engine, asked);
+    CHECK(running(explanation) == ran(report, explanation));
+    for (const auto& [id, node] : explanation["nodes"].items()) {
+      for (const auto& [port, output] : node["outputs"].items()) {
+        if (node["state"] != "runs" || output["type"] != "mesh") continue;
+        CAPTURE(id, port);
+        CHECK(vertices_of(inspected(*engine, asked.graph, id + "." + port)) <= output["vertices"]);
+      }
+    }
+  }
+}
+
+TEST_CASE("Times are predicted from what nodes have taken") {
+  const auto engine = make_engine();
+  const auto ball = [](int rings) {
+    return Asked{.graph = document({{"ball", make("sphere_mesh", {{"segments", 400}, {"rings", rings}})},
+                                    {"size", make("measure", {{"model", from("ball")}})},
+                                    {"out", make("export", {{"model", from("ball")}})}}),
+                 .measures = {"size.volume"}};
+  };
+  const double before = explained(*engine, ball(200))["nodes"]["ball"]["milliseconds"];
+  const Json report = evaluated(*engine, ball(100));
+  const Json after = explained(*engine, ball(200))["nodes"]["ball"];
+  CHECK(after["milliseconds"] != before);
+  const double taken = report["nodes"]["ball"]["milliseconds"];
+  const double work = explained(*make_engine(), ball(100))["nodes"]["ball"]["work"];
+  CHECK(after["milliseconds"].get<double>() == Approx(taken / work * after["work"].get<double>()).epsilon(1e-3));
+}
