@@ -1,8 +1,7 @@
 #include "server/artifacts.h"
 
 #include "server/handlers.h"
-#include "server/negotiation.h"
-#include "server/ranges.h"
+#include "server/hashed_files.h"
 #include "server/responses.h"
 
 namespace dini::server {
@@ -31,29 +30,14 @@ std::string artifact_address(const File& file, std::string_view base) {
 Operation describe_artifact() {
   std::vector<Content> contents;
   for (const FileFormat& format : usual_formats()) contents.push_back({.type = format.media_types.front()});
-  return {.id = "getArtifact",
-          .group = "Graphs",
-          .title = "A file that was made, by its hash",
-          .doc =
-              "Answers with the bytes of a file that a sweep or an evaluation has made. They are kept while there is "
-              "room (`artifact_bytes`), those of a job as long as what came of it; after that the graph has to be "
-              "evaluated again.",
-          .parameters = {{.place = Parameter::Place::path,
-                          .name = "sha256",
-                          .doc = "The SHA-256 of the file, 64 hexadecimal digits in lower case.",
-                          .schema = {{"type", "string"}, {"pattern", "^[0-9a-f]{64}$"}},
-                          .example = std::string(64, '0')},
-                         if_none_match_header(),
-                         range_header()},
-          .answers = {{.doc = "The file.",
-                       .contents = contents,
-                       .headers = {"ETag", "Cache-Control", "Accept-Ranges", "Content-Disposition"}},
-                      {.status = 206,
-                       .doc = "The part that `Range` names.",
-                       .contents = contents,
-                       .headers = {"ETag", "Cache-Control", "Accept-Ranges", "Content-Range"}},
-                      not_modified()},
-          .problems = {"not-found", "range-not-satisfiable", "storage-failed"}};
+  return with_hashed_file({.id = "getArtifact",
+                           .group = "Graphs",
+                           .title = "A file that was made, by its hash",
+                           .doc = "Answers with the bytes of a file that a sweep or an evaluation has made. They are "
+                                  "kept while there is room (`artifact_bytes`), those of a job as long as what came "
+                                  "of it; after that the graph has to be evaluated again.",
+                           .problems = {"storage-failed"}},
+                          contents);
 }
 
 Reply artifact(const Context& context) {
@@ -69,17 +53,7 @@ Reply artifact(const Context& context) {
         Problem{.code = "not-found", .detail = "No file of that hash is kept here; evaluate its graph again."},
         context.exchange());
   }
-  const std::string tag = "\"" + name + "\"";
-  Reply reply{.headers = {{"ETag", tag}, {"Cache-Control", "public, max-age=31536000, immutable"}}};
-  if (names_tag(context.request().header("If-None-Match"), tag)) {
-    reply.status = 304;
-    return reply;
-  }
-  reply.type = file->media_type;
-  reply.body = {file->bytes};
-  reply.headers.emplace_back("Content-Disposition",
-                             "inline; filename=\"" + name.substr(0, 16) + file->extension + "\"");
-  return with_range(std::move(reply), context, tag);
+  return hashed_file_reply(context, file->media_type, file->bytes, "inline", file->extension);
 }
 
 }  // namespace dini::server

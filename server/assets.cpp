@@ -3,8 +3,7 @@
 
 #include "server/computing.h"
 #include "server/handlers.h"
-#include "server/negotiation.h"
-#include "server/ranges.h"
+#include "server/hashed_files.h"
 #include "server/responses.h"
 #include "server/text.h"
 #include "service/requests/schema.h"
@@ -82,49 +81,22 @@ void add_asset(const Context& context) {
 }
 
 Operation describe_asset() {
-  const std::vector<Content> contents = {{.type = "application/octet-stream"}};
-  return {.id = "getAsset",
-          .group = "Files",
-          .title = "A mesh file that was uploaded, by its hash",
-          .doc =
-              "Answers with the file, byte for byte as it was sent. `HEAD` tells whether it is here, or has to be "
-              "uploaded.",
-          .parameters = {{.place = Parameter::Place::path,
-                          .name = "sha256",
-                          .doc = "The SHA-256 of the file, 64 hexadecimal digits in lower case.",
-                          .schema = {{"type", "string"}, {"pattern", "^[0-9a-f]{64}$"}},
-                          .example = std::string(64, '0')},
-                         if_none_match_header(),
-                         range_header()},
-          .answers = {{.doc = "The file.",
-                       .contents = contents,
-                       .headers = {"ETag", "Cache-Control", "Accept-Ranges", "Content-Disposition"}},
-                      {.status = 206,
-                       .doc = "The part that `Range` names.",
-                       .contents = contents,
-                       .headers = {"ETag", "Cache-Control", "Accept-Ranges", "Content-Range"}},
-                      not_modified()},
-          .problems = {"not-found", "range-not-satisfiable"}};
+  return with_hashed_file({.id = "getAsset",
+                           .group = "Files",
+                           .title = "A mesh file that was uploaded, by its hash",
+                           .doc = "Answers with the file, byte for byte as it was sent. `HEAD` tells whether it is "
+                                  "here, or has to be uploaded."},
+                          {{.type = "application/octet-stream"}});
 }
 
 Reply asset(const Context& context) {
-  const std::string& name = context.arguments.front();
-  SharedBytes bytes = context.engine().asset(name);
+  SharedBytes bytes = context.engine().asset(context.arguments.front());
   if (bytes == nullptr) {
     return problem_reply(
         Problem{.code = "not-found", .detail = "No file of that hash is here; upload it to /v1/assets."},
         context.exchange());
   }
-  const std::string tag = "\"" + name + "\"";
-  Reply reply{.headers = {{"ETag", tag}, {"Cache-Control", "public, max-age=31536000, immutable"}}};
-  if (names_tag(context.request().header("If-None-Match"), tag)) {
-    reply.status = 304;
-    return reply;
-  }
-  reply.type = "application/octet-stream";
-  reply.body = {std::move(bytes)};
-  reply.headers.emplace_back("Content-Disposition", "attachment; filename=\"" + name.substr(0, 16) + "\"");
-  return with_range(std::move(reply), context, tag);
+  return hashed_file_reply(context, "application/octet-stream", std::move(bytes), "attachment");
 }
 
 }  // namespace dini::server

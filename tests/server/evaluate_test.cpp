@@ -228,13 +228,13 @@ TEST_CASE("A drag that never rests shows frames when it asks for what runs to be
   auto settings = quick_settings();
   settings.compute_queue = 4;
   const Running server(settings);
-  const std::size_t before = toy::counters().started;
+  const std::size_t before = dini::toy::counters().started;
   std::vector<std::unique_ptr<Client>> drag;
   for (int i = 0; i < 30; ++i) {
     drag.push_back(std::make_unique<Client>(server.port()));
     drag.back()->send(post_text("/v1/evaluate", toy_body({{"milliseconds", 100 + i}, {"bytes", 100 + i}}),
                                 "Supersede-Key: slider\r\nSupersede: after-current\r\n"));
-    REQUIRE(eventually([&] { return i > 0 || toy::counters().started > before; }));
+    REQUIRE(eventually([&] { return i > 0 || dini::toy::counters().started > before; }));
   }
   int shown = 0, replaced = 0;
   for (auto& client : drag) {
