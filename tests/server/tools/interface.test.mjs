@@ -124,13 +124,14 @@ test("a client of the description evaluates an example and is told what is wrong
 
 test("the examples of the description are answered as it says", async () => {
   for (const [address, { post }] of Object.entries(description.paths)) {
-    const content = post?.requestBody.content["application/json"];
+    const content = post?.requestBody?.content["application/json"];
     if (content === undefined) continue;
     const answer = await fetch(url + address, {
       method: "POST",
       headers: { "Content-Type": "application/json" },
       body: JSON.stringify(content.example),
     });
-    assert.equal(answer.status, 200, address);
+    const well = Object.keys(post.responses).filter((status) => status.startsWith("2"));
+    assert.equal(answer.status, Math.min(...well.map(Number)), address);
   }
 });
