@@ -10,7 +10,8 @@ std::filesystem::path find_folder(const std::string& given, const char* in_build
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
   for (const auto* place : {in_build_tree, installed}) {
     auto folder = (program / place).lexically_normal();
-    if (!error && std::filesystem::is_directory(folder, error)) return folder;
+    std::error_code none_there;
+    if (!error && std::filesystem::is_directory(folder, none_there)) return folder;
   }
   return {};
 }

@@ -5,6 +5,7 @@
 #include "tests/cli/serving.h"
 #include "tests/cli/variable.h"
 #include "tests/server/client.h"
+#include "tests/support/folder.h"
 
 using namespace dini::support;
 
@@ -96,4 +97,13 @@ TEST_CASE("A server that cannot start says why") {
   CHECK(taken.err.starts_with("error[address]: Cannot listen on 127.0.0.1 port "));
   CHECK(run_dini({"serve", "--port", "0", "--web", "/nowhere"}).code == 6);
   CHECK(run_dini({"serve", "--port", "0", "--examples", "/nowhere"}).code != 0);
+}
+
+TEST_CASE("A program that is installed finds its page beside it") {
+  const Folder folder;
+  folder.write("share/dini/web/index.html", "the page");
+  std::filesystem::create_directories(folder.path() / "bin");
+  std::filesystem::copy_file(dini_path(), folder.path() / "bin" / "dini");
+  ServingProgram server({"--log-level", "off"}, (folder.path() / "bin" / "dini").string());
+  CHECK(get(server.port(), "/")->body == "the page");
 }
