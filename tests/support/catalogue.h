@@ -42,7 +42,7 @@ inline SharedAssetFile test_file(std::string_view name) {
                            : name == "short"    ? "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2\nl 1 2\n"
                                                 : "";
   if (text.empty()) return nullptr;
-  return std::make_shared<const AssetFile>(AssetFile{sha256(text), text.size(), *read_obj(text, {})});
+  return std::make_shared<const AssetFile>(AssetFile{sha256(text), text.size(), *read_obj(text, {}), nullptr});
 }
 
 class CatalogueGraph;
