@@ -12,7 +12,7 @@ Operation describe_explain() {
           .title = "What an evaluation would do, and why",
           .doc =
               "Takes the body of an evaluation and tells which nodes would run, why, what they are predicted to make, "
-              "and how long that takes. Sizes are bounds: no evaluation makes more. Never evaluates.",
+              "and how long that takes. The memory is a bound: no evaluation takes more. Never evaluates.",
           .request = &evaluate_description(),
           .answers = {{.doc = "Every node that the output and the previews depend on.",
                        .contents = {{.type = "application/json", .schema = schema::reference("Explanation")}},

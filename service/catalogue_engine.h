@@ -31,7 +31,10 @@ class CatalogueEngine final : public Engine {
   using Engine::report;
   Json report(const Prepared& prepared, const Computed& computed, Sent sent, Extent extent) const override;
   CacheState cache_state() const override { return {cache_.bytes(), cache_.size(), cache_.evictions()}; }
-  void forget() const override { cache_.clear(); }
+  void forget() const override {
+    cache_.clear();
+    history_.clear();
+  }
   Result<SharedBytes> inspect(const InspectRequest& request, const Job& job) const override;
 
  private:

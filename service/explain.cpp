@@ -12,8 +12,8 @@ namespace {
 /// What is looked at for every node.
 struct Outlook {
   const Plan& plan;
-  std::set<std::size_t> running;
-  std::set<std::size_t> known;
+  std::set<Digest> running;  ///< by fingerprint: what several nodes compute runs once
+  std::set<Digest> known;
   std::optional<ParameterValues> before;  ///< parameters of the last evaluation of this graph
   const History& history;
 };
@@ -37,8 +37,8 @@ Json reasons(const Outlook& outlook, const PlannedNode& node) {
     for (const PlannedItem& item : input.items) {
       const auto* source = std::get_if<Source>(&item.from);
       if (source == nullptr) continue;
-      const std::size_t index = standing_at(outlook.plan, source->node);
-      if (outlook.running.contains(index)) upstream.insert(outlook.plan.nodes[index].id);
+      const PlannedNode& read = outlook.plan.nodes[standing_at(outlook.plan, source->node)];
+      if (outlook.running.contains(read.fingerprint)) upstream.insert(read.id);
     }
   }
   Json why = Json::array();
@@ -58,13 +58,12 @@ Json outputs_of(const PlannedNode& node) {
   return outputs;
 }
 
-Json explained(const Outlook& outlook, std::size_t index) {
-  const PlannedNode& node = outlook.plan.nodes[index];
-  const bool runs = outlook.running.contains(index);
+Json explained(const Outlook& outlook, const PlannedNode& node) {
+  const bool runs = outlook.running.contains(node.fingerprint);
   Json json = {{"type", node.type->id},
-               {"state", runs                            ? "runs"
-                         : outlook.known.contains(index) ? "known"
-                                                         : "skipped"},
+               {"state", runs                                       ? "runs"
+                         : outlook.known.contains(node.fingerprint) ? "known"
+                                                                    : "skipped"},
                {"outputs", outputs_of(node)}};
   if (!runs) return json;
   const NodeCost cost = cost_of(node);
@@ -81,23 +80,20 @@ Json explanation(const PreparedGraph& prepared, const std::vector<std::size_t>& 
                  const History& history) {
   const Plan& plan = prepared.plan;
   const Foreseen foreseen = foresee(plan, targets, cache);
-  const Outlook outlook{plan,
-                        {foreseen.running.begin(), foreseen.running.end()},
-                        {foreseen.known.begin(), foreseen.known.end()},
-                        history.last_parameters(prepared.graph->hash),
-                        history};
-  Json nodes = Json::object();
-  std::uint64_t work = 0;
-  double milliseconds = 0;
-  for (std::size_t index = 0; index < plan.nodes.size(); ++index) {
-    Json node = explained(outlook, index);
-    work += node.value("work", std::uint64_t{0});
-    milliseconds += node.value("milliseconds", 0.0);
-    nodes[plan.nodes[index].id] = std::move(node);
+  Outlook outlook{plan, {}, {}, history.last_parameters(prepared.graph->hash), history};
+  double work = 0, milliseconds = 0;
+  for (const std::size_t index : foreseen.running) {
+    const PlannedNode& node = plan.nodes[index];
+    outlook.running.insert(node.fingerprint);
+    work += cost_of(node).work;
+    milliseconds += cost_of(node).work * history.milliseconds_per_unit(node.type->id);
   }
+  for (const std::size_t index : foreseen.known) outlook.known.insert(plan.nodes[index].fingerprint);
+  Json nodes = Json::object();
+  for (const PlannedNode& node : plan.nodes) nodes[node.id] = explained(outlook, node);
   return {{"runs", foreseen.running.size()},
           {"known", foreseen.known.size()},
-          {"work", work},
+          {"work", static_cast<std::uint64_t>(work)},
           {"milliseconds", milliseconds},
           {"bytes", foreseen.running.empty() ? 0 : prepared.bytes},
           {"nodes", std::move(nodes)}};

@@ -1,12 +1,13 @@
 #include "service/history.h"
 
+#include <algorithm>
+
 #include "graph/cost.h"
 
 namespace dini {
 namespace {
 
-constexpr std::size_t most_computed = 100'000;
-constexpr std::size_t most_graphs = 1'000;
+constexpr std::size_t most_graphs = 64;
 /// Older measurements count half once so much newer work has come.
 constexpr double speed_window = 2e10;
 /// Until something was measured: a unit of work is about a nanosecond.
@@ -14,12 +15,14 @@ constexpr double usual_milliseconds_per_unit = 1e-6;
 
 }  // namespace
 
+std::size_t History::place_of(const Digest& fingerprint) { return DigestHash()(fingerprint) % places; }
+
 void History::note(const Digest& graph, const Plan& plan, const Evaluation& evaluation) {
   const std::lock_guard lock(mutex_);
   for (const PlannedNode& node : plan.nodes) {
     const NodeRun* run = evaluation.run(node);
     if (run == nullptr || run->cached) continue;
-    note_computed(node.fingerprint);
+    computed_[place_of(node.fingerprint)] = node.fingerprint;
     const double work = cost_of(node).work;
     for (Speed* speed : {&speeds_[node.type->id], &all_}) {
       if (speed->work > speed_window) *speed = {speed->milliseconds / 2, speed->work / 2};
@@ -34,18 +37,16 @@ void History::note(const Digest& graph, const Plan& plan, const Evaluation& eval
   }
 }
 
-void History::note_computed(const Digest& fingerprint) {
-  if (!computed_.insert(fingerprint).second) return;
-  computed_order_.push_back(fingerprint);
-  while (computed_order_.size() > most_computed) {
-    computed_.erase(computed_order_.front());
-    computed_order_.pop_front();
-  }
+void History::clear() {
+  const std::lock_guard lock(mutex_);
+  std::ranges::fill(computed_, Digest{});
+  parameters_ = {};
+  parameters_order_ = {};
 }
 
 bool History::was_computed(const Digest& fingerprint) const {
   const std::lock_guard lock(mutex_);
-  return computed_.contains(fingerprint);
+  return computed_[place_of(fingerprint)] == fingerprint;
 }
 
 std::optional<ParameterValues> History::last_parameters(const Digest& graph) const {

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <unordered_set>
+#include <vector>
 
 #include "graph/digest.h"
 #include "graph/evaluate.h"
@@ -19,6 +19,9 @@ class History {
  public:
   /// Notes a finished evaluation of the graph with that hash.
   void note(const Digest& graph, const Plan& plan, const Evaluation& evaluation);
+
+  /// Lets go of all but the speeds.
+  void clear();
 
   /// Whether a node with that fingerprint was computed, as far as is remembered.
   bool was_computed(const Digest& fingerprint) const;
@@ -35,11 +38,13 @@ class History {
     double work = 0;
   };
 
-  void note_computed(const Digest& fingerprint);
+  static constexpr std::size_t places = 16'384;
+
+  static std::size_t place_of(const Digest& fingerprint);
 
   mutable std::mutex mutex_;
-  std::unordered_set<Digest, DigestHash> computed_;
-  std::deque<Digest> computed_order_;  ///< the oldest first
+  /// Each at its place, where a later one may take it: what is forgotten so is called new.
+  std::vector<Digest> computed_ = std::vector<Digest>(places);
   std::map<Digest, ParameterValues> parameters_;
   std::deque<Digest> parameters_order_;
   std::map<std::string, Speed> speeds_;

@@ -7,7 +7,7 @@ Json explain_schemas() {
   using namespace schema;
   const Json output = object({{"type", text("The type of its values.")},
                               {"axes", list(reference("Axis"), "The axes that the values run over.")},
-                              {"vertices", whole("At most so many in all meshes on the wire.")}},
+                              {"vertices", whole("About so many in all meshes on the wire.")}},
                              "What an output will hold.");
   const Json reason = object(
       {{"because", word({"new", "parameter", "upstream", "evicted"},
