@@ -97,11 +97,7 @@ JobRunner::JobRunner(const Engine& engine, Flights& flights, store::JobStore job
     : engine_(engine), flights_(flights), jobs_(std::move(jobs)), terms_(terms), line_of_(std::move(line_of)) {}
 
 void JobRunner::start() {
-  for (const char* const state : {"running", "queued"}) {
-    const auto left = jobs_.in_state(state);
-    if (!left) continue;
-    for (const store::JobRecord& job : *left) waiting_.push_back(job.id);
-  }
+  if (const auto left = jobs_.unfinished()) waiting_.assign(left->begin(), left->end());
   thread_ = std::thread([this] { work(); });
 }
 
@@ -231,14 +227,14 @@ void JobRunner::work() {
 }
 
 void JobRunner::begin(const std::string& id, const SharedLive& live) {
+  const auto begun = jobs_.begin(id);
   const auto record = jobs_.find(id);
   const auto body = jobs_.body(id);
-  const auto begun = record && body ? jobs_.begin(id) : Result<bool>(false);
-  if (!record || !body || !begun || !*record) {
+  if (!begun || !record || !body || !*begun) {
     std::unique_lock lock(mutex_);
     live_.erase(id);
-    if (record && !*record) return;  // it is there no more
-    waiting_.push_front(id);         // the store does not work just now
+    if (begun && !*begun) return;  // it is there no more, or has ended
+    waiting_.push_front(id);       // the store does not work just now
     changed_.wait_for(lock, storage_pause, [this] { return stopped_; });
     return;
   }

@@ -43,7 +43,7 @@ class JobRunner {
   JobRunner(const JobRunner&) = delete;
   JobRunner& operator=(const JobRunner&) = delete;
 
-  /// Begins to do what there is to do.
+  /// Begins to do what there is to do. To be called once, before anybody may add a job.
   void start();
 
   /// Keeps a job, and does it when it is its turn. Nothing when too many wait.

@@ -171,8 +171,8 @@ Result<std::unique_ptr<Server>> Server::start(const Engine& engine, const Settin
     return Problem{.code = "address",
                    .detail = "Cannot listen on " + settings.host + " port " + std::to_string(settings.port) + "."};
   }
-  state->connections.start();
   state->runner.start();
+  state->connections.start();
   return std::unique_ptr<Server>(new Server(std::move(state)));
 } catch (const std::bad_alloc&) {
   return Problem{.code = "out-of-memory", .detail = "There is not enough memory to start."};

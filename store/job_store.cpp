@@ -105,13 +105,13 @@ Result<std::optional<JobRecord>> JobStore::find(std::string_view id) const {
       [&](SQLite::Database& database) -> Result<std::optional<JobRecord>> { return record_of(database, id); });
 }
 
-Result<std::vector<JobRecord>> JobStore::in_state(std::string_view state) const {
-  return database_->read([&](SQLite::Database& database) -> Result<std::vector<JobRecord>> {
-    SQLite::Statement select(database, "SELECT " + columns + "FROM jobs j WHERE j.state = ? ORDER BY j.number");
-    bind_text(select, 1, state);
-    std::vector<JobRecord> records;
-    while (select.executeStep()) records.push_back(record_in(select));
-    return records;
+Result<std::vector<std::string>> JobStore::unfinished() const {
+  return database_->read([](SQLite::Database& database) -> Result<std::vector<std::string>> {
+    SQLite::Statement select(
+        database, "SELECT id FROM jobs WHERE state IN ('queued', 'running') ORDER BY state = 'queued', number");
+    std::vector<std::string> ids;
+    while (select.executeStep()) ids.push_back(select.getColumn(0).getString());
+    return ids;
   });
 }
 
@@ -125,7 +125,7 @@ Result<std::string> JobStore::body(std::string_view id) const {
 
 Result<bool> JobStore::begin(std::string_view id) {
   return database_->write([&](SQLite::Database& database) -> Result<bool> {
-    SQLite::Statement update(database, "UPDATE jobs SET state = 'running', started = ? WHERE id = ?");
+    SQLite::Statement update(database, "UPDATE jobs SET state = 'running', started = ? WHERE id = ? AND state IN ('queued', 'running')");
     update.bind(1, now_milliseconds());
     bind_text(update, 2, id);
     return update.exec() > 0;

@@ -73,11 +73,12 @@ class JobStore {
   Result<std::optional<AddedJob>> add(const NewJob& job, std::size_t most_waiting);
 
   Result<std::optional<JobRecord>> find(std::string_view id) const;
-  /// Those that are in a state, in the order in which they came.
-  Result<std::vector<JobRecord>> in_state(std::string_view state) const;
+  /// The ids of those that have not ended: first those that were begun, each in the order in which they came.
+  Result<std::vector<std::string>> unfinished() const;
   /// What was sent to begin it; empty for a job that is not there.
   Result<std::string> body(std::string_view id) const;
 
+  /// False for one that is not there or has ended.
   Result<bool> begin(std::string_view id);
   Result<bool> add_lines(std::string_view id, const std::vector<JobLine>& lines);
   /// Ends it, unless it has ended. `errors` is JSON.
