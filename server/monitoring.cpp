@@ -25,11 +25,14 @@ void add_cache(std::vector<Reading>& readings, const std::string& what, const st
 std::vector<Reading> readings_of(const Application& application) {
   const jobs::ComputeQueue::Load load = application.queue.load();
   const jobs::Flights::Count flights = application.flights.count();
+  const jobs::JobRunner::Load jobs = application.jobs.load();
   std::vector<Reading> readings = {
       {"dini_connections", "Connections that are open.", static_cast<double>(application.connections.open())},
       {"dini_computing", "Evaluations that run.", static_cast<double>(load.running)},
       {"dini_waiting", "Evaluations that wait for a place.", static_cast<double>(load.waiting)},
       {"dini_promised_bytes", "Memory that is predicted for what runs.", static_cast<double>(load.bytes)},
+      {"dini_jobs_running", "Jobs that are done.", static_cast<double>(jobs.running)},
+      {"dini_jobs_waiting", "Jobs that wait for their turn.", static_cast<double>(jobs.waiting)},
       {"dini_computations_total", "Computations that were begun.", static_cast<double>(flights.begun), true},
       {"dini_joined_total", "Requests that joined a computation that was begun for another.",
        static_cast<double>(flights.joined), true},

@@ -116,3 +116,15 @@ TEST_CASE("Who was late for want of a place is told when to try again, and who w
   CHECK(worked->status == 504);
   CHECK(worked->header("retry-after").empty());
 }
+
+TEST_CASE("The numbers tell of jobs that run and wait") {
+  const Running server;
+  CHECK(metric(server.port(), "dini_jobs_running") == 0);
+  const auto begin = [&](int milliseconds) {
+    REQUIRE(post(server.port(), "/v1/jobs", toy_body({{"milliseconds", milliseconds}}))->status == 202);
+  };
+  begin(60'000);
+  REQUIRE(eventually([&] { return metric(server.port(), "dini_jobs_running") == 1; }));
+  begin(60'001);
+  CHECK(metric(server.port(), "dini_jobs_waiting") == 1);
+}
