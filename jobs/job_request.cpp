@@ -5,7 +5,9 @@ namespace {
 
 bool is_sweep(const Json& body) { return body.contains("grid") || body.contains("zip") || body.contains("list"); }
 
-Result<JobRequest> read_sweep(Json body, const Engine& engine) {
+}  // namespace
+
+Result<JobRequest> read_sweep_request(Json body, const Engine& engine) {
   auto read = read_sweep_body(std::move(body), engine);
   if (!read) return read.problems();
   auto variants = Variants::read(*read, read->parameters, engine.limits().sweep_variants);
@@ -15,10 +17,8 @@ Result<JobRequest> read_sweep(Json body, const Engine& engine) {
   return JobRequest{SweepRequest{*std::move(read), *std::move(variants), first}, deadline};
 }
 
-}  // namespace
-
 Result<JobRequest> read_job_request(Json body, const std::string& format, const Engine& engine) {
-  if (is_sweep(body)) return read_sweep(std::move(body), engine);
+  if (is_sweep(body)) return read_sweep_request(std::move(body), engine);
   auto read = read_evaluate_body(std::move(body), engine);
   if (!read) return read.problems();
   read->format = format;

@@ -22,6 +22,9 @@ struct JobRequest {
   std::size_t total() const { return is_sweep() ? std::get<SweepRequest>(asked).variants.size() : 0; }
 };
 
+/// Reads the body of a sweep.
+Result<JobRequest> read_sweep_request(Json body, const Engine& engine);
+
 /// Reads the body of an evaluation or, when it has a grid, a zip or a list, of a sweep. `format` is that of the models
 /// of an evaluation.
 Result<JobRequest> read_job_request(Json body, const std::string& format, const Engine& engine);

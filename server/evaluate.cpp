@@ -40,11 +40,7 @@ Operation describe_evaluate() {
               "answer. The bytes of a file depend on the graph, the parameters and the engine only. Only what the "
               "output and the previews depend on has to be well; problems of other nodes are warnings of the "
               "report. But a check that cannot run fails the request, as one that does not hold would.",
-          .parameters = {accept_header("What is answered: the file, the report, or both as parts of one answer.",
-                                       [] {
-                                         const auto offers = evaluation_types(usual_formats());
-                                         return std::vector<std::string>(offers.begin(), offers.end());
-                                       }()),
+          .parameters = {accept_header("What is answered: the file, the report, or both as parts of one answer."),
                          if_none_match_header(), supersede_key_header(), supersede_header(), prefer_header(),
                          idempotency_key_header()},
           .request = &evaluate_description(),
@@ -63,14 +59,7 @@ Operation describe_evaluate() {
                        .headers = {"ETag", "Cache-Control", "Vary", "Content-Disposition"}},
                       job_answers().front(),
                       not_modified()},
-          .problems =
-              [] {
-                auto codes = codes_of(ProblemKind::graph);
-                const auto of_jobs = job_problems();
-                codes.insert(codes.end(), of_jobs.begin(), of_jobs.end());
-                codes.push_back("not-acceptable");
-                return codes;
-              }(),
+          .problems = job_problems(),
           .computes = true};
 }
 

@@ -150,11 +150,7 @@ std::vector<std::string_view> evaluation_types(std::span<const FileFormat> forma
 }
 
 Result<std::string_view> evaluation_type(const Engine& engine, std::string_view accept) {
-  const std::vector<std::string_view> types = evaluation_types(engine.formats());
-  if (const auto type = choose_type(accept, types)) return *type;
-  std::string list;
-  for (const std::string_view type : types) list.append(list.empty() ? "" : ", ").append(type);
-  return Problem{.code = "not-acceptable", .detail = "Available are " + list + "."};
+  return accepted_type(accept, evaluation_types(engine.formats()));
 }
 
 std::string format_of_answer(const Engine& engine, std::string_view type) {

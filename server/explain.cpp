@@ -17,11 +17,7 @@ Operation describe_explain() {
           .answers = {{.doc = "Every node that the output and the previews depend on.",
                        .contents = {{.type = "application/json", .schema = schema::reference("Explanation")}},
                        .headers = {"Cache-Control"}}},
-          .problems = [] {
-            auto codes = codes_of(ProblemKind::graph);
-            codes.push_back("deadline");
-            return codes;
-          }()};
+          .problems = codes_of(ProblemKind::graph, {"deadline"})};
 }
 
 Reply explain(const Context& context) {

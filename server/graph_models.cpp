@@ -130,22 +130,19 @@ Result<std::string_view> type_for(const Context& context, const std::string& fil
 
 Operation describe_graph_output() {
   Operation evaluated = describe_evaluate();
-  std::vector<Parameter> parameters = {
-      graph_parameter(true),
-      {.place = Parameter::Place::path,
-       .name = "output",
-       .doc = "The name of an `export` node, alone or with the ending of a format.",
-       .example = "out"},
-      accept_header("What is answered when neither the ending nor `accept` says it.", {"model/gltf-binary"}),
-      if_none_match_header(),
-      range_header()};
+  std::vector<Parameter> parameters = {graph_parameter(true),
+                                       {.place = Parameter::Place::path,
+                                        .name = "output",
+                                        .doc = "The name of an `export` node, alone or with the ending of a format.",
+                                        .example = "out"},
+                                       accept_header("What is answered when neither the ending nor `accept` says it."),
+                                       if_none_match_header(),
+                                       range_header()};
   for (Parameter& parameter : query_parameters()) parameters.push_back(std::move(parameter));
   Answer whole = evaluated.answers.front();
   whole.doc = "The file of the output, or its report.";
   Answer part{.status = 206, .doc = "The part that `Range` names.", .contents = whole.contents};
   part.headers = {"ETag", "Cache-Control", "Accept-Ranges", "Content-Range"};
-  std::vector<std::string_view> problems = evaluated.problems;
-  problems.insert(problems.end(), {"not-found", "range-not-satisfiable", "storage-failed"});
   return {.id = "getGraphOutput",
           .group = "Stored graphs",
           .title = "The model of an output, by its address",
@@ -156,7 +153,8 @@ Operation describe_graph_output() {
               "version, `chair@3`, is answered the same for ever and may be kept as long.",
           .parameters = std::move(parameters),
           .answers = {std::move(whole), std::move(part), not_modified()},
-          .problems = std::move(problems),
+          .problems =
+              codes_of(ProblemKind::graph, {"not-acceptable", "not-found", "range-not-satisfiable", "storage-failed"}),
           .computes = true};
 }
 

@@ -170,12 +170,8 @@ Operation describe_put_graph() {
                    .doc = "It was created.",
                    .contents = {version_content()},
                    .headers = {"ETag", "Cache-Control", "Location"}}},
-      .problems = [] {
-        auto codes = codes_of(ProblemKind::graph);
-        codes.insert(codes.end(),
-                     {"not-json", "precondition-failed", "precondition-required", "storage-full", "storage-failed"});
-        return codes;
-      }()};
+      .problems = codes_of(ProblemKind::graph, {"not-json", "precondition-failed", "precondition-required",
+                                                "storage-full", "storage-failed"})};
 }
 
 Reply put_graph(const Context& context) {

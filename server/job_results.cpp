@@ -1,7 +1,5 @@
 // What came of a job.
 
-#include <algorithm>
-
 #include "server/evaluation.h"
 #include "server/graphs.h"
 #include "server/handlers.h"
@@ -38,7 +36,7 @@ std::optional<Reply> no_result(const Context& context, const jobs::JobStatus& st
   return problem_reply(problems, context.exchange());
 }
 
-Reply immutable(std::string_view type, SharedBytes bytes) {
+Reply reply_with(std::string_view type, SharedBytes bytes) {
   return {.type = std::string(type), .body = {std::move(bytes)}, .headers = {{"Cache-Control", "private, no-cache"}}};
 }
 
@@ -55,18 +53,13 @@ Reply result_of(const Context& context, const jobs::JobStatus& status) {
   std::vector<std::string_view> types;
   if (result.file) types.push_back(result.file->media_type);
   types.push_back(is_sweep ? line_type : report_type);
-  const auto type = choose_type(context.request().header("Accept"), types);
-  if (!type) {
-    std::string list;
-    for (const std::string_view offered : types) list.append(list.empty() ? "" : ", ").append(offered);
-    return problem_reply(Problem{.code = "not-acceptable", .detail = "Available are " + list + "."},
-                         context.exchange());
-  }
-  if (*type == report_type) return immutable(*type, share(std::move(result.report)));
-  if (!is_sweep) return immutable(*type, result.file->bytes);
+  const auto type = accepted_type(context.request().header("Accept"), types);
+  if (!type) return problem_reply(type.problems(), context.exchange());
+  if (*type == report_type) return reply_with(*type, share(std::move(result.report)));
+  if (!is_sweep) return reply_with(*type, result.file->bytes);
   auto lines = kept.lines(id);
   if (!lines) return problem_reply(lines.problems(), context.exchange());
-  return immutable(*type, share(*std::move(lines)));
+  return reply_with(*type, share(*std::move(lines)));
 }
 
 }  // namespace
@@ -76,24 +69,19 @@ Operation describe_job_result() {
   for (const FileFormat& format : usual_formats()) contents.push_back({.type = format.media_types.front()});
   contents.push_back({.type = std::string(report_type), .schema = schema::reference("Report")});
   contents.push_back({.type = std::string(line_type), .schema = schema::reference("SweepLine")});
-  std::vector<std::string> offers;
-  for (const Content& content : contents) offers.push_back(content.type);
   return {.id = "getJobResult",
           .group = "Jobs",
           .title = "What came of a job",
           .doc =
               "Of an evaluation the file or, by `Accept`, the report; of a sweep a line of JSON for each variant, as "
               "`POST /v1/sweeps` answers. A job that failed is answered with its problems.",
-          .parameters = {job_parameter(), accept_header("The file, the report, or the lines.", offers)},
+          .parameters = {job_parameter(), accept_header("The file, the report, or the lines.")},
           .answers = {{.doc = "The file, the report, or the lines.",
                        .contents = std::move(contents),
                        .headers = {"Cache-Control"}}},
-          .problems = [] {
-            auto codes = codes_of(ProblemKind::graph);
-            codes.insert(codes.end(), {"not-found", "job-unfinished", "canceled", "job-expired", "not-acceptable",
-                                       "storage-full", "storage-failed", "deadline", "out-of-memory"});
-            return codes;
-          }()};
+          .problems =
+              codes_of(ProblemKind::graph, {"not-found", "job-unfinished", "canceled", "job-expired", "not-acceptable",
+                                            "storage-full", "storage-failed", "deadline", "out-of-memory"})};
 }
 
 Reply job_result(const Context& context) {

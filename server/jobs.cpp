@@ -18,14 +18,10 @@ constexpr std::size_t longest_key = 255;
 
 /// 128 random bits: nobody guesses the address of another one's job.
 std::string new_id() {
-  constexpr std::string_view digits = "0123456789abcdef";
   std::random_device random;
-  std::string id;
-  for (int word = 0; word < 4; ++word) {
-    std::uint32_t bits = random();
-    for (int digit = 0; digit < 8; ++digit, bits >>= 4) id += digits[bits & 15];
-  }
-  return id;
+  Digest digest{};
+  for (std::uint8_t& byte : digest) byte = static_cast<std::uint8_t>(random());
+  return to_hex(digest).substr(0, 32);
 }
 
 std::string address_of(const std::string& id, const std::string& base_path) { return base_path + "/v1/jobs/" + id; }
@@ -175,7 +171,8 @@ std::vector<Answer> job_answers() {
 }
 
 std::vector<std::string_view> job_problems() {
-  return {"idempotency-key-reused", "busy", "storage-full", "storage-failed", "deadline", "shutting-down"};
+  return codes_of(ProblemKind::graph, {"not-acceptable", "idempotency-key-reused", "busy", "storage-full",
+                                       "storage-failed", "deadline", "shutting-down"});
 }
 
 Operation describe_create_job() {
@@ -189,22 +186,12 @@ Operation describe_create_job() {
           "server's restarts, and have limits of their own: `job_milliseconds` for an evaluation, "
           "`sweep_milliseconds` for a sweep; a `deadline_ms` counts from when the job begins.",
       .parameters = {accept_header("The format that an evaluation is to write its model in; the answer to this "
-                                   "request is JSON whatever it says.",
-                                   [] {
-                                     const auto offers = evaluation_types(usual_formats());
-                                     return std::vector<std::string>(offers.begin(), offers.end());
-                                   }()),
+                                   "request is JSON whatever it says."),
                      idempotency_key_header()},
       .request = &evaluate_description(),
       .or_request = &sweep_description(),
       .answers = job_answers(),
-      .problems = [] {
-        auto codes = codes_of(ProblemKind::graph);
-        const auto more = job_problems();
-        codes.insert(codes.end(), more.begin(), more.end());
-        codes.push_back("not-acceptable");
-        return codes;
-      }()};
+      .problems = job_problems()};
 }
 
 void create_job(const Context& context) {

@@ -36,7 +36,7 @@ void begin_job(const Context& context, Json body, const std::string& format);
 
 /// The answer to who begins a job.
 std::vector<Answer> job_answers();
-/// The problems that beginning a job may end in, beside those of its graph.
+/// The problems that beginning a job may end in.
 std::vector<std::string_view> job_problems();
 
 }  // namespace dini::server

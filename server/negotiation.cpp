@@ -51,6 +51,13 @@ std::optional<std::string_view> choose_type(std::string_view accept, std::span<c
   return best;
 }
 
+Result<std::string_view> accepted_type(std::string_view accept, std::span<const std::string_view> offers) {
+  if (const auto type = choose_type(accept, offers)) return *type;
+  std::string list;
+  for (const std::string_view offer : offers) list.append(list.empty() ? "" : ", ").append(offer);
+  return Problem{.code = "not-acceptable", .detail = "Available are " + list + "."};
+}
+
 bool names_tag(std::string_view if_none_match, std::string_view tag) {
   for (std::string_view candidate : split(if_none_match, ',')) {
     if (candidate.starts_with("W/")) candidate.remove_prefix(2);

@@ -4,11 +4,16 @@
 #include <span>
 #include <string_view>
 
+#include "graph/problem.h"
+
 namespace dini::server {
 
 /// The offer that an `Accept` header likes best, the first of several; nothing when it accepts none of them. An empty
 /// header accepts everything.
 std::optional<std::string_view> choose_type(std::string_view accept, std::span<const std::string_view> offers);
+
+/// The same, or the problem `not-acceptable`, which lists the offers.
+Result<std::string_view> accepted_type(std::string_view accept, std::span<const std::string_view> offers);
 
 /// True when an `If-None-Match` header names the tag or is `*`. Weak tags compare like strong ones (RFC 9110, 13.1.2):
 /// a proxy that compresses the answer weakens its tag.

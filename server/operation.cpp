@@ -5,6 +5,7 @@
 #include <set>
 
 #include "server/access.h"
+#include "service/engine.h"
 
 namespace dini::server {
 namespace {
@@ -54,8 +55,11 @@ std::string_view name_of(Parameter::Place place) {
 
 std::span<const AnswerHeader> answer_headers() { return headers; }
 
-Parameter accept_header(std::string doc, const std::vector<std::string>& offers) {
-  return {.place = Parameter::Place::header, .name = "Accept", .doc = std::move(doc), .example = offers.front()};
+Parameter accept_header(std::string doc) {
+  return {.place = Parameter::Place::header,
+          .name = "Accept",
+          .doc = std::move(doc),
+          .example = usual_formats().front().media_types.front()};
 }
 
 Parameter if_none_match_header() {
@@ -87,11 +91,12 @@ Answer not_modified() {
   return {.status = 304, .doc = "The client has this answer already.", .headers = {"ETag", "Cache-Control"}};
 }
 
-std::vector<std::string_view> codes_of(ProblemKind kind) {
+std::vector<std::string_view> codes_of(ProblemKind kind, const std::vector<std::string_view>& more) {
   std::vector<std::string_view> codes;
   for (const ProblemCode& known : problem_codes()) {
     if (known.kind == kind) codes.push_back(known.code);
   }
+  codes.insert(codes.end(), more.begin(), more.end());
   return codes;
 }
 

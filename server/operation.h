@@ -66,7 +66,7 @@ struct AnswerHeader {
 std::span<const AnswerHeader> answer_headers();
 
 /// The headers that requests may carry, described once for all routes that look at them.
-Parameter accept_header(std::string doc, const std::vector<std::string>& offers);
+Parameter accept_header(std::string doc);
 Parameter if_none_match_header();
 Parameter supersede_key_header();
 Parameter supersede_header();
@@ -74,8 +74,8 @@ Parameter supersede_header();
 /// The answer 304, and the two headers that go with it.
 Answer not_modified();
 
-/// The codes of a kind.
-std::vector<std::string_view> codes_of(ProblemKind kind);
+/// The codes of a kind, and some more.
+std::vector<std::string_view> codes_of(ProblemKind kind, const std::vector<std::string_view>& more = {});
 
 /// Every code that the operation may answer at that method and path, in the order of `problem_codes`.
 std::vector<std::string_view> every_problem(const Operation& operation, std::string_view method, std::string_view path);

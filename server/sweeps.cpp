@@ -73,25 +73,19 @@ Operation describe_sweep() {
       .answers = {{.doc = "A line for each variant: its index, its parameters, its status, and what came of it.",
                    .contents = {{.type = std::string(line_type), .schema = schema::reference("SweepLine")}},
                    .headers = {"Cache-Control"}}},
-      .problems = [] {
-        auto codes = codes_of(ProblemKind::graph);
-        codes.insert(codes.end(), {"deadline", "shutting-down"});
-        return codes;
-      }()};
+      .problems = codes_of(ProblemKind::graph, {"deadline", "shutting-down"})};
 }
 
 void sweep(const Context& context) {
   auto json = read_json(context);
   if (!json) return reply_problems(context, json.problems());
-  auto body = read_sweep_body(*std::move(json), context.engine());
-  if (!body) return reply_problems(context, body.problems());
-  auto variants = Variants::read(*body, body->parameters, context.engine().limits().sweep_variants);
-  if (!variants) return reply_problems(context, variants.problems());
-  const auto deadline = end_of(context, body->deadline_milliseconds);
-  const auto first = static_cast<std::size_t>(body->first);
-  context.call->note_graph(body->graph->hash);
-  const auto request = std::make_shared<const jobs::SweepRequest>(
-      jobs::SweepRequest{*std::move(body), *std::move(variants), first, deadline});
+  auto read = jobs::read_sweep_request(*std::move(json), context.engine());
+  if (!read) return reply_problems(context, read.problems());
+  const auto deadline = end_of(context, read->deadline_milliseconds);
+  auto asked = std::get<jobs::SweepRequest>(std::move(read->asked));
+  context.call->note_graph(asked.base.graph->hash);
+  asked.deadline = deadline;
+  const auto request = std::make_shared<const jobs::SweepRequest>(std::move(asked));
   const Digest key = DigestBuilder().text("sweep cost").text(context.request().body).finish();
   ask<jobs::SweepCost>(
       context, {.key = key, .deadline = deadline},
