@@ -1,10 +1,9 @@
 #include "cli/json_lines.h"
 
-#include <array>
 #include <chrono>
-#include <ctime>
 
 #include "server/request_log.h"
+#include "server/text.h"
 #include "service/engine.h"
 
 namespace dini::cli {
@@ -13,22 +12,13 @@ namespace {
 /// So that the line with all its escapes is written at once, and so whole.
 constexpr std::size_t most_message_bytes = 600;
 
-std::string time_text(spdlog::log_clock::time_point time) {
-  const std::time_t seconds = spdlog::log_clock::to_time_t(time);
-  const auto since = std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch());
-  std::tm parts{};
-  ::gmtime_r(&seconds, &parts);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S.", &parts);
-  return text.data() + std::to_string(1000 + since.count() % 1000).substr(1) + "Z";
-}
-
 class JsonLines final : public spdlog::formatter {
  public:
   void format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& line) override {
     const auto level = spdlog::level::to_string_view(message.level);
     const std::string_view said(message.payload.data(), message.payload.size());
-    std::string text = R"({"time":")" + time_text(message.time) + R"(","level":")";
+    const auto since = std::chrono::duration_cast<std::chrono::milliseconds>(message.time.time_since_epoch());
+    std::string text = R"({"time":")" + server::time_text(since.count()) + R"(","level":")";
     text.append(level.data(), level.size()).append("\",");
     if (std::string_view(message.logger_name.data(), message.logger_name.size()) == server::request_logger) {
       text += said;

@@ -28,29 +28,40 @@ std::vector<std::size_t> source_nodes(const PlannedNode& node) {
   return sources;
 }
 
+/// Walks from the targets to what they need. `visit` is given the index of each node, of one that many need more than
+/// once, and says whether to go on to what that needs.
+template <class Visit>
+void walk_needed(const Plan& plan, const std::vector<std::size_t>& targets, Visit visit) {
+  std::vector<std::size_t> stack = targets;
+  while (!stack.empty()) {
+    const std::size_t index = standing_at(plan, stack.back());
+    stack.pop_back();
+    if (!visit(index)) continue;
+    const std::vector<std::size_t> sources = source_nodes(plan.nodes[index]);
+    stack.insert(stack.end(), sources.begin(), sources.end());
+  }
+}
+
 class Evaluator {
  public:
   Evaluator(const Plan& plan, Cache& cache, const Job& job)
       : plan_(plan), cache_(cache), cancel_(job.cancel), progress_(job.progress) {}
 
-  /// Walks from the targets to what they need and stops at cached results.
+  /// What the targets need, as far as cached results.
   void find_needed(const std::vector<std::size_t>& targets) {
-    std::vector<std::size_t> stack = targets;
-    while (!stack.empty()) {
-      const PlannedNode& planned = plan_.nodes[standing_at(plan_, stack.back())];
-      stack.pop_back();
+    walk_needed(plan_, targets, [this](std::size_t index) {
+      const PlannedNode& planned = plan_.nodes[index];
       const auto [place, first] = steps_.try_emplace(planned.fingerprint);
-      if (!first) continue;
+      if (!first) return false;
       Step& step = place->second;
       step.node = &planned;
       if (auto result = cache_.find<NodeResult>(planned.fingerprint)) {
         step.run = {0, true, std::move(result)};
-        continue;
+        return false;
       }
       to_run_.push_back(&step);
-      const std::vector<std::size_t> sources = source_nodes(planned);
-      stack.insert(stack.end(), sources.begin(), sources.end());
-    }
+      return true;
+    });
   }
 
   bool nothing_to_run() const { return to_run_.empty(); }
@@ -221,20 +232,13 @@ std::optional<Evaluation> find_evaluation(const Plan& plan, const std::vector<st
 Foreseen foresee(const Plan& plan, const std::vector<std::size_t>& targets, const Cache& cache) {
   Foreseen foreseen;
   std::set<Digest> seen;
-  std::vector<std::size_t> stack = targets;
-  while (!stack.empty()) {
-    const std::size_t index = standing_at(plan, stack.back());
-    stack.pop_back();
-    const PlannedNode& node = plan.nodes[index];
-    if (!seen.insert(node.fingerprint).second) continue;
-    if (cache.contains(node.fingerprint)) {
-      foreseen.known.push_back(index);
-      continue;
-    }
-    foreseen.running.push_back(index);
-    const std::vector<std::size_t> sources = source_nodes(node);
-    stack.insert(stack.end(), sources.begin(), sources.end());
-  }
+  walk_needed(plan, targets, [&](std::size_t index) {
+    const Digest& fingerprint = plan.nodes[index].fingerprint;
+    if (!seen.insert(fingerprint).second) return false;
+    const bool known = cache.contains(fingerprint);
+    (known ? foreseen.known : foreseen.running).push_back(index);
+    return !known;
+  });
   std::ranges::sort(foreseen.running);
   std::ranges::sort(foreseen.known);
   return foreseen;

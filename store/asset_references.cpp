@@ -1,7 +1,6 @@
 #include "store/asset_references.h"
 
-#include <SQLiteCpp/Statement.h>
-#include <string>
+#include "store/statements.h"
 
 namespace dini::store {
 
@@ -21,8 +20,8 @@ void insert_references(SQLite::Database& database, std::string_view id, std::int
                        std::string_view document) {
   SQLite::Statement insert(database, "INSERT OR IGNORE INTO asset_references (sha256, id, version) VALUES (?, ?, ?)");
   for (const Digest& digest : assets_named_in(document)) {
-    insert.bind(1, digest.data(), static_cast<int>(digest.size()));
-    insert.bind(2, std::string(id));
+    bind_digest(insert, 1, digest);
+    bind_text(insert, 2, id);
     insert.bind(3, version);
     insert.exec();
     insert.reset();
@@ -31,7 +30,7 @@ void insert_references(SQLite::Database& database, std::string_view id, std::int
 
 bool is_referenced(SQLite::Database& database, const Digest& sha256) {
   SQLite::Statement select(database, "SELECT 1 FROM asset_references WHERE sha256 = ? LIMIT 1");
-  select.bind(1, sha256.data(), static_cast<int>(sha256.size()));
+  bind_digest(select, 1, sha256);
   return select.executeStep();
 }
 
