@@ -6,6 +6,7 @@
 
 #include "graph/digest.h"
 #include "jobs/flights.h"
+#include "server/packing.h"
 #include "server/reply.h"
 #include "server/request.h"
 
@@ -48,7 +49,7 @@ class Call : public std::enable_shared_from_this<Call> {
   /// Sends the answer; only the first one counts.
   void reply(Reply reply) {
     reply.notes = std::move(notes_);
-    auto answer = std::make_unique<Reply>(std::move(reply));
+    auto answer = std::make_unique<Reply>(packed(std::move(reply), exchange));
     if (const auto asker = take_asker()) asker->deliver(std::move(answer));
   }
 

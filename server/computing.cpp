@@ -67,7 +67,7 @@ void take_over(const Context& context, const std::shared_ptr<jobs::Flights::Inte
                                           patient ? jobs::Superseding::after_current : jobs::Superseding::at_once);
 }
 
-void continue_with(const Context& context, std::function<Reply()> step) {
+void continue_with(const Context& context, std::function<std::optional<Reply>()> step) {
   context.application.threads.post([context, step = std::move(step)] { answer_with(context, step); });
 }
 

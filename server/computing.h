@@ -24,25 +24,26 @@ std::optional<Problem> wrong_supersede(const Request& request);
 /// The newest request of the client's `Supersede-Key` is this one: see jobs::Supersede.
 void take_over(const Context& context, const std::shared_ptr<jobs::Flights::Interest>& interest = nullptr);
 
-/// Lets `work` be done by whoever does it first for that key, and `write` make an answer of its outcome. Problems are
-/// answered as such; nobody waits on this thread. Null when it is not let in.
+/// Lets `work` be done by whoever does it first for that key, and `write` make an answer of its outcome, or see to it
+/// that there is one later. Problems are answered as such; nobody waits on this thread. Null when it is not let in.
 template <class T>
-std::shared_ptr<jobs::Flights::Interest> ask(const Context& context, const jobs::Flights::Terms& terms,
-                                             std::function<Result<std::shared_ptr<const T>>(const Job&)> work,
-                                             std::function<Reply(const std::shared_ptr<const T>&)> write);
+std::shared_ptr<jobs::Flights::Interest> ask(
+    const Context& context, const jobs::Flights::Terms& terms,
+    std::function<Result<std::shared_ptr<const T>>(const Job&)> work,
+    std::function<std::optional<Reply>(const std::shared_ptr<const T>&)> write);
 
 /// The same, as the newest request of the client's `Supersede-Key`.
 template <class T>
 void compute(const Context& context, const jobs::Flights::Terms& terms,
              std::function<Result<std::shared_ptr<const T>>(const Job&)> work,
-             std::function<Reply(const std::shared_ptr<const T>&)> write) {
+             std::function<std::optional<Reply>(const std::shared_ptr<const T>&)> write) {
   if (const auto interest = ask<T>(context, terms, std::move(work), std::move(write))) take_over(context, interest);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// Runs a step of answering on one of the threads for answers.
-void continue_with(const Context& context, std::function<Reply()> step);
+void continue_with(const Context& context, std::function<std::optional<Reply>()> step);
 /// Adds how long the work waited for a place to the times of the answer.
 void note_queue(const Context& context, jobs::Flights::Clock::time_point asked, jobs::Flights::Begun begun);
 void refuse_busy(const Context& context);
@@ -51,16 +52,17 @@ Reply problems_reply(const Context& context, const Problems& problems);
 Reply late_reply(const Context& context, jobs::Flights::Clock::time_point deadline, jobs::Flights::Begun begun);
 
 template <class T>
-std::shared_ptr<jobs::Flights::Interest> ask(const Context& context, const jobs::Flights::Terms& terms,
-                                             std::function<Result<std::shared_ptr<const T>>(const Job&)> work,
-                                             std::function<Reply(const std::shared_ptr<const T>&)> write) {
+std::shared_ptr<jobs::Flights::Interest> ask(
+    const Context& context, const jobs::Flights::Terms& terms,
+    std::function<Result<std::shared_ptr<const T>>(const Job&)> work,
+    std::function<std::optional<Reply>(const std::shared_ptr<const T>&)> write) {
   using Outcome = Result<std::shared_ptr<const T>>;
   const auto asked = jobs::Flights::Clock::now();
   const auto interest =
       context.application.flights.ask<T>(terms, std::move(work),
                                          [context, asked, deadline = terms.deadline, write = std::move(write)](
                                              const Outcome& outcome, jobs::Flights::Begun begun) {
-                                           continue_with(context, [=] {
+                                           continue_with(context, [=]() -> std::optional<Reply> {
                                              note_queue(context, asked, begun);
                                              if (outcome) return write(*outcome);
                                              if (outcome.problems().front().code != "deadline")

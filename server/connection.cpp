@@ -5,6 +5,7 @@
 
 #include "server/access.h"
 #include "server/forwarding.h"
+#include "server/negotiation.h"
 #include "server/responses.h"
 #include "server/text.h"
 #include "server/trace.h"
@@ -38,11 +39,6 @@ std::size_t held_alone(const Reply& reply) {
     if (piece.use_count() == 1) held += piece->size();
   }
   return held;
-}
-
-bool accepts_gzip(std::string_view encodings) {
-  const std::string lower = to_lower(encodings);
-  return lower.find("gzip") != std::string::npos && lower.find("gzip;q=0") == std::string::npos;
 }
 
 }  // namespace
@@ -186,9 +182,10 @@ void Connection::take_head() {
   head_ = *std::move(head);
   const std::string rest = input_.substr(size);
   input_.clear();
-  deadline_ = Clock::now() + home_.settings().body_deadline +
-              std::chrono::seconds(head_->content_length / read_bytes_per_second);
-  if (head_->expects_continue && rest.empty() && head_->content_length > 0) {
+  body_ = head_->is_chunked ? IncomingBody::in_chunks(limit) : IncomingBody::of_length(head_->content_length);
+  body_begun_ = Clock::now();
+  set_body_deadline();
+  if (head_->expects_continue && rest.empty() && !body_->is_complete()) {
     constexpr std::array<std::string_view, 1> go_on = {"HTTP/1.1 100 Continue\r\n\r\n"};
     if (socket_.write(go_on).bytes != go_on[0].size()) return close();
   }
@@ -196,19 +193,26 @@ void Connection::take_head() {
 }
 
 void Connection::take_body(std::string_view bytes) {
-  const std::size_t missing = head_->content_length - body_.size();
-  const std::string_view own = bytes.substr(0, missing);
-  if (!home_.take_incoming(own.size())) {
+  const auto taken = body_->take(bytes);
+  if (!taken) return refuse(taken.problems().front());
+  const std::size_t added = body_->size() - held_incoming_;
+  if (!home_.take_incoming(added)) {
     return refuse({.code = "busy", .detail = "Too many large bodies arrive at once; try again in a moment."});
   }
-  held_incoming_ += own.size();
-  body_.append(own);
-  if (bytes.size() > own.size()) {
+  held_incoming_ += added;
+  if (bytes.size() > *taken) {
     // Bytes past the request would be a pipelined one, or one smuggled through a proxy that counts differently: no
     // telling.
     last_ = true;
   }
-  if (body_.size() == head_->content_length) finish_request();
+  if (body_->is_complete()) return finish_request();
+  if (head_->is_chunked) set_body_deadline();
+}
+
+/// A body whose length is not told gets more time as it comes.
+void Connection::set_body_deadline() {
+  const std::size_t bytes = head_->is_chunked ? body_->size() : head_->content_length;
+  deadline_ = body_begun_ + home_.settings().body_deadline + std::chrono::seconds(bytes / read_bytes_per_second);
 }
 
 void Connection::finish_request() {
@@ -216,15 +220,15 @@ void Connection::finish_request() {
   since_ = Clock::now();
   deadline_ = Clock::time_point::max();
   last_ = last_ || head_->close || home_.is_draining();
-  exchange_->accepts_gzip = accepts_gzip(head_->request.header("Accept-Encoding"));
-  head_->request.body = std::move(body_);
-  body_.clear();
+  exchange_->accepts_gzip = accepts_coding(head_->request.header("Accept-Encoding"), "gzip");
+  head_->request.body = std::move(*body_).release();
+  body_.reset();
   home_.answer(std::make_shared<Call>(shared_from_this(), std::move(head_->request), *exchange_));
 }
 
 void Connection::give_up() noexcept {
   if (state_ != State::reading && state_ != State::answering) return close();
-  body_ = {};
+  body_.reset();
   home_.give_unsent(std::exchange(held_unsent_, 0));
   try {
     begin_answer(nullptr);

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "server/call.h"
+#include "server/incoming_body.h"
 #include "server/request_head.h"
 #include "server/request_log.h"
 #include "server/sending.h"
@@ -96,6 +97,7 @@ class Connection final : public Asker, public std::enable_shared_from_this<Conne
   void take(std::string_view bytes);
   void take_head();
   void take_body(std::string_view bytes);
+  void set_body_deadline();
   void finish_request();
   void refuse(const Problem& problem);
   void refuse(Reply reply);
@@ -120,7 +122,8 @@ class Connection final : public Asker, public std::enable_shared_from_this<Conne
 
   std::string input_;  ///< of the head; then whatever came behind the request
   std::optional<RequestHead> head_;
-  std::string body_;
+  std::optional<IncomingBody> body_;
+  Clock::time_point body_begun_;
   std::size_t held_incoming_ = 0;
   std::optional<Exchange> exchange_;
   Access access_;

@@ -20,7 +20,7 @@ std::string joined(const std::vector<std::string>& words, std::string_view separ
 }
 
 std::string type_words(const Member& member) {
-  if (member.kind == MemberKind::graph) return "a graph document";
+  if (member.kind == MemberKind::graph) return "a graph document or a name";
   if (member.choices.empty()) return words_for(member.kind);
   std::vector<std::string> choices;
   for (const std::string& choice : member.choices) choices.push_back(code(choice));

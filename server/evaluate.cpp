@@ -1,5 +1,6 @@
 #include "server/computing.h"
 #include "server/evaluation.h"
+#include "server/graph_body.h"
 #include "server/handlers.h"
 #include "server/jobs.h"
 #include "server/responses.h"
@@ -19,13 +20,14 @@ Result<SharedBody> read_body(const Context& context, const std::string& format) 
       DigestBuilder().text("body").text(request.header("Content-Type")).text(format).text(request.body).finish();
   Cache& known = context.application.known;
   if (SharedBody read = known.find<EvaluateBody>(bytes)) return read;
-  auto json = read_json(context);
-  if (!json) return json.problems();
-  auto read = read_evaluate_body(*std::move(json), context.engine());
+  auto given = read_graph_body(context);
+  if (!given) return given.problems();
+  auto read = read_evaluate_body(std::move(given->json), context.engine());
   if (!read) return read.problems();
   read->format = format;
   auto body = std::make_shared<const EvaluateBody>(*std::move(read));
-  known.insert<EvaluateBody>(bytes, body, memory_of(*body));
+  // The same name may mean another graph tomorrow.
+  if (!given->names_graph) known.insert<EvaluateBody>(bytes, body, memory_of(*body));
   return SharedBody(std::move(body));
 }
 
@@ -68,9 +70,9 @@ void evaluate(const Context& context) {
   if (!type) return reply_problems(context, type.problems());
   if (auto problem = wrong_supersede(context.request())) return reply_problems(context, {*std::move(problem)});
   if (prefers_job(context.request())) {
-    auto json = read_json(context);
-    if (!json) return reply_problems(context, json.problems());
-    return begin_job(context, *std::move(json), format_of_answer(context.engine(), *type));
+    auto given = read_graph_body(context);
+    if (!given) return reply_problems(context, given.problems());
+    return begin_job(context, std::move(given->json), format_of_answer(context.engine(), *type));
   }
   const Result<SharedBody> body = read_body(context, format_of_answer(context.engine(), *type));
   if (!body) {

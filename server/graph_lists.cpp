@@ -4,6 +4,7 @@
 
 #include "server/graphs.h"
 #include "server/handlers.h"
+#include "server/query.h"
 #include "server/responses.h"
 #include "server/text.h"
 #include "service/graph_difference.h"
@@ -78,11 +79,11 @@ Operation describe_graph_list() {
           .answers = {{.doc = "A page. `next` is there when more graphs come after it.",
                        .contents = {{.type = "application/json", .schema = schema::reference("GraphPage")}},
                        .headers = {"Cache-Control"}}},
-          .problems = {"unknown-member", "out-of-range", "storage-failed"}};
+          .problems = {"out-of-range", "storage-failed"}};
 }
 
 Reply graph_list(const Context& context) {
-  const auto values = read_query(context, list_parameters());
+  const auto values = read_query(context.request(), query_names(describe_graph_list()));
   if (!values) return problem_reply(values.problems(), context.exchange());
   const auto limit = number_of(*values, "limit", usual_page, largest_page);
   if (!limit) return problem_reply(limit.problems(), context.exchange());
@@ -123,13 +124,13 @@ Operation describe_graph_difference() {
           .answers = {{.doc = "The difference.",
                        .contents = {{.type = "application/json", .schema = schema::reference("GraphDifference")}},
                        .headers = {"Cache-Control"}}},
-          .problems = {"not-found", "unknown-member", "out-of-range", "storage-failed"}};
+          .problems = {"not-found", "out-of-range", "storage-failed"}};
 }
 
 Reply graph_difference(const Context& context) {
   const auto refuse = [&](const Problems& problems) { return problem_reply(problems, context.exchange()); };
   const std::string& id = context.arguments.front();
-  const auto values = read_query(context, difference_parameters());
+  const auto values = read_query(context.request(), query_names(describe_graph_difference()));
   if (!values) return refuse(values.problems());
   const auto versions = context.application.graphs.versions(id);
   if (!versions) return refuse(versions.problems());

@@ -155,6 +155,7 @@ Operation describe_graph_output() {
           .answers = {std::move(whole), std::move(part), not_modified()},
           .problems =
               codes_of(ProblemKind::graph, {"not-acceptable", "not-found", "range-not-satisfiable", "storage-failed"}),
+          .takes_any_query = true,
           .computes = true};
 }
 

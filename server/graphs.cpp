@@ -2,7 +2,6 @@
 
 #include <charconv>
 
-#include "graph/nearest.h"
 #include "server/addresses.h"
 #include "server/handlers.h"
 #include "server/negotiation.h"
@@ -116,25 +115,6 @@ Json to_json(const Context& context, const store::GraphVersion& version) {
           {"created", time_text(version.created)},
           {"etag", tag_of(version)},
           {"address", address_of(context, version)}};
-}
-
-Result<std::map<std::string, std::string>> read_query(const Context& context, const std::vector<Parameter>& declared) {
-  std::vector<std::string> names;
-  for (const Parameter& parameter : declared) {
-    if (parameter.place == Parameter::Place::query) names.push_back(parameter.name);
-  }
-  std::map<std::string, std::string> values;
-  for (auto& [name, value] : decoded_query(context.request().query)) {
-    const std::string shown = escape_controls(name, 80);
-    if (std::ranges::find(names, name) == names.end()) {
-      return Problem{.code = "unknown-member",
-                     .detail = "The address takes no '" + shown + "' in its query" + did_you_mean(name, names)};
-    }
-    if (!values.emplace(name, std::move(value)).second) {
-      return Problem{.code = "unknown-member", .detail = "The query has '" + shown + "' twice."};
-    }
-  }
-  return values;
 }
 
 Parameter graph_parameter(bool with_version) {

@@ -2,7 +2,6 @@
 
 // What the routes under /v1/graphs share.
 
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,9 +33,6 @@ std::string tag_of(const store::GraphVersion& version);
 
 /// What is told of a version.
 Json to_json(const Context& context, const store::GraphVersion& version);
-
-/// The query of a request by name; a name that is none of these, or comes twice, is a problem.
-Result<std::map<std::string, std::string>> read_query(const Context& context, const std::vector<Parameter>& declared);
 
 /// The part of a path that names a graph.
 Parameter graph_parameter(bool with_version);

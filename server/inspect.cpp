@@ -1,4 +1,5 @@
 #include "server/computing.h"
+#include "server/graph_body.h"
 #include "server/handlers.h"
 #include "server/responses.h"
 #include "service/identity.h"
@@ -26,9 +27,9 @@ Operation describe_inspect() {
 }
 
 void inspect(const Context& context) {
-  auto json = read_json(context);
-  if (!json) return reply_problems(context, json.problems());
-  auto body = read_inspect_body(*std::move(json), context.engine());
+  auto given = read_graph_body(context);
+  if (!given) return reply_problems(context, given.problems());
+  auto body = read_inspect_body(std::move(given->json), context.engine());
   if (!body) return reply_problems(context, body.problems());
   const auto deadline = deadline_of(context, body->deadline_milliseconds);
   context.call->note_graph(body->graph->hash);

@@ -1,7 +1,6 @@
 // What came of a job.
 
 #include "server/evaluation.h"
-#include "server/graphs.h"
 #include "server/handlers.h"
 #include "server/jobs.h"
 #include "server/negotiation.h"
@@ -85,7 +84,6 @@ Operation describe_job_result() {
 }
 
 Reply job_result(const Context& context) {
-  if (const auto query = read_query(context, {}); !query) return problem_reply(query.problems(), context.exchange());
   const auto status = job_of(context);
   if (!status) return problem_reply(status.problems(), context.exchange());
   if (auto refusal = no_result(context, *status)) return *std::move(refusal);

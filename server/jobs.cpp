@@ -5,6 +5,7 @@
 
 #include "server/computing.h"
 #include "server/evaluation.h"
+#include "server/graph_body.h"
 #include "server/handlers.h"
 #include "server/responses.h"
 #include "server/routes.h"
@@ -197,9 +198,9 @@ Operation describe_create_job() {
 void create_job(const Context& context) {
   const auto type = evaluation_type(context.engine(), context.request().header("Accept"));
   if (!type) return reply_problems(context, type.problems());
-  auto json = read_json(context);
-  if (!json) return reply_problems(context, json.problems());
-  begin_job(context, *std::move(json), format_of_answer(context.engine(), *type));
+  auto given = read_graph_body(context);
+  if (!given) return reply_problems(context, given.problems());
+  begin_job(context, std::move(given->json), format_of_answer(context.engine(), *type));
 }
 
 Operation describe_get_job() {

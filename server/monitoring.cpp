@@ -70,7 +70,8 @@ Operation describe_ready() {
                                      .schema = schema::object({{"status", schema::word({"ready"}, "Always `ready`.")}}),
                                      .example = {{"status", "ready"}}}},
                        .headers = {"Cache-Control"}}},
-          .problems = {"shutting-down", "storage-failed", "storage-full", "busy"}};
+          .problems = {"shutting-down", "storage-failed", "storage-full", "busy"},
+          .takes_any_query = true};
 }
 
 Reply ready(const Context& context) {

@@ -58,6 +58,18 @@ Result<std::string_view> accepted_type(std::string_view accept, std::span<const 
   return Problem{.code = "not-acceptable", .detail = "Available are " + list + "."};
 }
 
+bool accepts_coding(std::string_view accept_encoding, std::string_view coding) {
+  bool accepts = false;
+  for (const std::string_view range : split(accept_encoding, ',')) {
+    const auto parts = split(range, ';');
+    if (parts.empty()) continue;
+    const bool is_named = equal_ignoring_case(parts.front(), coding);
+    if (is_named || parts.front() == "*") accepts = quality(std::span(parts).subspan(1)) > 0;
+    if (is_named) return accepts;
+  }
+  return accepts;
+}
+
 bool names_tag(std::string_view if_none_match, std::string_view tag) {
   for (std::string_view candidate : split(if_none_match, ',')) {
     if (candidate.starts_with("W/")) candidate.remove_prefix(2);

@@ -34,8 +34,9 @@ constexpr std::array<std::string_view, 9> always = {"bad-request",        "reque
                                                     "expectation-failed", "misdirected-request", "headers-too-large",
                                                     "internal",           "out-of-memory",       "http-version"};
 constexpr std::array<std::string_view, 3> with_body = {"length-required", "unsupported-media-type", "busy"};
-constexpr std::array<std::string_view, 6> with_json = {"not-json",      "required-input-missing", "unknown-member",
-                                                       "type-mismatch", "limit-exceeded",         "more-problems"};
+constexpr std::array<std::string_view, 8> with_json = {"not-json",      "required-input-missing", "unknown-member",
+                                                       "type-mismatch", "limit-exceeded",         "more-problems",
+                                                       "unknown-graph", "storage-failed"};
 constexpr std::array<std::string_view, 5> with_computing = {"superseded", "canceled", "deadline", "busy",
                                                             "shutting-down"};
 
@@ -107,6 +108,7 @@ std::vector<std::string_view> every_problem(const Operation& operation, std::str
   if (is_probe(path)) may.erase("misdirected-request");
   if (needs_token(path)) may.insert("unauthorized");
   if (method != "GET") may.insert({"foreign-origin", "body-too-large"});
+  if (!operation.takes_any_query) may.insert("unknown-member");
   if (operation.has_body()) may.insert(with_body.begin(), with_body.end());
   if (operation.request != nullptr) may.insert(with_json.begin(), with_json.end());
   if (operation.computes) may.insert(with_computing.begin(), with_computing.end());

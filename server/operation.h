@@ -52,7 +52,10 @@ struct Operation {
   std::vector<std::string> file_types = {};        ///< media types of a body that is a file
   std::vector<Answer> answers = {};
   std::vector<std::string_view> problems = {};  ///< codes of its own; `every_problem` adds those of HTTP
-  bool computes = false;                        ///< its work waits for a place, and may be stopped
+  /// Its query may have any names: the handler reads them, as those of a graph's parameters, or passes over them, as a
+  /// probe does, to which monitors add the time.
+  bool takes_any_query = false;
+  bool computes = false;  ///< its work waits for a place, and may be stopped
 
   bool has_body() const { return request != nullptr || takes_document || !file_types.empty(); }
 };

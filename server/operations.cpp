@@ -45,7 +45,8 @@ Operation describe_health() {
           .answers = {{.doc = "It does.",
                        .contents = {{.type = "application/json",
                                      .schema = schema::object({{"status", schema::word({"ok"}, "Always `ok`.")}}),
-                                     .example = {{"status", "ok"}}}}}}};
+                                     .example = {{"status", "ok"}}}}}},
+          .takes_any_query = true};
 }
 
 Operation describe_version() {

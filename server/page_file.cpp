@@ -52,7 +52,8 @@ Operation describe_page() {
                        .contents = {{.type = "text/html"}},
                        .headers = {"ETag", "Cache-Control", "Vary"}},
                       not_modified()},
-          .problems = {"not-found"}};
+          .problems = {"not-found"},
+          .takes_any_query = true};
 }
 
 Reply page_file(const Context& context) {
@@ -71,12 +72,14 @@ Operation describe_embed_page() {
               "`parameter.theme`. Pages of the server itself and of the origins of `--allow-origin` may show it in a "
               "frame.",
           .parameters = {graph_parameter(true), if_none_match_header()},
-          .answers = {
-              {.doc = "The page.", .contents = {{.type = "text/html"}}, .headers = {"ETag", "Cache-Control", "Vary"}},
-              not_modified(),
-              {.status = 404,
-               .doc = "A page that says that there is no such graph.",
-               .contents = {{.type = "text/html"}}}}};
+          .answers = {{.doc = "The page.",
+                       .contents = {{.type = "text/html"}},
+                       .headers = {"ETag", "Cache-Control", "Vary"}},
+                      not_modified(),
+                      {.status = 404,
+                       .doc = "A page that says that there is no such graph.",
+                       .contents = {{.type = "text/html"}}}},
+          .takes_any_query = true};
 }
 
 Reply embed_page(const Context& context) {

@@ -172,7 +172,11 @@ std::optional<Problem> read_framing(RequestHead& head) {
   for (auto& [name, value] : head.request.headers) {
     const std::string lower = to_lower(name);
     if (lower == "transfer-encoding") {
-      return Problem{.code = "length-required", .detail = "Chunked bodies are not accepted; send Content-Length."};
+      if (head.is_chunked || head.is_old || !equal_ignoring_case(value, "chunked")) {
+        return bad_request("The only Transfer-Encoding is 'chunked', once, in HTTP/1.1.");
+      }
+      head.is_chunked = true;
+      continue;
     }
     if (lower == "content-encoding" && to_lower(value) != "identity") {
       return Problem{.code = "unsupported-media-type", .detail = "Compressed request bodies are not accepted."};
@@ -198,13 +202,16 @@ std::optional<Problem> read_framing(RequestHead& head) {
   // Before HTTP/1.1 there was no such header. No browser speaks that, so no page can be behind it.
   if (hosts > 1 || (hosts == 0 && !head.is_old)) return bad_request("Exactly one Host header is needed.");
   const std::string& method = head.request.method;
+  // One of the two would be for another reader: the way to smuggle a request past a proxy.
+  if (length && head.is_chunked) return bad_request("Content-Length and Transfer-Encoding exclude each other.");
+  if (head.is_chunked && !may_have_body(method)) return bad_request("A " + method + " request must not have a body.");
   if (length) {
     if (auto problem = read_length(*length, head)) return problem;
     if (head.content_length > 0 && !may_have_body(method)) {
       return bad_request("A " + method + " request must not have a body.");
     }
   } else {
-    head.lacks_length = may_have_body(method) && method != "DELETE";
+    head.lacks_length = may_have_body(method) && method != "DELETE" && !head.is_chunked;
   }
   return std::nullopt;
 }

@@ -19,6 +19,7 @@ struct RequestHead {
   std::string target;   ///< as sent: for the log
   bool is_old = false;  ///< HTTP/1.0
   std::size_t content_length = 0;
+  bool is_chunked = false;    ///< the body has no length beforehand
   bool lacks_length = false;  ///< of a method that usually has a body: there is none, or it was forgotten
   bool expects_continue = false;
   bool close = false;  ///< the client wants the connection closed after the answer

@@ -1,6 +1,7 @@
 #include "server/routes.h"
 
 #include <array>
+#include <map>
 #include <new>
 #include <optional>
 #include <set>
@@ -8,6 +9,7 @@
 
 #include "server/access.h"
 #include "server/handlers.h"
+#include "server/query.h"
 #include "server/responses.h"
 #include "server/text.h"
 
@@ -102,6 +104,30 @@ Found find_route(const Application& application, const Request& request) {
   return found;
 }
 
+/// The names that the query of a route may have; null when it may have any.
+const std::vector<std::string>* declared_query(const Route& route) {
+  static const auto declared = [] {
+    std::map<const Route*, std::vector<std::string>> names;
+    for (const Route& each : all_routes) {
+      const Operation operation = each.describe();
+      if (!operation.takes_any_query) names.emplace(&each, query_names(operation));
+    }
+    return names;
+  }();
+  const auto found = declared.find(&route);
+  return found != declared.end() ? &found->second : nullptr;
+}
+
+/// What is wrong with the names in the query of a request.
+std::optional<Problem> wrong_query(const Route& route, const Request& request) {
+  if (request.query.empty()) return std::nullopt;
+  const auto* names = declared_query(route);
+  if (names == nullptr) return std::nullopt;
+  const auto read = read_query(request, *names);
+  if (read) return std::nullopt;
+  return read.problems().front();
+}
+
 /// What the address takes, and for a page of another origin what it may send there. No request is ever refused for the
 /// headers that are listed.
 Reply options_reply(const std::string& allowed, const Exchange& exchange) {
@@ -110,7 +136,8 @@ Reply options_reply(const std::string& allowed, const Exchange& exchange) {
   reply.headers.emplace_back("Access-Control-Allow-Methods", allowed);
   reply.headers.emplace_back("Access-Control-Allow-Headers",
                              "Accept, Authorization, Content-Type, Idempotency-Key, If-Match, If-None-Match, "
-                             "If-Range, Last-Event-ID, Prefer, Range, Supersede, Supersede-Key");
+                             "If-Range, Last-Event-ID, Prefer, Range, Supersede, Supersede-Key, traceparent, "
+                             "X-Request-Id");
   reply.headers.emplace_back("Access-Control-Max-Age", "600");
   return reply;
 }
@@ -196,19 +223,22 @@ std::variant<std::size_t, Reply> admit(const Application& application, const Req
     return problem_reply(*std::move(problem), exchange);
   }
   // Without a body nothing is won by refusing early.
-  if (head.content_length == 0 && !head.lacks_length) return std::size_t{0};
+  if (head.content_length == 0 && !head.lacks_length && !head.is_chunked) return std::size_t{0};
   const Found found = find_route(application, head.request);
   if (found.route == nullptr) return no_route(application, head.request, found, exchange);
   if (head.lacks_length && found.route->body_limit != nullptr) {
-    return problem_reply(Problem{.code = "length-required", .detail = "Send Content-Length with the body."}, exchange);
+    return problem_reply(
+        Problem{.code = "length-required", .detail = "Send Content-Length with the body, or the body in chunks."},
+        exchange);
   }
   return found.route->body_limit != nullptr ? found.route->body_limit(application.engine.limits()) : 0;
 }
 
-void answer_with(const Context& context, const std::function<Reply()>& step) {
+void answer_with(const Context& context, const std::function<std::optional<Reply>()>& step) {
   const auto reply = [&](const Problem& problem) { context.call->reply(problem_reply(problem, context.exchange())); };
   try {
-    return context.call->reply(step());
+    if (auto made = step()) context.call->reply(*std::move(made));
+    return;
   } catch (const std::bad_alloc&) {
     context.application.release_memory();
     return reply({.code = "out-of-memory", .detail = "There is not enough memory for this now."});
@@ -233,6 +263,9 @@ void answer(Application& application, const std::shared_ptr<Call>& call) {
   }
   if (found.route == nullptr) {
     return answer_with(context, [&] { return no_route(application, request, found, call->exchange); });
+  }
+  if (auto problem = wrong_query(*found.route, request)) {
+    return answer_with(context, [&] { return problem_reply(*std::move(problem), call->exchange); });
   }
   context.arguments = std::move(found.arguments);
   if (const auto* instant = std::get_if<InstantHandler>(&found.route->handler)) {

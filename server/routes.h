@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -39,7 +41,7 @@ std::variant<std::size_t, Reply> admit(const Application& application, const Req
 /// Finds the handler and lets it answer. Never throws: what a handler lets escape is our bug and becomes a bare 500.
 void answer(Application& application, const std::shared_ptr<Call>& call);
 
-/// Runs a step of answering; whatever escapes becomes an answer.
-void answer_with(const Context& context, const std::function<Reply()>& step);
+/// Runs a step of answering, which may leave the answer to a later one; whatever escapes becomes an answer.
+void answer_with(const Context& context, const std::function<std::optional<Reply>()>& step);
 
 }  // namespace dini::server

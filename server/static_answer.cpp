@@ -12,7 +12,7 @@ StaticAnswer static_answer(std::string bytes) {
 
 Reply static_reply(const Request& request, const StaticAnswer& answer, std::string_view type) {
   Reply reply;
-  reply.headers = {{"ETag", answer.tag}, {"Cache-Control", "no-cache"}};
+  reply.headers = {{"ETag", answer.tag}, {"Cache-Control", "no-cache"}, {"Vary", "Accept-Encoding"}};
   if (names_tag(request.header("If-None-Match"), answer.tag)) {
     reply.status = 304;
   } else {

@@ -1,6 +1,11 @@
+#include <array>
+
 #include "jobs/sweep.h"
+#include "jobs/sweep_file.h"
 #include "server/computing.h"
+#include "server/graph_body.h"
 #include "server/handlers.h"
+#include "server/negotiation.h"
 #include "server/responses.h"
 #include "server/sweep_line.h"
 #include "service/requests/requests.h"
@@ -10,6 +15,10 @@ namespace dini::server {
 namespace {
 
 constexpr std::string_view line_type = "application/x-ndjson";
+constexpr std::string_view file_type = "model/gltf-binary";
+
+using SharedRequest = std::shared_ptr<const jobs::SweepRequest>;
+using SharedCost = std::shared_ptr<const jobs::SweepCost>;
 
 /// Writes the line of each variant into the body of an answer.
 class LineWriter final : public jobs::Sweep::Taker {
@@ -35,6 +44,7 @@ class LineWriter final : public jobs::Sweep::Taker {
   std::shared_ptr<BodyWriter> body_;
 };
 
+/// When a sweep ends at the latest that is answered line by line.
 jobs::Flights::Clock::time_point end_of(const Context& context, std::optional<std::int64_t> milliseconds) {
   const auto limit = static_cast<std::int64_t>(context.engine().limits().sweep_milliseconds);
   return context.exchange().started + std::chrono::milliseconds(std::min(milliseconds.value_or(limit), limit));
@@ -55,6 +65,45 @@ Reply begin(const Context& context, const jobs::SweepRequest& request, const job
           .headers = {{"Cache-Control", "no-store"}, {"X-Accel-Buffering", "no"}}};
 }
 
+/// The same body may name a graph that is another one by now.
+Digest key_of(std::string_view work, const Context& context, const jobs::SweepRequest& request) {
+  return DigestBuilder().text(work).text(context.request().body).digest(request.base.graph->hash).finish();
+}
+
+/// Lets all variants be put into one file, which is the answer.
+void begin_file(const Context& context, const SharedRequest& request, const SharedCost& cost) {
+  const Digest key = key_of("sweep file", context, *request);
+  ask<File>(
+      context, {.key = key, .bytes = cost->bytes, .work = cost->work, .deadline = request->deadline},
+      [&engine = context.engine(), request](const Job& job) { return jobs::sweep_file(engine, *request, job); },
+      [](const SharedFile& file) {
+        return Reply{.type = file->media_type,
+                     .body = {file->bytes},
+                     .headers = {{"Cache-Control", "no-store"},
+                                 {"Vary", "Accept"},
+                                 {"Content-Disposition", "inline; filename=\"variants" + file->extension + "\""}}};
+      });
+}
+
+/// What is asked for, read and checked as far as that needs no variant.
+Result<jobs::SweepRequest> read_request(const Context& context, bool as_file) {
+  auto given = read_graph_body(context);
+  if (!given) return given.problems();
+  auto read = jobs::read_sweep_request(std::move(given->json), context.engine());
+  if (!read) return read.problems();
+  const auto end = as_file ? deadline_of : end_of;
+  const auto deadline = end(context, read->deadline_milliseconds);
+  auto asked = std::get<jobs::SweepRequest>(std::move(read->asked));
+  asked.deadline = deadline;
+  if (as_file && asked.base.without_output) {
+    return Problem{.code = "nothing-to-export",
+                   .detail = "Without 'models' there is nothing to put into a file; ask for lines.",
+                   .pointer = "/models",
+                   .in_request = true};
+  }
+  return asked;
+}
+
 }  // namespace
 
 Operation describe_sweep() {
@@ -68,30 +117,36 @@ Operation describe_sweep() {
           "variant that fails has its errors in its line and the others go on. Everything is checked first: a "
           "sweep that would take more than `sweep_work` is refused before it begins. A sweep that is stopped ends "
           "with a line that says why and which variant is the `next`; a body that ends without its last line was "
-          "cut off. Both go on with `first`.",
+          "cut off. Both go on with `first`. As `model/gltf-binary` it is one file with a node for each variant, "
+          "within `interactive_milliseconds`; a variant that fails is a problem then.",
+      .parameters = {accept_header("Lines of JSON, or one file with a node for each variant.")},
       .request = &sweep_description(),
-      .answers = {{.doc = "A line for each variant: its index, its parameters, its status, and what came of it.",
-                   .contents = {{.type = std::string(line_type), .schema = schema::reference("SweepLine")}},
+      .answers = {{.doc =
+                       "A line for each variant: its index, its parameters, its status, and what came of it; or a file "
+                       "whose nodes are the variants, with `index` and `parameters` in their extras.",
+                   .contents = {{.type = std::string(line_type), .schema = schema::reference("SweepLine")},
+                                {.type = std::string(file_type)}},
                    .headers = {"Cache-Control"}}},
-      .problems = codes_of(ProblemKind::graph, {"deadline", "shutting-down"})};
+      .problems = codes_of(ProblemKind::graph, {"not-acceptable", "deadline", "shutting-down"})};
 }
 
 void sweep(const Context& context) {
-  auto json = read_json(context);
-  if (!json) return reply_problems(context, json.problems());
-  auto read = jobs::read_sweep_request(*std::move(json), context.engine());
+  constexpr std::array types = {line_type, file_type};
+  const auto type = accepted_type(context.request().header("Accept"), types);
+  if (!type) return reply_problems(context, type.problems());
+  const bool as_file = *type == file_type;
+  auto read = read_request(context, as_file);
   if (!read) return reply_problems(context, read.problems());
-  const auto deadline = end_of(context, read->deadline_milliseconds);
-  auto asked = std::get<jobs::SweepRequest>(std::move(read->asked));
-  context.call->note_graph(asked.base.graph->hash);
-  asked.deadline = deadline;
-  const auto request = std::make_shared<const jobs::SweepRequest>(std::move(asked));
-  const Digest key = DigestBuilder().text("sweep cost").text(context.request().body).finish();
+  context.call->note_graph(read->base.graph->hash);
+  const auto request = std::make_shared<const jobs::SweepRequest>(*std::move(read));
+  const Digest key = key_of("sweep cost", context, *request);
   ask<jobs::SweepCost>(
-      context, {.key = key, .deadline = deadline},
+      context, {.key = key, .deadline = request->deadline},
       [&engine = context.engine(), request](const Job& job) { return jobs::predict(engine, *request, job); },
-      [context, request](const std::shared_ptr<const jobs::SweepCost>& cost) {
-        return begin(context, *request, *cost);
+      [context, request, as_file](const SharedCost& cost) -> std::optional<Reply> {
+        if (!as_file) return begin(context, *request, *cost);
+        begin_file(context, request, cost);
+        return std::nullopt;
       });
 }
 

@@ -1,4 +1,5 @@
 #include "server/computing.h"
+#include "server/graph_body.h"
 #include "server/handlers.h"
 #include "server/responses.h"
 #include "service/requests/requests.h"
@@ -21,9 +22,9 @@ Operation describe_validate() {
 }
 
 Reply validate(const Context& context) {
-  auto json = read_json(context);
-  if (!json) return problem_reply(json.problems(), context.exchange());
-  const auto body = read_validate_body(*std::move(json), context.engine());
+  auto given = read_graph_body(context);
+  if (!given) return problem_reply(given.problems(), context.exchange());
+  const auto body = read_validate_body(std::move(given->json), context.engine());
   if (!body) return problem_reply(body.problems(), context.exchange());
   const Cancel cancel(deadline_of(context, body->deadline_milliseconds));
   context.call->note_graph(body->graph->hash);

@@ -10,7 +10,9 @@ const RequestType<EvaluateBody>& request() {
   static const auto declared =
       RequestType<EvaluateBody>("EvaluateRequest",
                                 "What to make of a graph: the model of an output, a preview, or both.")
-          .graph(&EvaluateRequest::graph, "The graph document.")
+          .graph(
+              &EvaluateRequest::graph,
+              "The graph document, or the name of a graph that is kept: `chair`, or `chair@3` for one of its versions.")
           .parameters(&EvaluateRequest::parameters)
           .member("output", &EvaluateRequest::output, "The `export` node whose model is asked for.",
                   left_out_means("the only one of the graph, or none beside a preview").example("out"))

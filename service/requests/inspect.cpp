@@ -7,7 +7,9 @@ namespace {
 const RequestType<InspectBody>& request() {
   static const auto declared =
       RequestType<InspectBody>("InspectRequest", "Which wire of a graph to look at.")
-          .graph(&InspectRequest::graph, "The graph document.")
+          .graph(
+              &InspectRequest::graph,
+              "The graph document, or the name of a graph that is kept: `chair`, or `chair@3` for one of its versions.")
           .parameters(&InspectRequest::parameters)
           .member("node", &InspectRequest::node, "The node whose output is looked at.", needed().example("boosted"))
           .member("output", &InspectRequest::output, "The output of that node.",

@@ -60,6 +60,7 @@ std::optional<Problem> out_of_range(const Member& member, const Json& value) {
 std::string words_for(MemberKind kind) {
   switch (kind) {
     case MemberKind::graph:
+      return "a graph document";
     case MemberKind::object:
       return "an object";
     case MemberKind::boolean:
@@ -78,7 +79,10 @@ std::string words_for(MemberKind kind) {
 }
 
 Json schema_of(const Member& member) {
-  if (member.kind == MemberKind::graph) return {{"$ref", "#/components/schemas/Graph"}, {"description", member.doc}};
+  if (member.kind == MemberKind::graph) {
+    const Json name = {{"type", "string"}, {"pattern", "^[A-Za-z][A-Za-z0-9_-]{0,63}(@[1-9][0-9]*)?$"}};
+    return {{"anyOf", {{{"$ref", "#/components/schemas/Graph"}}, name}}, {"description", member.doc}};
+  }
   static const char* const types[] = {"object", "object", "string", "string", "boolean", "integer", "array", "array"};
   Json schema = {{"type", types[static_cast<std::size_t>(member.kind)]}, {"description", member.doc}};
   if (member.kind == MemberKind::object) schema["additionalProperties"] = true;

@@ -9,7 +9,9 @@ namespace {
 const RequestType<SweepBody>& request() {
   static const auto declared =
       RequestType<SweepBody>("SweepRequest", "One graph evaluated for many settings of its parameters.")
-          .graph(&EvaluateRequest::graph, "The graph document.")
+          .graph(
+              &EvaluateRequest::graph,
+              "The graph document, or the name of a graph that is kept: `chair`, or `chair@3` for one of its versions.")
           .member("parameters", &EvaluateRequest::parameters, "Values that all variants share, by parameter.",
                   left_out_means("the defaults of those that do not vary"))
           .member("grid", &SweepAxes::grid,

@@ -5,10 +5,13 @@ namespace dini {
 namespace {
 
 const RequestType<ValidateBody>& request() {
-  static const auto declared = RequestType<ValidateBody>("ValidateRequest", "A graph to be checked.")
-                                   .graph(&ValidateBody::graph, "The graph document.")
-                                   .parameters(&ValidateBody::parameters)
-                                   .deadline(&ValidateBody::deadline_milliseconds);
+  static const auto declared =
+      RequestType<ValidateBody>("ValidateRequest", "A graph to be checked.")
+          .graph(
+              &ValidateBody::graph,
+              "The graph document, or the name of a graph that is kept: `chair`, or `chair@3` for one of its versions.")
+          .parameters(&ValidateBody::parameters)
+          .deadline(&ValidateBody::deadline_milliseconds);
   return declared;
 }
 

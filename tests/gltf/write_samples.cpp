@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "geometry/json.h"
+#include "gltf/glb_assembly.h"
 #include "gltf/glb_reader.h"
 #include "gltf/glb_writer.h"
 #include "tests/gltf/shapes.h"
@@ -86,9 +87,24 @@ class SampleWriter {
     std::ofstream(directory_ / (name + ".expected.json")) << expected;
   }
 
+  /// Two files that were written before, and one of them again, in one.
+  void assemble(const std::string& name, const std::string& a, const std::string& b) {
+    const std::string files[] = {read(a), read(b)};
+    const std::vector<GlbItem> items = {
+        {a, {{"index", 0}}, files[0]}, {b, {{"index", 1}}, files[1]}, {a, {}, files[0]}};
+    const auto glb = assemble_glb(items, {{"sample", name}});
+    if (!glb) return fail(name + ": cannot be put together");
+    std::ofstream(directory_ / (name + ".glb"), std::ios::binary) << *glb;
+  }
+
   bool failed() const { return failed_; }
 
  private:
+  std::string read(const std::string& name) const {
+    std::ifstream file(directory_ / (name + ".glb"), std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
   void fail(const std::string& message) {
     std::fprintf(stderr, "%s\n", message.c_str());
     failed_ = true;
@@ -125,6 +141,7 @@ int write_samples(const char* directory) {
   scene.parts.push_back(mesh_part("empty", Mesh{}));
   scene.parts.push_back(mesh_part("Flügel \"π\"", shapes::wavy_field(10, 10)));
   writer.write("parts", scene);
+  writer.assemble("assembled", "parts", "tiled");
   return writer.failed() ? 1 : 0;
 }
 

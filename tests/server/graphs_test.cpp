@@ -198,6 +198,45 @@ TEST_CASE("What is wrong with an address of an output is told with what would be
   CHECK(problem("ball/outputs/out?accept=text/html").first == "not-acceptable");
 }
 
+TEST_CASE("A request may name a graph that is kept instead of bringing one") {
+  const RunningReal server;
+  const std::string tag = create(server.port(), "ball", ball())->header("etag");
+  const auto ask_for = [&](const std::string& path, const Json& graph, Json more = Json::object(),
+                           const std::string& headers = "") {
+    more["graph"] = graph;
+    return post(server.port(), path, more.dump(), headers);
+  };
+  const auto first = ask_for("/v1/evaluate", "ball");
+  CHECK(first->status == 200);
+  CHECK(first->body == ask_for("/v1/evaluate", ball())->body);
+  CHECK(ask_for("/v1/evaluate", "ball", {{"parameters", {{"radius", 7}}}})->body ==
+        ask_for("/v1/evaluate", ball(), {{"parameters", {{"radius", 7}}}})->body);
+
+  // The name means the current version each time, the number one version for ever.
+  CHECK(replace(server.port(), "ball", ball(2), tag)->status == 200);
+  CHECK(ask_for("/v1/evaluate", "ball")->body == ask_for("/v1/evaluate", ball(2))->body);
+  CHECK(ask_for("/v1/evaluate", "ball@1")->body == first->body);
+  CHECK(ask_for("/v1/sweeps", "ball", {{"list", {Json::object()}}})->lines()[0]["model"]["sha256"] ==
+        ask_for("/v1/sweeps", ball(2), {{"list", {Json::object()}}})->lines()[0]["model"]["sha256"]);
+
+  CHECK(ask_for("/v1/validate", "ball")->json()["valid"] == true);
+  CHECK(ask_for("/v1/explain", "ball")->status == 200);
+  CHECK(ask_for("/v1/inspect", "ball", {{"node", "ball"}})->status == 200);
+  CHECK(ask_for("/v1/jobs", "ball@1")->status == 202);
+  CHECK(ask_for("/v1/evaluate", "ball", {}, "Prefer: respond-async\r\n")->status == 202);
+
+  for (const auto* path : {"/v1/evaluate", "/v1/validate", "/v1/explain", "/v1/inspect", "/v1/sweeps", "/v1/jobs"}) {
+    for (const auto* name : {"bell", "ball@3", "ball@0", "../ball", ""}) {
+      CAPTURE(path, name);
+      const auto answer = ask_for(path, name);
+      CHECK(answer->status == 422);
+      CHECK(answer->code() == "unknown-graph");
+      CHECK(answer->json()["errors"][0]["pointer"] == "/graph");
+    }
+  }
+  CHECK(ask_for("/v1/evaluate", 3)->code() == "type-mismatch");
+}
+
 TEST_CASE("The interface of a graph is a schema of its parameters") {
   const RunningReal server;
   create(server.port(), "ball", ball());

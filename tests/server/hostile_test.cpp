@@ -29,18 +29,40 @@ TEST_CASE("A body over the limit is refused without being read") {
   CHECK(client.closed());
 }
 
-TEST_CASE("Bodies without a length, and chunks of any size, are refused") {
+TEST_CASE("Bodies without a length, and chunks that are none or too large, are refused") {
   const Running server;
   const long before = resident_kib();
-  for (const auto* chunk :
-       {"5\r\nhello\r\n0\r\n\r\n", "-2\r\n", "-1\r\n", "zz\r\n", "0x10\r\n", "ffffffffffffffff\r\n"}) {
+  for (const auto& [chunk, status] : std::vector<std::pair<std::string, int>>{{"-2\r\n", 400},
+                                                                              {"-1\r\n", 400},
+                                                                              {"zz\r\n", 400},
+                                                                              {"0x10\r\n", 400},
+                                                                              {"ffffffffffffffff\r\n", 400},
+                                                                              {" 5\r\nhello\r\n", 400},
+                                                                              {"5\nhello\r\n", 400},
+                                                                              {"5\r\nhello!\r\n", 400},
+                                                                              {"\r\n", 400},
+                                                                              {";\r\n", 400},
+                                                                              {"ffffffff\r\n", 413},
+                                                                              {"100001\r\n", 413}}) {
+    CAPTURE(chunk);
     Client client(server.port());
     client.send("POST /v1/evaluate HTTP/1.1\r\n" + host + "Transfer-Encoding: chunked\r\n\r\n" + chunk);
     const auto answer = client.receive();
     REQUIRE(answer);
-    CHECK(answer->status == 411);
+    CHECK(answer->status == status);
     CHECK(client.closed());
   }
+  const auto flood = [&](const std::string& opening, const std::string& piece) {
+    Client client(server.port());
+    client.send("POST /v1/evaluate HTTP/1.1\r\n" + host + "Transfer-Encoding: chunked\r\n\r\n" + opening);
+    client.flood(piece, 64 * megabyte);
+    const auto answer = client.receive();
+    return answer ? answer->status : 0;
+  };
+  std::string chunk = "8000\r\n" + std::string(0x8000, ' ') + "\r\n";
+  CHECK(flood("", chunk) == 413);
+  CHECK(flood("5;", std::string(megabyte, 'x')) == 400);
+  CHECK(flood("0\r\n", "Trailer: of a body\r\n") == 400);
   Client endless(server.port());
   endless.send("POST /v1/evaluate HTTP/1.1\r\n" + host + "\r\n");
   endless.flood(std::string(megabyte, 'x'), 64 * megabyte);

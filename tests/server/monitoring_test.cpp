@@ -79,6 +79,7 @@ TEST_CASE("Requests are counted by route, method and status, whatever their addr
   for (int i = 0; i < 3; ++i) post(server.port(), "/v1/evaluate", toy_body({{"bytes", i}}));
   post(server.port(), "/v1/evaluate", "{");
   get(server.port(), "/v1/graphs/none");
+  get(server.port(), "/v1/graphs/other/versions");
   get(server.port(), "/v1/graphs/other/versions?x=1");
   get(server.port(), "/nowhere/at/all");
   ask(server.port(), "NONSENSE\r\n\r\n");
@@ -86,6 +87,7 @@ TEST_CASE("Requests are counted by route, method and status, whatever their addr
   CHECK(eventually([&] { return metric(server.port(), requests("POST", "/v1/evaluate", "400")) == 1; }));
   CHECK(eventually([&] { return metric(server.port(), requests("GET", "/v1/graphs/{id}", "404")) == 1; }));
   CHECK(eventually([&] { return metric(server.port(), requests("GET", "/v1/graphs/{id}/versions", "404")) == 1; }));
+  CHECK(eventually([&] { return metric(server.port(), requests("GET", "/v1/graphs/{id}/versions", "422")) == 1; }));
   CHECK(eventually([&] { return metric(server.port(), requests("GET", "other", "404")) == 1; }));
   CHECK(metric(server.port(), "dini_request_seconds_count{route=\"/v1/evaluate\"}") == 4);
   CHECK(metric(server.port(), "dini_computations_total") == 3);

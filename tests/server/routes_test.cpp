@@ -1,3 +1,5 @@
+#include "server/routes.h"
+
 #include "tests/server/fixture.h"
 
 namespace {
@@ -46,9 +48,28 @@ TEST_CASE("The schema of documents has every node of the catalogue, and a tag") 
   CHECK(get(server.port(), "/schema/graph-1.json", "If-None-Match: " + answer->header("etag") + "\r\n")->status == 304);
 }
 
-TEST_CASE("JSON is not compressed, whatever the client accepts") {
+TEST_CASE("A name in a query that is not known is refused at every address, but for pages and models") {
   const Running server;
-  CHECK(get(server.port(), "/v1/nodes", "Accept-Encoding: br, gzip\r\n")->header("content-encoding").empty());
+  for (const dini::server::Route& route : dini::server::routes()) {
+    std::string path(route.path);
+    while (path.find('{') != std::string::npos) path.replace(path.find('{'), path.find('}') - path.find('{') + 1, "x");
+    const std::string method(route.method);
+    CAPTURE(method, path);
+    const auto answer = ask(server.port(), method + " " + path + "?nothing=1 HTTP/1.1\r\nHost: localhost\r\n" +
+                                               (method == "POST" || method == "PUT" ? "Content-Length: 0\r\n" : "") +
+                                               "Connection: close\r\n\r\n");
+    REQUIRE(answer);
+    if (route.describe().takes_any_query) {
+      CHECK(answer->code() != "unknown-member");
+      continue;
+    }
+    CHECK(answer->status == 422);
+    CHECK(answer->code() == "unknown-member");
+  }
+  CHECK(get(server.port(), "/v1/graphs?limt=3")->json()["detail"].get<std::string>().find("did you mean \"limit\"") !=
+        std::string::npos);
+  CHECK(get(server.port(), "/v1/graphs?limit=3&limit=4")->code() == "unknown-member");
+  CHECK(get(server.port(), "/healthz?&")->status == 200);
 }
 
 TEST_CASE("Validation lists problems with status 200") {

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "gltf/glb_container.h"
 #include "tests/server/fixture.h"
 #include "tests/support/documents.h"
 
@@ -61,6 +62,39 @@ TEST_CASE("A sweep answers a line for every variant, with the bytes of single ev
     CHECK(file->body == post(server.port(), "/v1/evaluate", single.dump())->body);
     CHECK(file->body.size() == lines[i]["model"]["bytes"]);
   }
+}
+
+TEST_CASE("All variants can be had as one file, with a node for each") {
+  const RunningReal server;
+  const std::string accept = "Accept: model/gltf-binary\r\n";
+  const Json grid = {{"grid", {{"radius", {1, 2, 3}}, {"unused", {1, 2}}}}};
+  const auto answer = sweep(server.port(), grid, accept);
+  REQUIRE(answer);
+  REQUIRE(answer->status == 200);
+  CHECK(answer->header("content-type") == "model/gltf-binary");
+  const auto chunks = split_glb(answer->body);
+  REQUIRE(chunks);
+  const Json document = Json::parse(chunks->json);
+  CHECK(document["asset"]["extras"]["variants"] == 6);
+  CHECK(document["meshes"].size() == 3);  // what the variants have in common is there once
+  const Json& roots = document["scenes"][0]["nodes"];
+  REQUIRE(roots.size() == 6);
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    const Json& node = document["nodes"][roots[i].get<std::size_t>()];
+    const Json parameters = {{"radius", 1 + i / 2}, {"unused", 1 + i % 2}};
+    CHECK(node["name"] == "radius=" + std::to_string(1 + i / 2) + ", unused=" + std::to_string(1 + i % 2));
+    CHECK(node["extras"] == Json{{"index", i}, {"parameters", parameters}});
+  }
+  CHECK(sweep(server.port(), grid, accept)->body == answer->body);
+
+  const auto failed = sweep(server.port(), {{"grid", {{"radius", {1, 101, 2}}}}}, accept);
+  CHECK(failed->status == 422);
+  CHECK(failed->code() == "out-of-range");
+  CHECK(failed->json()["detail"].get<std::string>().starts_with("variant 1: "));
+  Json without = grid;
+  without["models"] = false;
+  CHECK(sweep(server.port(), without, accept)->code() == "nothing-to-export");
+  CHECK(sweep(server.port(), grid, "Accept: image/png\r\n")->status == 406);
 }
 
 TEST_CASE("A variant that fails has its errors in its line, and the others go on") {
