@@ -105,8 +105,11 @@ class Inference {
     input.shape = input.items.front().shape;
     if (slot(port).is_mixed()) {
       input.shape.axes.clear();
-      input.shape.vertices = 0;
-      for (const PlannedItem& item : input.items) input.shape.vertices += item.shape.vertices;
+      input.shape.vertices = input.shape.most_vertices = 0;
+      for (const PlannedItem& item : input.items) {
+        input.shape.vertices += item.shape.vertices;
+        input.shape.most_vertices += item.shape.most_vertices;
+      }
       return std::nullopt;
     }
     if (!input.list_axis) return std::nullopt;
@@ -182,13 +185,14 @@ class Inference {
     return true;
   }
 
-  std::size_t vertices_per_run() const {
-    if (node_.type->vertices) return node_.type->vertices(node_.literals, node_.consumed);
+  /// Of one mesh made: by the rule, or by what is given.
+  std::size_t vertices_per_run(const VertexRule& rule, std::size_t WireShape::*given) const {
+    if (rule) return rule(node_.literals, node_.consumed);
     std::size_t total = 0;
     for (std::size_t port = 0; port < node_.inputs.size(); ++port) {
       const PlannedInput& input = node_.inputs[port];
       const std::size_t meshes = slot(port).is_mixed() ? 1 : std::max<std::size_t>(1, sample_count(input.shape.axes));
-      total += input.shape.vertices / meshes;
+      total += input.shape.*given / meshes;
     }
     if (node_.type->vertex_factor) total *= node_.type->vertex_factor(node_.literals);
     return total;
@@ -217,7 +221,7 @@ class Inference {
       }
     }
     for (std::size_t output = 0; output < overload.outputs.size(); ++output) {
-      WireShape shape{overload.outputs[output].type, node_.lifted, 0};
+      WireShape shape{overload.outputs[output].type, node_.lifted};
       for (const Axis& axis : node_.made[output]) {
         if (find_axis(node_.lifted, axis.name) != nullptr) {
           return problem(
@@ -233,11 +237,14 @@ class Inference {
       const std::size_t samples = sample_count(shape.axes);
       if (samples > limits_.samples) return too_many("values", samples, limits_.samples);
       if (shape.type == WireType::mesh || shape.type == WireType::asset) {
-        const std::size_t each = vertices_per_run();
+        const NodeType& type = *node_.type;
+        const std::size_t each = vertices_per_run(type.vertices, &WireShape::vertices);
         if (samples > 0 && each > limits_.vertices / samples) {
           return too_many("vertices", each > limits_.vertices ? each : each * samples, limits_.vertices);
         }
         shape.vertices = each * samples;
+        const VertexRule& bound = type.most_vertices ? type.most_vertices : type.vertices;
+        shape.most_vertices = samples * vertices_per_run(bound, &WireShape::most_vertices);
       }
       node_.outputs.push_back(std::move(shape));
     }

@@ -107,8 +107,12 @@ class NodeBuilder {
   NodeBuilder&& lists_along(std::string name) && { return set(type().list_axis, std::move(name)); }
   /// The axes that outputs of type Made run over.
   NodeBuilder&& axes(AxisRule rule) && { return set(type().axes, std::move(rule)); }
-  /// A bound of the vertices of each mesh made, known before anything is computed.
-  NodeBuilder&& vertices(VertexRule rule) && { return set(type().vertices, std::move(rule)); }
+  /// How many vertices each mesh made has, known before anything is computed: a bound, unless there is one besides for
+  /// what clipping adds.
+  NodeBuilder&& vertices(VertexRule rule, VertexRule most = nullptr) && {
+    type().most_vertices = std::move(most);
+    return set(type().vertices, std::move(rule));
+  }
   /// The same for a node that refines the meshes it is given.
   NodeBuilder&& vertex_factor(VertexFactor factor) && { return set(type().vertex_factor, std::move(factor)); }
   /// What a run needs beyond the usual for its sizes.

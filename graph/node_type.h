@@ -45,7 +45,7 @@ struct Overload {
 /// The axes that a node makes, per output, from its literals and its id.
 using AxisRule = std::function<std::vector<Axes>(const Literals&, const std::string& node_id)>;
 
-/// A bound of the vertices of one mesh that a node makes, from its literals and the consumed axes.
+/// How many vertices one mesh has that a node makes, from its literals and the consumed axes.
 using VertexRule = std::function<std::size_t(const Literals&, const Axes& consumed)>;
 
 /// The fewest triangles that a mesh over the consumed axes can be thinned to without being another one.
@@ -100,6 +100,7 @@ struct NodeType {
   std::string list_axis;          ///< the text input that names the axis of lists; empty where the node's id does
   AxisRule axes;
   VertexRule vertices;
+  VertexRule most_vertices;    ///< where `vertices` is no bound; absent where it is
   VertexFactor vertex_factor;  ///< where there is no rule; 1 when absent
   CostRule cost;               ///< nothing beyond the usual when absent
   bool depends_on_quality = false;

@@ -16,11 +16,12 @@
 
 namespace dini {
 
-/// What is known about a wire before evaluation. `vertices` is a bound over all meshes on it.
+/// What is known about a wire before evaluation. Vertices are those of all meshes on it.
 struct WireShape {
   WireType type = WireType::number;
   Axes axes;
-  std::size_t vertices = 0;
+  std::size_t vertices = 0;       ///< about so many: costs and limits go by them
+  std::size_t most_vertices = 0;  ///< never more than these
 };
 
 /// Output `output` of the planned node `node`.

@@ -118,6 +118,10 @@ std::size_t patch_vertices(const Literals& literals, const Axes&) {
   return static_cast<std::size_t>(integer_at(literals, "count_u") * integer_at(literals, "count_v"));
 }
 
+std::size_t most_patch_vertices(const Literals& literals, const Axes& consumed) {
+  return most_of_clipped_grid(patch_vertices(literals, consumed));
+}
+
 }  // namespace
 
 void add_curvature(Registry& registry) {
@@ -189,7 +193,7 @@ void add_curvature(Registry& registry) {
                  "What to do where the surface leaves the clip radius.", defaults("clip"))
           .input("clip_radius", &CurvaturePatchInputs::clip_radius, "Distance from the origin that counts as infinity.",
                  defaults(100).hard(1e-3, 1e6).soft(1, 1000).unit("m"))
-          .vertices(patch_vertices)
+          .vertices(patch_vertices, most_patch_vertices)
           .thinned_to(8)
           .cost([](const RunSize& size) {
             return RunCost{600 * size.vertices, 190 * size.vertices};

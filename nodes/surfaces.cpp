@@ -142,14 +142,34 @@ std::size_t fewest_of_surface(const Axes& consumed) {
 /// Three sides and one step, or three steps around a closed curve.
 std::size_t fewest_of_tube(const Axes& consumed) { return consumed.empty() || consumed[0].closed ? 18 : 6; }
 
+std::size_t points_along(const Literals& literals, const Axes& consumed) {
+  return consumed.empty() ? static_cast<std::size_t>(integer_at(literals, "segments")) : consumed[0].size;
+}
+
+/// Of one tube with a cap at each end.
 std::size_t tube_vertices(const Literals& literals, const Axes& consumed) {
-  const std::size_t along =
-      consumed.empty() ? static_cast<std::size_t>(integer_at(literals, "segments")) : consumed[0].size;
-  return (along + 2) * static_cast<std::size_t>(integer_at(literals, "sides"));
+  const auto sides = static_cast<std::size_t>(integer_at(literals, "sides"));
+  return (points_along(literals, consumed) + 2) * sides + 2;
+}
+
+/// If every other point of the curve is beyond the clip radius: pieces of one point and the two where its steps are
+/// cut, each with two caps.
+std::size_t most_tube_vertices(const Literals& literals, const Axes& consumed) {
+  const auto sides = static_cast<std::size_t>(integer_at(literals, "sides"));
+  const std::size_t pieces = points_along(literals, consumed) / 2 + 1;
+  return std::max(tube_vertices(literals, consumed), pieces * (5 * sides + 2));
 }
 
 std::size_t patch_vertices(const Literals& literals, const Axes&) {
   return static_cast<std::size_t>(integer_at(literals, "count_u") * integer_at(literals, "count_v"));
+}
+
+std::size_t most_surface_vertices(const Literals& literals, const Axes& consumed) {
+  return most_of_clipped_grid(surface_vertices(literals, consumed));
+}
+
+std::size_t most_patch_vertices(const Literals& literals, const Axes& consumed) {
+  return most_of_clipped_grid(patch_vertices(literals, consumed));
 }
 
 InputSpec clip_radius_input(double value) { return defaults(value).hard(1e-3, 1e6).soft(1, 1000).unit("m"); }
@@ -177,7 +197,7 @@ void add_surfaces(Registry& registry) {
                  clip_radius_input(100))
           .consumed_axis("over", "The axis of rows, or of circles; empty means the last that along leaves.")
           .consumed_axis("along", "The axis along a row of points; empty means the last.")
-          .vertices(surface_vertices)
+          .vertices(surface_vertices, most_surface_vertices)
           .thinned_to(fewest_of_surface)
           .cost(cost_of_grid_surface)
           .output("mesh", "The mesh; one for each value of the axes that are left."));
@@ -200,7 +220,7 @@ void add_surfaces(Registry& registry) {
           .input("clip_radius", &TubeInputs::clip_radius,
                  "Distance from the origin that counts as infinity; a line ends there.", clip_radius_input(100))
           .consumed_axis("over", "The axis along the curve; empty means the last.")
-          .vertices(tube_vertices)
+          .vertices(tube_vertices, most_tube_vertices)
           .thinned_to(fewest_of_tube)
           .cost([](const RunSize& size) {
             return RunCost{50 * size.vertices, 80 * size.vertices};
@@ -234,7 +254,7 @@ void add_surfaces(Registry& registry) {
                  defaults("clip"))
           .input("clip_radius", &PatchInputs::clip_radius, "Distance from the origin that counts as infinity.",
                  clip_radius_input(100))
-          .vertices(patch_vertices)
+          .vertices(patch_vertices, most_patch_vertices)
           .thinned_to(8)
           .cost(cost_of_grid_surface)
           .output("mesh", "The mesh."));

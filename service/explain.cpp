@@ -52,8 +52,10 @@ Json outputs_of(const PlannedNode& node) {
   Json outputs = Json::object();
   for (std::size_t output = 0; output < node.outputs.size(); ++output) {
     const WireShape& shape = node.outputs[output];
-    outputs[node.type->outputs[output].name] = {
-        {"type", name(shape.type)}, {"axes", to_json(shape.axes)}, {"vertices", shape.vertices}};
+    outputs[node.type->outputs[output].name] = {{"type", name(shape.type)},
+                                                {"axes", to_json(shape.axes)},
+                                                {"vertices", shape.vertices},
+                                                {"most_vertices", shape.most_vertices}};
   }
   return outputs;
 }

@@ -122,23 +122,17 @@ Result<std::unique_ptr<Database>> Database::open_to_read(const std::filesystem::
 }
 
 std::unique_ptr<SQLite::Database> Database::reopened() {
-  const std::filesystem::path file = database_file(folder_->path());
-  std::unique_ptr<SQLite::Database> database;
-  try {
-    database = connected(file);
-  } catch (const SQLite::Exception& error) {
-    if (error.getErrorCode() != SQLITE_PROTOCOL && error.getErrorCode() != SQLITE_BUSY) throw;
-    // A lock that could not be given back is held by the process until its last connection is closed.
-    const std::lock_guard lock(reading_);
-    reader_ = nullptr;
-    database = connected(file);
-  }
+  std::unique_ptr<SQLite::Database> database = connected(database_file(folder_->path()));
   if (const std::string fault = fault_in(*database); !fault.empty()) throw SQLite::Exception(fault, SQLITE_CORRUPT);
   return database;
 }
 
-void Database::forget_writer_after(const SQLite::Exception& error) {
-  if (folder_ && !is_full(error) && error.getErrorCode() != SQLITE_CONSTRAINT) writer_ = nullptr;
+void Database::forget_connections_after(const SQLite::Exception& error) {
+  if (!folder_ || is_full(error) || error.getErrorCode() == SQLITE_CONSTRAINT) return;
+  writer_ = nullptr;
+  // A lock that could not be given back is held by the process until its last connection is closed.
+  const std::lock_guard lock(reading_);
+  reader_ = nullptr;
 }
 
 }  // namespace dini::store

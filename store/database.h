@@ -56,7 +56,7 @@ class Database {
       return outcome;
     } catch (const SQLite::Exception& error) {
       failed_ = true;
-      forget_writer_after(error);
+      forget_connections_after(error);
       return problem_of(error);
     }
   }
@@ -74,6 +74,7 @@ class Database {
   auto maintain(Work work) -> decltype(work(std::declval<SQLite::Database&>())) {
     const std::lock_guard lock(writing_);
     try {
+      if (!writer_ && !reader_) writer_ = reopened();
       return work(writer_ ? *writer_ : *reader_);
     } catch (const SQLite::Exception& error) {
       return problem_of(error);
@@ -88,7 +89,7 @@ class Database {
   std::unique_ptr<SQLite::Database> connected(const std::filesystem::path& file) const;
   /// The connection once more after a failure that left in doubt what was written: checked before it is used.
   std::unique_ptr<SQLite::Database> reopened();
-  void forget_writer_after(const SQLite::Exception& error);
+  void forget_connections_after(const SQLite::Exception& error);
 
   std::size_t most_bytes_;
   const bool one_connection_;         ///< in memory, where `writer_` reads too
@@ -98,7 +99,7 @@ class Database {
   std::mutex reading_;
   std::mutex writing_;
   std::unique_ptr<SQLite::Database> writer_;  ///< null after a failure, or to look only
-  std::unique_ptr<SQLite::Database> reader_;  ///< null in memory, and while it has to be opened again
+  std::unique_ptr<SQLite::Database> reader_;  ///< null in memory, and after a failure
 };
 
 }  // namespace dini::store

@@ -7,7 +7,8 @@ Json explain_schemas() {
   using namespace schema;
   const Json output = object({{"type", text("The type of its values.")},
                               {"axes", list(reference("Axis"), "The axes that the values run over.")},
-                              {"vertices", whole("About so many in all meshes on the wire.")}},
+                              {"vertices", whole("About so many in all meshes on the wire.")},
+                              {"most_vertices", whole("Never more than these, also where surfaces are cut.")}},
                              "What an output will hold.");
   const Json reason = object(
       {{"because", word({"new", "parameter", "upstream", "evicted"},

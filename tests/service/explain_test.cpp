@@ -117,6 +117,53 @@ TEST_CASE("What an explanation predicts is what runs, in every example") {
   }
 }
 
+TEST_CASE("No mesh has more vertices than an explanation says, in every example and where surfaces and tubes are cut") {
+  const auto check_vertices = [](const Json& graph) {
+    const auto engine = example_engine();
+    const Json explanation = explained(*engine, {.graph = graph});
+    for (const auto& [id, node] : explanation["nodes"].items()) {
+      for (const auto& [output, shape] : node["outputs"].items()) {
+        if (shape["type"] != "mesh") continue;
+        CAPTURE(id, output);
+        const Json value = inspected(*engine, graph, id + "." + output);
+        std::size_t vertices = 0;
+        for (const Json& mesh : value) vertices += mesh["vertices"].get<std::size_t>();
+        CHECK(vertices <= shape["most_vertices"].get<std::size_t>());
+        CHECK(shape["vertices"] <= shape["most_vertices"]);
+      }
+    }
+  };
+  for (const auto& [example, graph] : examples()) {
+    CAPTURE(example);
+    check_vertices(graph);
+  }
+  // Every other point is beyond the clip radius.
+  const auto zigzag = [](int count, const char* formula, const std::string& shape) {
+    const auto range = [&](const char* axis) {
+      return make("range", {{"from", 0}, {"to", count - 1}, {"count", count}, {"axis", axis}});
+    };
+    const auto expression = [&](const char* text) {
+      return make("expression",
+                  {{"formula", text}, {"x", from("i.values")}, {"y", shape == "tube" ? Json(0) : from("j.values")}});
+    };
+    return document({{"i", range("i")},
+                     {"j", range("j")},
+                     {"height", expression(formula)},
+                     {"x", expression("x / 100")},
+                     {"y", expression("y / 100")},
+                     {"way", make("vector", {{"x", from("x")}, {"y", from("y")}, {"z", from("height")}})},
+                     {"points", make("translate", {{"shape", {0, 0, 0}}, {"vector", from("way")}})},
+                     {"cut", make(shape, {{"shape", from("points")}, {"clip_radius", 1.5}})},
+                     {"out", make("export", {{"model", from("cut")}})}});
+  };
+  for (int count = 3; count < 12; ++count) {
+    CAPTURE(count);
+    check_vertices(zigzag(count, "1 + x - 2 * floor(x / 2)", "tube"));
+    check_vertices(zigzag(count, "1 + x - 2 * floor(x / 2)", "surface"));
+    check_vertices(zigzag(count, "1 + x + y - 2 * floor((x + y) / 2)", "surface"));
+  }
+}
+
 TEST_CASE("Times are predicted from what nodes have taken") {
   const auto engine = make_engine();
   const auto ball = [](int rings) {
