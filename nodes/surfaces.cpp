@@ -146,10 +146,10 @@ std::size_t points_along(const Literals& literals, const Axes& consumed) {
   return consumed.empty() ? static_cast<std::size_t>(integer_at(literals, "segments")) : consumed[0].size;
 }
 
-/// Of one tube with a cap at each end.
+/// Of one tube with a cap at each end, but for the centers of the caps.
 std::size_t tube_vertices(const Literals& literals, const Axes& consumed) {
   const auto sides = static_cast<std::size_t>(integer_at(literals, "sides"));
-  return (points_along(literals, consumed) + 2) * sides + 2;
+  return (points_along(literals, consumed) + 2) * sides;
 }
 
 /// If every other point of the curve is beyond the clip radius: pieces of one point and the two where its steps are
@@ -157,7 +157,7 @@ std::size_t tube_vertices(const Literals& literals, const Axes& consumed) {
 std::size_t most_tube_vertices(const Literals& literals, const Axes& consumed) {
   const auto sides = static_cast<std::size_t>(integer_at(literals, "sides"));
   const std::size_t pieces = points_along(literals, consumed) / 2 + 1;
-  return std::max(tube_vertices(literals, consumed), pieces * (5 * sides + 2));
+  return std::max(tube_vertices(literals, consumed) + 2, pieces * (5 * sides + 2));
 }
 
 std::size_t patch_vertices(const Literals& literals, const Axes&) {
