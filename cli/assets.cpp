@@ -19,15 +19,17 @@ Result<std::string> read_bounded(const std::string& path, std::size_t most) {
                    .detail = path + ": the file has " + std::to_string(size) + " bytes, at most " +
                              std::to_string(most) + " are accepted"};
   }
-  return read_file(path, most);
+  return read_input(path, most);
 }
 
 }  // namespace
 
 void Assets::add_option(CLI::App& command) {
   command
-      .add_option("--asset", words_,
-                  "A mesh file (OBJ, PLY or GLB) that the graph names, as name=file; may be repeated")
+      .add_option(
+          "--asset", words_,
+          "A mesh file (OBJ, PLY or GLB) that the graph names, as name=file, or name=- for standard input; may be "
+          "repeated")
       ->allow_extra_args(false);
 }
 

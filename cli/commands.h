@@ -14,6 +14,10 @@ void add_serve(CLI::App& program, Command& chosen, const EngineMaker& make_engin
 void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_validate(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_inspect(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
+void add_explain(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
+void add_hash(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
+void add_fmt(CLI::App& program, Command& chosen);
+void add_upgrade(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_nodes(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_store(CLI::App& program, Command& chosen);
 void add_describe(CLI::App& program, Command& chosen);

@@ -22,4 +22,8 @@ Problems Computing::apply() {
   return {{.code = "usage", .detail = detail}};
 }
 
+std::size_t Computing::threads() const {
+  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+}
+
 }  // namespace dini::cli

@@ -18,6 +18,9 @@ class Computing {
   /// Applies them until the end of this object. The problem has code `usage`.
   Problems apply();
 
+  /// How many threads compute.
+  std::size_t threads() const;
+
  private:
   int threads_ = 0;
   std::string instruction_set_;

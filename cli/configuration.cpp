@@ -95,7 +95,7 @@ void Configuration::name_variables() {
 
 Problems Configuration::read() {
   if (file_.empty()) return {};
-  const Result<std::string> text = read_file(file_, most_bytes);
+  const Result<std::string> text = read_input(file_, most_bytes);
   if (!text) return text.problems();
   toml::table table;
   try {

@@ -2,8 +2,8 @@
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/documents.h"
 #include "cli/exit_codes.h"
+#include "cli/output_files.h"
 #include "cli/terminal.h"
 #include "server/description_markdown.h"
 #include "server/files.h"

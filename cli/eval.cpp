@@ -1,189 +1,215 @@
+#include <atomic>
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <new>
 #include <optional>
 
 #include "cli/assets.h"
 #include "cli/commands.h"
 #include "cli/computing.h"
 #include "cli/documents.h"
+#include "cli/eval_targets.h"
+#include "cli/evaluation.h"
 #include "cli/exit_codes.h"
+#include "cli/in_order.h"
+#include "cli/output_files.h"
 #include "cli/terminal.h"
-#include "graph/stopped.h"
 
 namespace dini::cli {
 namespace {
 
 struct Options {
-  std::string graph;
+  std::vector<std::string> graphs;
   std::vector<std::string> settings;
-  std::optional<std::string> model;
+  std::vector<std::string> outputs;
   std::optional<std::string> report;
   std::string output;
   std::string format;
+  bool make_folders = false;
   bool embed_graph = false;
   std::string quality = "final";
   std::optional<std::int64_t> triangle_budget;
   std::vector<std::string> preview;
   std::size_t deadline_ms = 0;
+  std::size_t jobs = 0;
+  bool fail_fast = false;
+  bool keep_going = false;
+  bool quiet = false;
+  bool verbose = false;
+  bool json = false;
   Assets assets;
   Computing computing;
+  Console console;
 };
 
-/// What an evaluation came to: its report and the file, or why there is none.
-struct Outcome {
+/// One file to make, or what keeps it from being made.
+struct Work {
+  const EvalGraph* graph = nullptr;
+  const EvalTarget* target = nullptr;
+};
+
+/// Nobody waits at the other end of a script, so a deadline is kept only when one is asked for.
+Job job_of(const Options& options) {
+  return {Cancel(options.deadline_ms == 0 ? Cancel::Clock::time_point::max()
+                                          : Cancel::Clock::now() + std::chrono::milliseconds(options.deadline_ms))};
+}
+
+EvaluateRequest request_of(const Options& options, const Engine& engine, const Json& parameters, const Work& work) {
+  return {.graph = engine.read(*work.graph->document),
+          .parameters = parameters,
+          .output = work.target->output,
+          .quality = options.quality == "draft" ? Quality::draft : Quality::final,
+          .triangle_budget = options.triangle_budget,
+          .preview = options.preview,
+          .format = work.target->format->name,
+          .embed_graph = options.embed_graph,
+          .notes = notes_of(*work.graph->document)};
+}
+
+/// Evaluates and writes the file, so that no finished file waits in memory for those before it.
+Outcome made(const Options& options, const Engine& engine, const Json& parameters, const Work& work) {
+  if (!work.graph->problems.empty()) return failed(work.graph->problems, work.graph->code);
+  Outcome outcome = evaluated(engine, request_of(options, engine, parameters, work), job_of(options));
+  if (outcome.code != exit_ok || !work.target->path) return outcome;
+  if (Problems wrong = write_output(*work.target->path, *outcome.file->bytes); !wrong.empty()) {
+    outcome.code = exit_io;
+    outcome.problems = std::move(wrong);
+  }
+  outcome.file = nullptr;
+  return outcome;
+}
+
+/// What the whole call came to.
+struct Told {
   int code = exit_ok;
-  Problems problems = {};
-  Json report = Json::object();
-  SharedFile file = nullptr;
+  Json runs = Json::array();
 };
 
-Outcome failed(const Problems& problems, Stage stage) {
-  return {.code = exit_code_for(problems, stage), .problems = problems};
+/// Whether lines about what succeeded have a place on standard output.
+bool says_success(const Options& options, const std::vector<Work>& works) {
+  const bool is_taken = options.json || options.report == "-" || options.outputs == std::vector<std::string>{"-"};
+  return !options.quiet && !is_taken && (works.size() > 1 || options.outputs.empty());
 }
 
-Outcome evaluate(const Options& options, const Engine& engine, const FileFormat& format, const Json& parameters) {
-  // Nobody waits at the other end of a script, so a deadline is kept only when one is asked for.
-  const Job job{Cancel(options.deadline_ms == 0
-                           ? Cancel::Clock::time_point::max()
-                           : Cancel::Clock::now() + std::chrono::milliseconds(options.deadline_ms))};
-  const auto document = read_graph(options.graph, engine.limits());
-  if (!document) return failed(document.problems(), Stage::checking);
-  if (const Problems wrong = options.assets.give_to(engine, job.cancel); !wrong.empty()) {
-    return failed(wrong, Stage::checking);
+void tell(const Options& options, const Work& work, const Outcome& outcome, bool is_alone, bool says) {
+  const SourceText* source = work.graph->source ? &*work.graph->source : nullptr;
+  if (!options.json) {
+    // A file that cannot be read or written is no fault in the document.
+    const bool is_io = outcome.code == exit_io;
+    options.console.problems(outcome.problems, is_io ? nullptr : source);
+    if (!options.quiet && source != nullptr) options.console.warnings(outcome.report, *source);
   }
-  const auto prepared = engine.prepare({.graph = engine.read(*document),
-                                        .parameters = parameters,
-                                        .output = options.output,
-                                        .quality = options.quality == "draft" ? Quality::draft : Quality::final,
-                                        .triangle_budget = options.triangle_budget,
-                                        .preview = options.preview,
-                                        .format = format.name,
-                                        .embed_graph = options.embed_graph,
-                                        .notes = notes_of(*document)},
-                                       job.cancel);
-  if (!prepared) return failed(prepared.problems(), Stage::checking);
-  const auto computed = engine.compute(**prepared, job);
-  if (!computed) return failed(computed.problems(), Stage::evaluating);
-  return {.report = engine.report(**prepared, **computed, Sent::document),
-          .file = (*computed)->model != nullptr ? (*computed)->model : (*computed)->preview};
+  if (options.verbose) std::cerr << printable(work.graph->path) << ":\n" << times_of(outcome.report);
+  if (outcome.code != exit_ok || !says) return;
+  std::cout << (is_alone ? "" : printable(work.graph->path) + ": ") << summary_of(outcome.report)
+            << (work.target->path ? " -> " + printable(*work.target->path) : "") << "\n";
 }
 
-/// The same when something goes wrong that should not: that too is an outcome to report.
-Outcome evaluated(const Options& options, const Engine& engine, const FileFormat& format, const Json& parameters) {
-  try {
-    return evaluate(options, engine, format, parameters);
-  } catch (const std::bad_alloc&) {
-    return failed({out_of_memory()}, Stage::evaluating);
-  } catch (const std::exception& error) {
-    return failed({{.code = "internal", .detail = error.what()}}, Stage::evaluating);
-  }
+Told make_all(const Options& options, const Engine& engine, const Json& parameters, const std::vector<Work>& works) {
+  Told told;
+  std::atomic<bool> stopped = false;
+  const bool says = says_success(options, works);
+  const std::size_t at_once = options.jobs > 0 ? options.jobs : options.computing.threads();
+  do_in_order<std::optional<Outcome>>(
+      works.size(), at_once,
+      [&](std::size_t index) -> std::optional<Outcome> {
+        if (stopped) return std::nullopt;
+        Outcome outcome = made(options, engine, parameters, works[index]);
+        if (outcome.code != exit_ok && options.fail_fast) stopped = true;
+        return outcome;
+      },
+      [&](std::size_t index, std::optional<Outcome> outcome) {
+        const Work& work = works[index];
+        const SourceText* source = work.graph->source ? &*work.graph->source : nullptr;
+        if (outcome) tell(options, work, *outcome, works.size() == 1, says);
+        Json run = outcome ? report_of(*outcome, source) : Json{{"succeeded", false}, {"skipped", true}};
+        if (works.size() > 1) run["graph"] = work.graph->path;
+        told.runs.push_back(std::move(run));
+        if (outcome) told.code = std::max(told.code, outcome->code);
+      });
+  return told;
 }
 
-/// `out: 1234 bytes, 10 vertices, 12 triangles`
-std::string summary(const Json& report) {
-  const bool preview = !report.contains("model");
-  const Json model = report.value(preview ? "preview" : "model", Json::object());
-  std::string text = report.value("output", "preview") + ":";
-  for (const auto* measure : {"bytes", "vertices", "triangles"}) {
-    if (model.contains(measure)) text += (text.back() == ':' ? " " : ", ") + model.at(measure).dump() + " " + measure;
-  }
-  return printable(text);
+/// One evaluation is reported by itself, several in a list.
+int finish(const Options& options, const Told& told) {
+  Json report =
+      told.runs.size() == 1 ? told.runs.front() : Json{{"succeeded", told.code == exit_ok}, {"runs", told.runs}};
+  const std::string text = report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (options.json) std::cout << text;
+  if (!options.report) return told.code;
+  const Problems wrong = write_output(*options.report, text);
+  if (wrong.empty()) return told.code;
+  return options.console.fail(wrong, told.code == exit_ok ? exit_io : told.code);
 }
 
-void print_warnings(const Json& report) {
-  for (const Json& warning : report.value("warnings", Json::array())) {
-    std::cerr << printable("warning[" + warning.value("code", "") + "] " + warning.value("node", "") + ": " +
-                           warning.value("detail", ""))
-              << "\n";
-  }
-}
-
-/// ".glb (glb), .gltf (gltf)"
-std::string list_of(std::span<const FileFormat> formats) {
-  std::string text;
-  for (const FileFormat& format : formats)
-    text += (text.empty() ? "" : ", ") + format.extension + " (" + format.name + ")";
-  return text;
-}
-
-/// The format that is asked for, else the one that the name of the file ends with; the usual one for a device or pipe.
-Result<const FileFormat*> format_of(const Options& options, std::span<const FileFormat> formats) {
-  const auto refused = [&](const std::string& said) {
-    return Problem{.code = "usage", .detail = said + "; there is " + list_of(formats)};
-  };
-  const std::string ending =
-      options.model && *options.model != "-" ? std::filesystem::path(*options.model).extension().string() : "";
-  const FileFormat* format = &formats.front();
-  if (!options.format.empty()) {
-    format = format_named(formats, options.format);
-    if (format == nullptr) return refused("--format " + options.format + " is none that can be written");
-  } else if (!ending.empty()) {
-    format = format_of_extension(formats, ending);
-    if (format == nullptr) {
-      return refused("-o " + *options.model + ": " + ending +
-                     " is no format that can be written (--format says another)");
-    }
-  }
-  if (format != &formats.front() && !options.preview.empty()) return refused("--preview is written as GLB only");
-  return format;
-}
-
-/// The report of every outcome says whether it is one of success, so a failed run never leaves one behind that says so.
-std::string report_text(const Outcome& outcome) {
-  Json report = outcome.report;
-  report["succeeded"] = outcome.code == exit_ok;
-  report["errors"] = to_json(outcome.problems, Sent::document);
-  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+int finish_early(const Options& options, const Problems& problems) {
+  if (!options.json) options.console.problems(problems);
+  const Outcome outcome = failed(problems, exit_code_for(problems, Stage::checking));
+  return finish(options, Told{.code = outcome.code, .runs = Json::array({report_of(outcome, nullptr)})});
 }
 
 int run(Options& options, const EngineMaker& make_engine) {
-  if (const Problems wrong = options.computing.apply(); !wrong.empty()) return fail(wrong, exit_usage);
+  const auto refused = [&](const Problems& problems) {
+    return options.console.fail(problems, exit_code_for(problems, Stage::checking));
+  };
+  if (const Problems wrong = options.computing.apply(); !wrong.empty()) return refused(wrong);
   std::vector<std::string> inputs = options.assets.paths();
-  inputs.push_back(options.graph);
-  const Problems unfit = unwritable({{"-o", options.model}, {"--report", options.report}}, inputs);
-  if (!unfit.empty()) return fail(unfit, exit_code_for(unfit, Stage::checking));
-  const Limits limits;
-  const auto parameters = read_settings(options.settings, limits);
-  if (!parameters) return fail(parameters.problems(), exit_usage);
-
-  const std::unique_ptr<Engine> engine = make_engine(limits);
-  const auto format = format_of(options, engine->formats());
-  if (!format) return fail(format.problems(), exit_usage);
-
+  inputs.insert(inputs.end(), options.graphs.begin(), options.graphs.end());
+  if (const Problems wrong = read_twice("", inputs); !wrong.empty()) return refused(wrong);
+  const OutputPath report{"--report", options.report, OutputKind::report};
+  if (options.make_folders) {
+    if (const Problems wrong = make_folders({report}); !wrong.empty()) return refused(wrong);
+  }
+  if (const Problems unfit = unwritable({report}, inputs); !unfit.empty()) return refused(unfit);
   // A report of an earlier run must not be taken for one of this, however this one ends.
   if (options.report) remove_file(*options.report);
-  Outcome outcome = evaluated(options, *engine, **format, *parameters);
-  print_problems(outcome.problems);
-  print_warnings(outcome.report);
-  if (outcome.code == exit_ok && !options.model && options.report != "-") std::cout << summary(outcome.report) << "\n";
-  if (outcome.code == exit_ok && options.model) {
-    if (const Problems wrong = write_output(*options.model, *outcome.file->bytes); !wrong.empty()) {
-      print_problems(wrong);
-      outcome = {.code = exit_io, .problems = wrong, .report = std::move(outcome.report)};
+  const Limits limits;
+  const auto parameters = read_settings(options.settings, limits);
+  if (!parameters) return refused(parameters.problems());
+
+  const std::unique_ptr<Engine> engine = make_engine(limits);
+  const auto graphs = eval_graphs(*engine, {.graphs = options.graphs,
+                                            .outputs = options.outputs,
+                                            .output = options.output,
+                                            .format = options.format,
+                                            .previews = !options.preview.empty()});
+  if (!graphs) return refused(graphs.problems());
+  std::vector<Work> works;
+  std::vector<OutputPath> files;
+  for (const EvalGraph& graph : *graphs) {
+    for (const EvalTarget& target : graph.targets) {
+      works.push_back({&graph, &target});
+      files.push_back({"-o", target.path, OutputKind::model, target.format->extension});
     }
   }
-  if (options.report) {
-    const Problems wrong = write_output(*options.report, report_text(outcome));
-    if (!wrong.empty()) return fail(wrong, outcome.code == exit_ok ? exit_io : outcome.code);
+  if (options.make_folders) {
+    if (const Problems wrong = make_folders(files); !wrong.empty()) return finish_early(options, wrong);
   }
-  return outcome.code;
+  files.push_back(report);
+  if (options.json) files.push_back({"--json", "-"});
+  if (const Problems unfit = unwritable(files, inputs); !unfit.empty()) return refused(unfit);
+  if (const Problems wrong = options.assets.give_to(*engine, job_of(options).cancel); !wrong.empty()) {
+    return finish_early(options, wrong);
+  }
+  return finish(options, make_all(options, *engine, *parameters, works));
 }
 
 }  // namespace
 
 void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine) {
-  auto* command = program.add_subcommand("eval", "Evaluate a graph into a file");
+  auto* command = program.add_subcommand("eval", "Evaluate graphs into files");
   const auto options = std::make_shared<Options>();
-  command->add_option("graph", options->graph, "The graph document, or - for standard input")->required();
-  command->add_option("--set", options->settings, "A parameter as name=value; may be repeated")
+  command->add_option("graphs", options->graphs, "The graph documents, or - for standard input")->required();
+  command->add_option("--set", options->settings, "A parameter as name=value, of all graphs; may be repeated")
       ->allow_extra_args(false);
-  command->add_option(
-      "-o,--out", options->model,
-      "Where the model goes, in the format that its name ends with, or - for standard output; without it the "
-      "model is only described");
+  command
+      ->add_option("-o,--out", options->outputs,
+                   "Where the model goes, in the format that its name ends with, or - for standard output; {graph} "
+                   "and {output} in it stand for the name of the document and for each output, and OUTPUT=FILE may "
+                   "be repeated; without it models are only described")
+      ->allow_extra_args(false);
   command->add_option("--format", options->format, "The format of the model, whatever its name ends with");
+  command->add_flag("--mkdir", options->make_folders, "Make the folders of what is written");
   command->add_flag("--embed-graph", options->embed_graph, "Put the graph document into the file (asset.extras)");
   command->add_option("--report", options->report, "Where the JSON report goes, or - for standard output");
   auto* output = command->add_option("--output", options->output, "The export node (default: the only one)");
@@ -195,10 +221,20 @@ void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine
   command->add_option("--quality", options->quality, "draft or final (default)")
       ->check(CLI::IsMember({"draft", "final"}));
   command->add_option("--triangle-budget", options->triangle_budget, "About how many triangles a draft has");
-  command->add_option("--deadline-ms", options->deadline_ms, "Give up after this many milliseconds")
+  command->add_option("--deadline-ms", options->deadline_ms, "Give up on a model after this many milliseconds")
       ->check(CLI::Range(std::size_t{1}, std::size_t{86'400'000}));
+  command->add_option("--jobs", options->jobs, "How many models are made at once (default: one per thread)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1024}));
+  auto* fail_fast = command->add_flag("--fail-fast", options->fail_fast, "Begin no further model after one has failed");
+  command->add_flag("--keep-going", options->keep_going, "Make all models whatever comes of others (default)")
+      ->excludes(fail_fast);
+  auto* quiet = command->add_flag("--quiet", options->quiet, "Tell errors only");
+  command->add_flag("-v,--verbose", options->verbose, "Tell the time that each node took, on standard error")
+      ->excludes(quiet);
+  command->add_flag("--json", options->json, "Answer with the report instead of lines, also when something is wrong");
   options->assets.add_option(*command);
   options->computing.add_options(*command);
+  options->console.add_options(*command);
   command->callback(
       [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });
 }

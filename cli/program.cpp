@@ -16,11 +16,15 @@
 namespace dini::cli {
 namespace {
 
+std::string line(const char* code, const std::string& detail) {
+  return problem_line({.code = code, .detail = detail}) + "\n";
+}
+
 /// One line for what is wrong with the words themselves; the library gives two.
 std::string usage_line(const CLI::App* program, const CLI::Error& error) {
   const auto given = program->get_subcommands();
   const std::string command = given.empty() ? "" : " " + given.front()->get_name();
-  return "error[usage]: " + printable(error.what()) + "; see dini" + command + " --help\n";
+  return line("usage", error.what() + ("; see dini" + command) + " --help");
 }
 
 /// What is wrong with the first word when it should be a command and is none; empty for all others.
@@ -43,12 +47,16 @@ int run(int count, const char* const* words, const EngineMaker& make_engine) {
   add_eval(program, chosen, make_engine);
   add_validate(program, chosen, make_engine);
   add_inspect(program, chosen, make_engine);
+  add_explain(program, chosen, make_engine);
+  add_hash(program, chosen, make_engine);
+  add_fmt(program, chosen);
+  add_upgrade(program, chosen, make_engine);
   add_nodes(program, chosen, make_engine);
   add_store(program, chosen);
   add_describe(program, chosen);
   program.failure_message(usage_line);
   if (const std::string wrong = wrong_command(program, count, words); !wrong.empty()) {
-    std::cerr << "error[usage]: " << printable(wrong) << "; see dini --help\n";
+    std::cerr << line("usage", wrong + "; see dini --help");
     return exit_usage;
   }
   try {
@@ -59,7 +67,7 @@ int run(int count, const char* const* words, const EngineMaker& make_engine) {
   const int code = chosen();
   // What could not be written may be all that was asked for.
   if (code == exit_ok && !std::cout.flush()) {
-    std::cerr << "error[io]: standard output cannot be written\n";
+    std::cerr << line("io", "standard output cannot be written");
     return exit_io;
   }
   return code;
@@ -79,12 +87,12 @@ int run_program(int count, const char* const* words, const EngineMaker& make_eng
   try {
     return run(count, words, make_engine);
   } catch (const std::bad_alloc&) {
-    std::cerr << "error[out-of-memory]: there is not enough memory for this\n";
+    std::cerr << "error: there is not enough memory for this [out-of-memory]\n";
     return exit_limit;
   } catch (const std::exception& error) {
-    std::cerr << "error[internal]: " << printable(error.what()) << "\n";
+    std::cerr << line("internal", error.what());
   } catch (...) {
-    std::cerr << "error[internal]: something unexpected went wrong\n";
+    std::cerr << line("internal", "something unexpected went wrong");
   }
   return exit_our_bug;
 }

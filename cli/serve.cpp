@@ -11,13 +11,13 @@
 #include "cli/commands.h"
 #include "cli/computing.h"
 #include "cli/configuration.h"
-#include "cli/documents.h"
 #include "cli/ending_signals.h"
 #include "cli/exit_codes.h"
 #include "cli/folders.h"
 #include "cli/json_lines.h"
 #include "cli/limit_options.h"
 #include "cli/log_sink.h"
+#include "cli/output_files.h"
 #include "cli/terminal.h"
 #include "jobs/memory_reserve.h"
 #include "jobs/process_memory.h"
@@ -67,7 +67,7 @@ void begin_log(Options& options) {
 /// Why the server does not start: for people, or a line of the log where all are JSON.
 int fail_to_start(const Options& options, const Problems& problems, int code) {
   if (!is_json(options)) return fail(problems, code);
-  for (const Json& problem : to_json(problems, Sent::document)) spdlog::critical(problem_line(problem));
+  for (const Problem& problem : problems) spdlog::critical(problem_line(problem));
   return code;
 }
 

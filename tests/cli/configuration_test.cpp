@@ -126,7 +126,7 @@ TEST_CASE("What is wrong in the file is told by file, line and setting") {
   const File file(text);
   const Outcome outcome = printed(file.path());
   CHECK(outcome.code == 2);
-  CHECK(outcome.err.starts_with("error[usage]: " + file.path() + line));
+  CHECK(outcome.err.starts_with("error: " + file.path() + line));
   CHECK(std::ranges::count(outcome.err, '\n') == 1);
   CHECK(outcome.out.empty());
 }

@@ -155,5 +155,5 @@ TEST_CASE("A server that cannot start says why in the form of its log") {
   const auto lines = json_lines(taken.err);
   REQUIRE(lines.size() == 1);
   CHECK(lines[0]["level"] == "critical");
-  CHECK(lines[0]["message"].get<std::string>().starts_with("error[address]: Cannot listen on 127.0.0.1 port "));
+  CHECK(lines[0]["message"].get<std::string>().starts_with("error: Cannot listen on 127.0.0.1 port "));
 }

@@ -94,7 +94,7 @@ TEST_CASE("A server that cannot start says why") {
   ServingProgram server;
   const Outcome taken = run_dini({"serve", "--port", std::to_string(server.port())});
   CHECK(taken.code == 6);
-  CHECK(taken.err.starts_with("error[address]: Cannot listen on 127.0.0.1 port "));
+  CHECK(taken.err.starts_with("error: Cannot listen on 127.0.0.1 port "));
   CHECK(run_dini({"serve", "--port", "0", "--web", "/nowhere"}).code == 6);
   CHECK(run_dini({"serve", "--port", "0", "--examples", "/nowhere"}).code != 0);
 }

@@ -1,0 +1,70 @@
+#include "cli/evaluation.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <new>
+#include <sstream>
+
+#include "cli/exit_codes.h"
+#include "cli/terminal.h"
+#include "graph/stopped.h"
+
+namespace dini::cli {
+namespace {
+
+Outcome evaluate(const Engine& engine, const EvaluateRequest& request, const Job& job) {
+  const auto prepared = engine.prepare(request, job.cancel);
+  if (!prepared) return failed(prepared.problems(), exit_code_for(prepared.problems(), Stage::checking));
+  const auto computed = engine.compute(**prepared, job);
+  if (!computed) return failed(computed.problems(), exit_code_for(computed.problems(), Stage::evaluating));
+  return {.report = engine.report(**prepared, **computed, Sent::document),
+          .file = (*computed)->model != nullptr ? (*computed)->model : (*computed)->preview};
+}
+
+}  // namespace
+
+Outcome failed(const Problems& problems, int code) { return {.code = code, .problems = problems}; }
+
+Outcome evaluated(const Engine& engine, const EvaluateRequest& request, const Job& job) {
+  try {
+    return evaluate(engine, request, job);
+  } catch (const std::bad_alloc&) {
+    return failed({out_of_memory()}, exit_limit);
+  } catch (const std::exception& error) {
+    return failed({{.code = "internal", .detail = error.what()}}, exit_our_bug);
+  }
+}
+
+Json report_of(const Outcome& outcome, const SourceText* source) {
+  Json report = outcome.report;
+  report["succeeded"] = outcome.code == exit_ok;
+  report["errors"] = problems_json(outcome.problems, source);
+  return report;
+}
+
+std::string summary_of(const Json& report) {
+  const bool preview = !report.contains("model");
+  const Json model = report.value(preview ? "preview" : "model", Json::object());
+  std::string text = report.value("output", "preview") + ":";
+  for (const auto* measure : {"bytes", "vertices", "triangles"}) {
+    if (model.contains(measure)) text += (text.back() == ':' ? " " : ", ") + model.at(measure).dump() + " " + measure;
+  }
+  return printable(text);
+}
+
+std::string times_of(const Json& report) {
+  std::vector<std::pair<double, std::string>> times;
+  const Json nodes = report.value("nodes", Json::object());
+  for (const auto& [id, node] : nodes.items()) {
+    if (!node.value("cached", false)) times.emplace_back(node.value("milliseconds", 0.0), id);
+  }
+  std::ranges::stable_sort(times, std::ranges::greater(), &std::pair<double, std::string>::first);
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2);
+  for (const auto& [milliseconds, id] : times) {
+    text << std::setw(10) << milliseconds << " ms  " << printable(id) << " (" << nodes[id].value("type", "") << ")\n";
+  }
+  return text.str();
+}
+
+}  // namespace dini::cli

@@ -1,0 +1,68 @@
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/exit_codes.h"
+#include "cli/layout.h"
+#include "cli/output_files.h"
+#include "cli/terminal.h"
+
+namespace dini::cli {
+namespace {
+
+struct Options {
+  std::vector<std::string> files;
+  bool check = false;
+  Console console;
+};
+
+/// What is laid out must be a graph document as far as that can be told without knowing its nodes: wrong ones are laid
+/// out as well, other files never.
+Problems other_kind(const Json& document) {
+  if (document.is_object() && document.contains("format") && document.contains("nodes")) return {};
+  return {{.code = "required-member-missing",
+           .detail = "this is no graph document: those are objects with the members format and nodes",
+           .pointer = ""}};
+}
+
+int format(const Options& options, const std::string& path) {
+  const auto source = read_source(path);
+  if (!source) return options.console.fail(source.problems(), exit_code_for(source.problems(), Stage::checking));
+  const auto document = parse_source(*source, Limits());
+  const Problems wrong = document ? other_kind(*document) : document.problems();
+  if (!wrong.empty()) return options.console.fail(wrong, exit_code_for(wrong, Stage::checking), &*source);
+  const std::string laid_out = canonical_layout(source->text);
+  const bool same = laid_out == source->text;
+  if (options.check) {
+    if (!same) std::cout << printable(source->name) << " would be laid out anew\n";
+    return same ? exit_ok : exit_check_failed;
+  }
+  if (same && path != "-") return exit_ok;
+  const Problems unwritten = write_output(path, laid_out);
+  return unwritten.empty() ? exit_ok : options.console.fail(unwritten, exit_io);
+}
+
+int run(const Options& options) {
+  int worst = exit_ok;
+  for (const std::string& path : options.files) worst = std::max(worst, format(options, path));
+  return worst;
+}
+
+}  // namespace
+
+void add_fmt(CLI::App& program, Command& chosen) {
+  auto* command = program.add_subcommand(
+      "fmt", "Lay graph documents out as those of the examples are: one node a line; nothing else changes");
+  const auto options = std::make_shared<Options>();
+  command
+      ->add_option("files", options->files,
+                   "The documents to rewrite; - reads standard input and writes standard output")
+      ->required();
+  command->add_flag("--check", options->check,
+                    "Only name the files that would change, and end with 1 if there are any");
+  options->console.add_options(*command);
+  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+}
+
+}  // namespace dini::cli

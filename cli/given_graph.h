@@ -1,0 +1,41 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/assets.h"
+#include "cli/program.h"
+#include "cli/source_text.h"
+#include "cli/terminal.h"
+
+namespace dini::cli {
+
+/// A graph that was read into an engine, with the values for its parameters.
+struct GivenGraph {
+  SourceText source;
+  Json document;
+  Json parameters;
+  std::unique_ptr<Engine> engine;
+  SharedGraph graph;
+};
+
+/// What every command takes that looks at one graph: the document, values for its parameters, the files that it names.
+class GraphArguments {
+ public:
+  void add_options(CLI::App& command);
+
+  const Console& console() const { return console_; }
+
+  /// Reads all of it. What is wrong is told on standard error, and the exit code for that is the error.
+  Expected<GivenGraph, int> load(const EngineMaker& make_engine) const;
+
+ private:
+  std::string path_;
+  std::vector<std::string> settings_;
+  Assets assets_;
+  Console console_;
+};
+
+}  // namespace dini::cli
