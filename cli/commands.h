@@ -12,6 +12,7 @@ namespace dini::cli {
 using Command = std::function<int()>;
 void add_serve(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
+void add_test(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_validate(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_inspect(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_explain(CLI::App& program, Command& chosen, const EngineMaker& make_engine);

@@ -57,8 +57,8 @@ std::string printable(std::string_view text) {
   return result;
 }
 
-std::string problem_line(const Problem& problem) {
-  return line_of(problems_json({problem}, nullptr).front(), problem.in_request, "error");
+std::string problem_line(const Problem& problem, const SourceText* source) {
+  return line_of(problems_json({problem}, source).front(), problem.in_request, "error");
 }
 
 void Console::add_options(CLI::App& command) {

@@ -12,8 +12,8 @@ namespace dini::cli {
 /// Text from a graph made harmless for a terminal: control characters become \xNN, UTF-8 text stays.
 std::string printable(std::string_view text);
 
-/// A problem with no place in a file, without the end of the line.
-std::string problem_line(const Problem& problem);
+/// `file:line:column: error: node.port: what is wrong [code]`, as far as that is known, without the end of the line.
+std::string problem_line(const Problem& problem, const SourceText* source = nullptr);
 
 /// How a command tells on standard error what is beside its answer. Colors come on a terminal only, and not where the
 /// environment has NO_COLOR; an option says otherwise.

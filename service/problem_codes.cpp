@@ -94,6 +94,11 @@ constexpr std::array codes = {
 
     ProblemCode{"usage", program, 0, "The words of the command line are not understood."},
     ProblemCode{"io", program, 0, "A file cannot be read or written."},
+    ProblemCode{"golden-changed", program, 0, "A model is not that of its golden result."},
+    ProblemCode{"golden-missing", program, 0, "There is no golden result to compare a model with."},
+    ProblemCode{"bad-golden", program, 0, "A file is no golden result that this version reads."},
+    ProblemCode{"bad-cases", program, 0, "A file of cases cannot be read, or is not as it has to be."},
+    ProblemCode{"unexpected-success", program, 0, "A case that must fail did not."},
     ProblemCode{"address", program, 0, "The server cannot listen at its address."},
     ProblemCode{"bad-example", program, 0, "An example or its mesh file is wrong, so the server does not start."},
 };

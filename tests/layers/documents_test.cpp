@@ -86,7 +86,7 @@ TEST_CASE("Every file and folder that a page names is there") {
   for (const SourceFile& page : pages(false)) {
     if (page.path == "CHANGELOG.md") continue;
     const char* path =
-        "`((?:algebra|geometry|gltf|graph|nodes|service|jobs|server|cli|tests|bench|scripts|cmake|docs|"
+        "`((?:algebra|geometry|gltf|graph|golden|nodes|service|jobs|server|cli|tests|bench|scripts|cmake|docs|"
         "examples|web)/[A-Za-z0-9_./-]*)`";
     for (const std::string& name : matches(page.text, path)) {
       CAPTURE(page.path, name);

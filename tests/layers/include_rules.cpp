@@ -61,6 +61,7 @@ std::span<const LayerRule> layer_rules() {
       {"geometry", {"algebra/"}},
       {"gltf", {"geometry/", "algebra/"}},
       {"graph", {"geometry/", "algebra/"}},
+      {"golden", {"graph/", "gltf/", "geometry/", "algebra/"}},
       {"nodes", {"graph/", "gltf/", "geometry/", "algebra/"}},
       {"service", {"nodes/", "graph/", "gltf/", "geometry/", "algebra/"}},
       {"store", {"graph/"}},
@@ -71,7 +72,7 @@ std::span<const LayerRule> layer_rules() {
        {"store/", "jobs/", "service/", "graph/problem.h", "graph/limits.h", "graph/nearest.h", "graph/cache.h",
         "graph/digest.h", "graph/file.h", "geometry/cancel.h"}},
       {"cli",
-       {"server/", "store/", "jobs/", "service/", "graph/problem.h", "graph/nearest.h", "graph/stopped.h",
+       {"server/", "store/", "jobs/", "service/", "golden/", "graph/problem.h", "graph/nearest.h", "graph/stopped.h",
         "geometry/cancel.h", "algebra/kernels.h"}},
   };
   return rules;

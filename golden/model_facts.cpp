@@ -1,0 +1,50 @@
+#include "golden/model_facts.h"
+
+#include <algorithm>
+
+namespace dini {
+namespace {
+
+void measure_bounds(const Shape& shape, ModelFacts& facts) {
+  if (shape.points.empty()) return;
+  facts.low = facts.high = shape.points.front();
+  for (const Vector& point : shape.points) {
+    facts.low = {std::min(facts.low.x, point.x), std::min(facts.low.y, point.y), std::min(facts.low.z, point.z)};
+    facts.high = {std::max(facts.high.x, point.x), std::max(facts.high.y, point.y), std::max(facts.high.z, point.z)};
+  }
+}
+
+double half_of_edges(const Shape& shape) {
+  double sum = 0;
+  for (std::size_t i = 0; i < shape.triangles; ++i) {
+    const auto& [a, b, c] = shape.pieces[i];
+    sum += length(shape.points[a] - shape.points[b]) + length(shape.points[b] - shape.points[c]) +
+           length(shape.points[c] - shape.points[a]);
+  }
+  return sum / 2;
+}
+
+}  // namespace
+
+std::optional<Model> model_of(const File& file) {
+  std::optional<Shape> shape = read_shape(*file.bytes);
+  if (!shape) return std::nullopt;
+  ModelFacts facts{.sha256 = to_hex(file.sha256),
+                   .position_error = file.position_error,
+                   .triangles = shape->triangles,
+                   .segments = shape->segments,
+                   .points = shape->pieces.size() - shape->triangles - shape->segments,
+                   .low = {},
+                   .high = {},
+                   .area = shape->measures.area,
+                   .volume = shape->measures.volume,
+                   .euler = shape->measures.euler,
+                   .closed = shape->measures.closed,
+                   .edges = half_of_edges(*shape)};
+  measure_bounds(*shape, facts);
+  facts.samples = samples_of(*shape);
+  facts.spacing = spacing_of(*shape, facts.samples);
+  return Model{std::move(facts), *std::move(shape)};
+}
+
+}  // namespace dini
