@@ -12,9 +12,11 @@ namespace dini::cli {
 using Command = std::function<int()>;
 void add_serve(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
+void add_sweep(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_test(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_validate(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_inspect(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
+void add_diff(CLI::App& program, Command& chosen);
 void add_explain(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_hash(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_fmt(CLI::App& program, Command& chosen);

@@ -1,6 +1,7 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/command_markdown.h"
 #include "cli/commands.h"
 #include "cli/exit_codes.h"
 #include "cli/output_files.h"
@@ -15,6 +16,7 @@ namespace {
 
 struct Options {
   std::string page;
+  bool commands = false;
 };
 
 /// Writes the generated parts of a page of documentation anew.
@@ -27,7 +29,11 @@ int update(const std::string& path) {
   return wrong.empty() ? exit_ok : fail(wrong, exit_io);
 }
 
-int run(const Options& options) {
+int run(const Options& options, const CLI::App& program) {
+  if (options.commands) {
+    std::cout << commands_markdown(program);
+    return exit_ok;
+  }
   if (!options.page.empty()) return update(options.page);
   std::cout << server::openapi_document(server::routes(), engine_version).dump(2) << "\n";
   return exit_ok;
@@ -36,11 +42,14 @@ int run(const Options& options) {
 }  // namespace
 
 void add_describe(CLI::App& program, Command& chosen) {
-  auto* command = program.add_subcommand("describe", "Print the HTTP interface as OpenAPI");
+  auto* command =
+      program.add_subcommand("describe", "Print the HTTP interface as OpenAPI, or the page about the command line");
   const auto options = std::make_shared<Options>();
-  command->add_option("--update", options->page,
-                      "Instead, write the generated parts of this page of documentation anew");
-  command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
+  auto* page = command->add_option("--update", options->page,
+                                   "Instead, write the generated parts of this page of documentation anew");
+  command->add_flag("--commands", options->commands, "Instead, print the page about the command line, docs/cli.md")
+      ->excludes(page);
+  command->callback([options, &chosen, &program] { chosen = [options, &program] { return run(*options, program); }; });
 }
 
 }  // namespace dini::cli

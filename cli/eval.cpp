@@ -198,6 +198,10 @@ int run(Options& options, const EngineMaker& make_engine) {
 
 void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine) {
   auto* command = program.add_subcommand("eval", "Evaluate graphs into files");
+  command->footer(
+      "dini eval ring.json --set reach=2 -o ring.glb --report ring.report.json\n"
+      "dini eval parts/*.json -o 'out/{graph}.{output}.glb' --mkdir\n"
+      "dini eval frame.json -o body=body.glb -o lid=lid.gltf");
   const auto options = std::make_shared<Options>();
   command->add_option("graphs", options->graphs, "The graph documents, or - for standard input")->required();
   command->add_option("--set", options->settings, "A parameter as name=value, of all graphs; may be repeated")

@@ -54,6 +54,9 @@ int run(const Options& options) {
 void add_fmt(CLI::App& program, Command& chosen) {
   auto* command = program.add_subcommand(
       "fmt", "Lay graph documents out as those of the examples are: one node a line; nothing else changes");
+  command->footer(
+      "dini fmt parts/*.json\n"
+      "dini fmt --check parts/*.json");
   const auto options = std::make_shared<Options>();
   command
       ->add_option("files", options->files,

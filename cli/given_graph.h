@@ -26,6 +26,7 @@ class GraphArguments {
  public:
   void add_options(CLI::App& command);
 
+  const std::string& path() const { return path_; }
   const Console& console() const { return console_; }
 
   /// Reads all of it. What is wrong is told on standard error, and the exit code for that is the error.

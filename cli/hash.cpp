@@ -68,6 +68,7 @@ void add_hash(CLI::App& program, Command& chosen, const EngineMaker& make_engine
   auto* command = program.add_subcommand(
       "hash",
       "Print the hash of a graph and the entity tag of each output, without evaluating: equal tags mean equal files");
+  command->footer("dini hash ring.json --set reach=2");
   const auto options = std::make_shared<Options>();
   options->graph.add_options(*command);
   command->add_option("--output", options->output, "The export node (default: all)");

@@ -45,9 +45,11 @@ int run(int count, const char* const* words, const EngineMaker& make_engine) {
   Command chosen;
   add_serve(program, chosen, make_engine);
   add_eval(program, chosen, make_engine);
+  add_sweep(program, chosen, make_engine);
   add_test(program, chosen, make_engine);
   add_validate(program, chosen, make_engine);
   add_inspect(program, chosen, make_engine);
+  add_diff(program, chosen);
   add_explain(program, chosen, make_engine);
   add_hash(program, chosen, make_engine);
   add_fmt(program, chosen);

@@ -191,6 +191,10 @@ void add_golden_options(CLI::App& command, GoldenOptions& golden) {
 void add_test(CLI::App& program, Command& chosen, const EngineMaker& make_engine) {
   auto* command = program.add_subcommand(
       "test", "Evaluate graphs with all their cases, run their checks, and compare them with golden results");
+  command->footer(
+      "dini test\n"
+      "dini test parts --update-golden --golden golden\n"
+      "dini test parts --golden golden --junit junit.xml --sarif dini.sarif --markdown summary.md");
   const auto options = std::make_shared<Options>();
   command->add_option("paths", options->paths, "Graphs, and folders to find graphs in (default: this folder)");
   add_golden_options(*command, options->golden);

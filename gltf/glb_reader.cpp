@@ -26,6 +26,8 @@ std::vector<std::array<Value, width>> attribute_rows(const draco::Mesh& mesh, co
   if (!ids.contains(name)) return rows;
   const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(ids.at(name).get<std::uint32_t>());
   if (attribute == nullptr) throw std::runtime_error("missing attribute");
+  if (attribute->byte_stride() != static_cast<std::int64_t>(sizeof(rows[0])))
+    throw std::runtime_error("other attribute");
   rows.resize(mesh.num_points());
   for (std::uint32_t i = 0; i < mesh.num_points(); ++i) {
     attribute->GetMappedValue(draco::PointIndex(i), rows[i].data());
@@ -95,6 +97,9 @@ class Reader {
     }
     for (std::uint32_t i = 0; i < tile.num_faces(); ++i) {
       const auto& face = tile.face(draco::FaceIndex(i));
+      for (const draco::PointIndex& corner : face) {
+        if (corner.value() >= tile.num_points()) throw std::runtime_error("corner without a point");
+      }
       mesh.triangles.push_back({base + face[0].value(), base + face[1].value(), base + face[2].value()});
     }
     mesh.tile_ends.push_back(mesh.triangles.size());
@@ -110,7 +115,9 @@ class Reader {
       }
       const Json& accessor = document_.at("accessors").at(primitive.at("indices").get<std::size_t>());
       std::vector<std::uint32_t> segments(accessor.at("count").get<std::size_t>());
-      std::memcpy(segments.data(), view(accessor.at("bufferView")).data(), segments.size() * sizeof(segments[0]));
+      const std::string_view bytes = view(accessor.at("bufferView"));
+      if (bytes.size() / sizeof(segments[0]) < segments.size()) throw std::runtime_error("short buffer view");
+      std::memcpy(segments.data(), bytes.data(), segments.size() * sizeof(segments[0]));
       FloatPoints run;
       for (std::size_t i = 0; i < segments.size(); i += 2) {
         if (run.empty()) run.push_back(points.at(segments[i]));

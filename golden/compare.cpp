@@ -22,10 +22,10 @@ double largest_extent(const ModelFacts& facts) {
   return std::max({size.x, size.y, size.z});
 }
 
-/// Files keep positions in single precision, golden results in nine digits.
+/// Files keep positions in single precision, golden results in seven digits.
 double round_off(const ModelFacts& facts) {
-  constexpr double single_precision = 6e-8;
-  return single_precision * std::max(length(facts.low), length(facts.high));
+  constexpr double seven_digits = 5e-7;
+  return seven_digits * std::max(length(facts.low), length(facts.high));
 }
 
 class Differences {

@@ -9,9 +9,9 @@ namespace {
 constexpr int newest_format = 1;
 constexpr std::size_t numbers_of_sample = 10;
 
-std::string number(double value) {
+std::string number(double value, int digits = 9) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.9g", value);
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;
 }
 
@@ -21,10 +21,16 @@ std::string list(std::initializer_list<double> values) {
   return "[" + text + "]";
 }
 
+/// A position as exactly as a file has it; of normals and colors less is compared.
 std::string written(const Sample& sample) {
+  constexpr int of_position = 7, of_others = 3;
   const auto& [position, normal, color] = sample;
-  return list(
-      {position.x, position.y, position.z, normal.x, normal.y, normal.z, color[0], color[1], color[2], color[3]});
+  std::string text;
+  const auto add = [&](double value, int digits) { text += (text.empty() ? "" : ", ") + number(value, digits); };
+  for (const double value : {position.x, position.y, position.z}) add(value, of_position);
+  for (const double value : {normal.x, normal.y, normal.z}) add(value, of_others);
+  for (const float value : color) add(value, of_others);
+  return "[" + text + "]";
 }
 
 std::string written(const ModelFacts& facts) {

@@ -16,7 +16,7 @@ struct GoldenResult {
   std::map<std::string, ModelFacts> outputs;  ///< by the node that exports
 };
 
-/// As the text of a file: JSON with a line for each sample, numbers with nine digits.
+/// As the text of a file: JSON with a line for each sample, lengths with seven digits at least.
 std::string write_golden(const GoldenResult& result);
 
 /// Problems: `not-json`, and `bad-golden` for what is no golden result or one of another format.

@@ -27,10 +27,16 @@ double half_of_edges(const Shape& shape) {
 }  // namespace
 
 std::optional<Model> model_of(const File& file) {
-  std::optional<Shape> shape = read_shape(*file.bytes);
+  std::optional<Model> model = model_of_bytes(*file.bytes);
+  if (model) model->facts.position_error = file.position_error;
+  return model;
+}
+
+std::optional<Model> model_of_bytes(std::string_view bytes) {
+  std::optional<Shape> shape = read_shape(bytes);
   if (!shape) return std::nullopt;
-  ModelFacts facts{.sha256 = to_hex(file.sha256),
-                   .position_error = file.position_error,
+  ModelFacts facts{.sha256 = to_hex(sha256(bytes)),
+                   .position_error = 0,
                    .triangles = shape->triangles,
                    .segments = shape->segments,
                    .points = shape->pieces.size() - shape->triangles - shape->segments,
@@ -42,6 +48,9 @@ std::optional<Model> model_of(const File& file) {
                    .closed = shape->measures.closed,
                    .edges = half_of_edges(*shape)};
   measure_bounds(*shape, facts);
+  const Vector size = facts.high - facts.low;
+  constexpr double steps = 1 << 14, half_of_diagonal = 0.8660254037844386;
+  facts.position_error = half_of_diagonal * std::max({size.x, size.y, size.z}) / steps;
   facts.samples = samples_of(*shape);
   facts.spacing = spacing_of(*shape, facts.samples);
   return Model{std::move(facts), *std::move(shape)};

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "golden/samples.h"
 #include "graph/file.h"
@@ -33,5 +34,9 @@ struct Model {
 
 /// Reads a file that an export made as GLB with Draco; nothing for any other.
 std::optional<Model> model_of(const File& file);
+
+/// The same where only the bytes are known. They do not tell what positions are rounded by: it is taken to be what the
+/// 14 bits of an export with its defaults are.
+std::optional<Model> model_of_bytes(std::string_view bytes);
 
 }  // namespace dini

@@ -203,6 +203,23 @@ TEST_CASE("Docs/nodes.md is what the program writes about its nodes") {
   CHECK(current);
 }
 
+TEST_CASE("Docs/cli.md is what the program writes about its commands") {
+  const Outcome outcome = run({"describe", "--commands"});
+  REQUIRE(outcome.code == 0);
+  INFO("docs/cli.md is out of date; write it again with: build/dev/dini describe --commands >docs/cli.md");
+  const bool current = contents(std::filesystem::path(DINI_SOURCE_DIR) / "docs/cli.md") == outcome.out;
+  CHECK(current);
+  CHECK(run({"describe", "--commands", "--update", "page.md"}).code == 2);
+}
+
+TEST_CASE("The help of a command shows examples") {
+  for (const std::string command : {"eval", "test", "sweep", "fmt", "hash", "diff"}) {
+    const Outcome outcome = run({command, "--help"});
+    CHECK(outcome.code == 0);
+    CHECK(has(outcome.out, "\ndini " + command + " "));
+  }
+}
+
 TEST_CASE("The tables of docs/http.md are what the program writes about its interface") {
   const TemporaryFile copy;
   std::filesystem::copy_file(DINI_HTTP_PAGE, copy.path);

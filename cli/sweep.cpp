@@ -1,0 +1,306 @@
+#include "jobs/sweep.h"
+
+#include <atomic>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/computing.h"
+#include "cli/exit_codes.h"
+#include "cli/given_graph.h"
+#include "cli/in_order.h"
+#include "cli/output_files.h"
+#include "cli/output_names.h"
+#include "cli/sweeping/axes.h"
+#include "cli/sweeping/ledger.h"
+#include "cli/sweeping/progress.h"
+#include "cli/sweeping/table.h"
+
+namespace dini::cli {
+namespace {
+
+struct Options {
+  GraphArguments graph;
+  std::vector<std::string> grids, lists;
+  std::optional<std::string> out, csv, report;
+  std::vector<std::string> measures;
+  std::string output, format, quality = "final";
+  std::size_t index = 0, count = 1, jobs = 0, deadline_ms = 0;
+  bool make_folders = false, fail_fast = false, quiet = false;
+  Computing computing;
+};
+
+/// A variant before it is made.
+struct Wanted {
+  std::size_t index = 0;
+  Json setting;
+  std::optional<std::string> file;
+};
+
+/// A sweep, once everything about it is known.
+struct Sweeping {
+  const Options& options;
+  const GivenGraph& given;
+  jobs::SweepRequest request;
+  std::vector<Wanted> wanted = {};
+  std::optional<Ledger> ledger = {};
+};
+
+/// The folder that all files of a pattern have in common.
+std::filesystem::path folder_of(const std::string& pattern) {
+  return std::filesystem::path(pattern.substr(0, pattern.find('{')) + "x").parent_path();
+}
+
+/// The names that files are called by, of a graph, a variant and all its values.
+std::map<std::string, std::string> names_of(const std::string& graph, const Wanted& wanted) {
+  std::map<std::string, std::string> names = {{"graph", graph_name(graph)}, {"index", std::to_string(wanted.index)}};
+  for (const auto& [name, value] : wanted.setting.items()) names[name] = name_of_value(value);
+  return names;
+}
+
+Result<jobs::SweepRequest> request_of(const Options& options, const GivenGraph& given) {
+  const auto axes = read_axes(options.grids, options.lists, given.engine->limits());
+  if (!axes) return axes.problems();
+  auto variants = Variants::read({.grid = *axes}, given.parameters, given.engine->limits().sweep_variants);
+  if (!variants) {
+    Problem problem = variants.problems().front();
+    const bool is_limit = problem.code == "limit-exceeded";
+    return Problem{.code = is_limit ? problem.code : "usage", .detail = problem.detail};
+  }
+  const EvaluateRequest base{.graph = given.graph,
+                             .parameters = given.parameters,
+                             .output = options.output,
+                             .quality = options.quality == "draft" ? Quality::draft : Quality::final,
+                             .measures = options.measures,
+                             .format = options.format};
+  return jobs::SweepRequest{base, *std::move(variants)};
+}
+
+/// The format is that of the name, as for one evaluation.
+Problems choose_format(jobs::SweepRequest& request, const Options& options, const Engine& engine) {
+  if (!request.base.format.empty() || !options.out) return {};
+  const std::string ending = std::filesystem::path(*options.out).extension().string();
+  const FileFormat* format = format_of_extension(engine.formats(), ending);
+  if (ending.empty() || format != nullptr) {
+    if (format != nullptr) request.base.format = format->name;
+    return {};
+  }
+  return {{.code = "usage", .detail = "-o " + *options.out + ": " + ending + " is no format that can be written"}};
+}
+
+/// Those variants that this process makes, with their files.
+Result<std::vector<Wanted>> wanted_of(const Options& options, const jobs::SweepRequest& request) {
+  std::vector<Wanted> wanted;
+  for (std::size_t index = options.index; index < request.variants.size(); index += options.count) {
+    wanted.push_back({.index = index, .setting = request.variants.at(index), .file = {}});
+  }
+  if (!options.out) return wanted;
+  std::vector<std::string> known = {"graph", "index"};
+  const Json first = request.variants.at(0);
+  for (const auto& [name, value] : first.items()) known.push_back(name);
+  const auto names = read_output_names({"./" + *options.out}, known);
+  if (!names) return names.problems();
+  for (Wanted& each : wanted) each.file = filled(*options.out, names_of(options.graph.path(), each));
+  return wanted;
+}
+
+SweptVariant swept(const Sweeping& sweeping, const Wanted& wanted) {
+  const Options& options = sweeping.options;
+  const Engine& engine = *sweeping.given.engine;
+  SweptVariant variant{.index = wanted.index, .setting = wanted.setting, .file = wanted.file.value_or("")};
+  const EvaluateRequest request = sweeping.request.with(wanted.setting);
+  std::string tag;
+  if (wanted.file) {
+    const auto prepared = engine.prepare(request, Cancel());
+    if (prepared) tag = (*prepared)->report_tag;
+    if (Json told = sweeping.ledger->find(*wanted.file, tag); prepared && !told.is_null()) {
+      variant.outcome.report = std::move(told);
+      variant.known = true;
+      return variant;
+    }
+  }
+  using Clock = Cancel::Clock;
+  const Job job{Cancel(options.deadline_ms == 0 ? Clock::time_point::max()
+                                                : Clock::now() + std::chrono::milliseconds(options.deadline_ms))};
+  Outcome& outcome = variant.outcome = evaluated(engine, request, job);
+  if (outcome.code != exit_ok) return variant;
+  Json told = Json::object();
+  for (const char* member : {"model", "measures", "output", "fingerprint"}) {
+    if (outcome.report.contains(member)) told[member] = outcome.report[member];
+  }
+  outcome.report = told;
+  if (!wanted.file) return variant;
+  Problems wrong = write_output(*wanted.file, *outcome.file->bytes);
+  if (wrong.empty()) wrong = sweeping.ledger->add(*wanted.file, tag, to_hex(outcome.file->sha256), told);
+  if (!wrong.empty()) outcome = failed(wrong, exit_io);
+  outcome.file = nullptr;
+  return variant;
+}
+
+/// `reach=0.5, rule=paper`
+std::string text_of(const Json& setting) {
+  std::string text;
+  for (const auto& [name, value] : setting.items()) text += (text.empty() ? "" : ", ") + name + "=" + dump(value);
+  return text;
+}
+
+void tell(const Options& options, const SourceText& source, const SweptVariant& variant) {
+  Problems problems = variant.outcome.problems;
+  for (Problem& problem : problems) {
+    problem.detail =
+        "variant " + std::to_string(variant.index) + " (" + text_of(variant.setting) + "): " + problem.detail;
+  }
+  options.graph.console().problems(problems, variant.outcome.code == exit_io ? nullptr : &source);
+}
+
+std::vector<SweptVariant> sweep(const Sweeping& sweeping) {
+  const Options& options = sweeping.options;
+  std::vector<SweptVariant> variants;
+  std::atomic<bool> stopped = false;
+  Progress progress(sweeping.wanted.size(), !options.quiet);
+  do_in_order<std::optional<SweptVariant>>(
+      sweeping.wanted.size(), options.jobs > 0 ? options.jobs : options.computing.threads(),
+      [&](std::size_t place) -> std::optional<SweptVariant> {
+        if (stopped) return std::nullopt;
+        SweptVariant variant = swept(sweeping, sweeping.wanted[place]);
+        if (variant.outcome.code != exit_ok && options.fail_fast) stopped = true;
+        return variant;
+      },
+      [&](std::size_t, std::optional<SweptVariant> variant) {
+        if (!variant) return;
+        if (!variant->outcome.problems.empty()) progress.clear();
+        tell(options, sweeping.given.source, *variant);
+        progress.step();
+        variants.push_back(*std::move(variant));
+      });
+  return variants;
+}
+
+Json report_of(const std::vector<SweptVariant>& variants, std::size_t wanted, int code, const SourceText& source) {
+  Json list = Json::array();
+  for (const SweptVariant& variant : variants) {
+    Json entry = report_of(variant.outcome, &source);
+    entry["index"] = variant.index;
+    entry["setting"] = variant.setting;
+    entry["known"] = variant.known;
+    if (!variant.file.empty()) entry["file"] = variant.file;
+    list.push_back(std::move(entry));
+  }
+  return {{"succeeded", code == exit_ok && variants.size() == wanted}, {"variants", std::move(list)}};
+}
+
+int finish(const Sweeping& sweeping, const std::vector<SweptVariant>& variants) {
+  const Options& options = sweeping.options;
+  int code = exit_ok;
+  std::size_t failures = 0, known = 0;
+  for (const SweptVariant& variant : variants) {
+    code = std::max(code, variant.outcome.code);
+    failures += variant.outcome.code != exit_ok ? 1 : 0;
+    known += variant.known ? 1 : 0;
+  }
+  const auto write = [&](const std::optional<std::string>& path, const std::string& text) {
+    if (!path) return;
+    const Problems wrong = write_output(*path, text);
+    if (!wrong.empty()) code = std::max(code, options.graph.console().fail(wrong, exit_io));
+  };
+  write(options.csv, table_of(variants, options.measures));
+  const Json report = report_of(variants, sweeping.wanted.size(), code, sweeping.given.source);
+  write(options.report, report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  if (!options.quiet && options.csv != "-" && options.report != "-") {
+    std::cout << variants.size() - failures << " of " << sweeping.wanted.size() << " variants are done";
+    if (known > 0) std::cout << ", " << known << " of them by an earlier run";
+    std::cout << "\n";
+  }
+  return code;
+}
+
+int run(Options& options, const EngineMaker& make_engine) {
+  const Console& console = options.graph.console();
+  const auto refused = [&](const Problems& problems) {
+    return console.fail(problems, exit_code_for(problems, Stage::checking));
+  };
+  if (const Problems wrong = options.computing.apply(); !wrong.empty()) return refused(wrong);
+  if (options.index >= options.count) {
+    return refused({{.code = "usage", .detail = "--index counts from 0 and stays below --count"}});
+  }
+  const std::vector<OutputPath> tables = {{"--csv", options.csv, OutputKind::table},
+                                          {"--report", options.report, OutputKind::report}};
+  const std::vector<std::string> inputs = {options.graph.path()};
+  if (options.make_folders) {
+    if (const Problems wrong = make_folders(tables); !wrong.empty()) return refused(wrong);
+  }
+  if (const Problems unfit = unwritable(tables, inputs); !unfit.empty()) return refused(unfit);
+  for (const OutputPath& table : tables) {
+    if (table.path) remove_file(*table.path);
+  }
+  const auto given = options.graph.load(make_engine);
+  if (!given) return given.error();
+  auto request = request_of(options, *given);
+  if (!request) return refused(request.problems());
+  if (const Problems wrong = choose_format(*request, options, *given->engine); !wrong.empty()) return refused(wrong);
+  auto wanted = wanted_of(options, *request);
+  if (!wanted) return refused(wanted.problems());
+  Sweeping sweeping{.options = options, .given = *given, .request = *std::move(request), .wanted = *std::move(wanted)};
+  if (options.out) {
+    std::vector<OutputPath> files;
+    const std::string extension = std::filesystem::path(*options.out).extension().string();
+    for (const Wanted& each : sweeping.wanted) files.push_back({"-o", each.file, OutputKind::model, extension});
+    if (options.make_folders) {
+      if (const Problems wrong = make_folders(files); !wrong.empty()) return refused(wrong);
+    }
+    if (const Problems unfit = unwritable(files, inputs); !unfit.empty()) return refused(unfit);
+    sweeping.ledger.emplace(folder_of(*options.out));
+  }
+  return finish(sweeping, sweep(sweeping));
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& program, Command& chosen, const EngineMaker& make_engine) {
+  auto* command = program.add_subcommand("sweep", "Evaluate one graph for many values of its parameters");
+  command->footer(
+      "dini sweep ring.json --grid reach=0:2:9 --list rule=paper,exact -o 'out/{reach}-{rule}.glb' --csv measures.csv "
+      "--mkdir\n"
+      "dini sweep ring.json --grid reach=0:2:400 -o 'out/{index}.glb' --index 0 --count 4");
+  const auto options = std::make_shared<Options>();
+  options->graph.add_options(*command);
+  command
+      ->add_option("--grid", options->grids,
+                   "Numbers of a parameter as NAME=FROM:TO:COUNT, both ends included; may be repeated")
+      ->allow_extra_args(false);
+  command
+      ->add_option(
+          "--list", options->lists,
+          "Values of a parameter as NAME=VALUE,VALUE,...; may be repeated. All values of all parameters are combined")
+      ->allow_extra_args(false);
+  command->add_option(
+      "-o,--out", options->out,
+      "Where the models go: {NAME} stands for the value of a parameter, {index} for the number of the "
+      "variant, {graph} for the name of the document. What is there already and right is not made again");
+  command->add_option("--format", options->format, "The format of the models, whatever their names end with");
+  command->add_option("--csv", options->csv, "Where a table of all variants goes, or - for standard output");
+  command->add_option("--report", options->report, "Where the same goes as JSON, or - for standard output");
+  command
+      ->add_option("--measure", options->measures,
+                   "A node, or node.output, whose values the tables tell; may be repeated")
+      ->allow_extra_args(false);
+  command->add_option("--output", options->output, "The export node (default: the only one)");
+  command->add_option("--quality", options->quality, "draft or final (default)")
+      ->check(CLI::IsMember({"draft", "final"}));
+  command->add_option("--index", options->index, "Of --count processes that share the work, which this is, from 0");
+  command->add_option("--count", options->count, "How many processes share the work: each makes every COUNTth variant")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}));
+  command->add_option("--jobs", options->jobs, "How many variants are evaluated at once (default: one per thread)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1024}));
+  command->add_option("--deadline-ms", options->deadline_ms, "Give up on a variant after this many milliseconds")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{86'400'000}));
+  command->add_flag("--fail-fast", options->fail_fast, "Begin no further variant after one has failed");
+  command->add_flag("--mkdir", options->make_folders, "Make the folders of what is written");
+  command->add_flag("--quiet", options->quiet, "Tell errors only");
+  options->computing.add_options(*command);
+  command->callback(
+      [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });
+}
+
+}  // namespace dini::cli

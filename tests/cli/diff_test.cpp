@@ -1,0 +1,109 @@
+// `dini diff`: graphs by what they mean, models by their shape.
+
+#include "tests/cli/real_program.h"
+#include "tests/support/documents.h"
+#include "tests/support/folder.h"
+
+using namespace dini;
+using namespace dini::support;
+
+namespace {
+
+Json ball(double radius) {
+  Json graph = document({{"ball", make("sphere_mesh", {{"radius", radius}, {"segments", 16}, {"rings", 8}})},
+                         {"out", make("export", {{"model", from("ball")}})}});
+  graph["parameters"] = {{"reach", {{"type", "number"}, {"default", 1}}}};
+  return graph;
+}
+
+struct Files : Folder {
+  std::string at(const std::string& name) const { return (path() / name).string(); }
+  std::string graph(const std::string& name, const Json& json) const {
+    write(name, json.dump());
+    return at(name);
+  }
+  std::string model(const std::string& name, const Json& json) const {
+    REQUIRE(run({"eval", graph("graph.json", json), "-o", at(name)}).code == 0);
+    return at(name);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("Graphs differ by nodes, inputs and parameters, and not by layout, order and what the page remembers") {
+  const Files files;
+  const std::string before = files.graph("a.json", ball(1));
+  Json moved = ball(1);
+  moved["ui"] = {{"nodes", {{"ball", {{"x", 4}}}}}};
+  files.write("b.json", moved.dump(4));
+  const Outcome same = run({"diff", before, files.at("b.json")});
+  CHECK(same.code == 0);
+  CHECK(same.out.empty());
+
+  Json after = ball(2);
+  after["nodes"]["ball"]["inputs"].erase("rings");
+  after["nodes"]["extra"] = make("circle");
+  after["parameters"]["reach"]["default"] = 3;
+  const std::string changed = files.graph("c.json", after);
+  const Outcome outcome = run({"diff", before, changed});
+  CHECK(outcome.code == 1);
+  CHECK(outcome.err.empty());
+  CHECK(outcome.out ==
+        "~ parameter reach.default: 1 -> 3\n"
+        "+ extra\n"
+        "~ ball.radius: 1 -> 2\n"
+        "~ ball.rings: 8 -> default\n");
+  CHECK(run({"diff", changed, before}).out.find("- extra\n") != std::string::npos);
+  const Json json = Json::parse(run({"diff", before, changed, "--json"}).out);
+  CHECK(json["nodes"]["added"] == Json::array({"extra"}));
+  CHECK(json["nodes"]["changed"]["ball"]["inputs"]["radius"]["to"] == 2);
+}
+
+TEST_CASE("Models differ by shape, and not by bytes") {
+  const Files files;
+  const std::string one = files.model("one.glb", ball(1)), larger = files.model("larger.glb", ball(1.01));
+  Json renamed = ball(1);
+  renamed["nodes"]["sphere"] = renamed["nodes"]["ball"];
+  renamed["nodes"].erase("ball");
+  renamed["nodes"]["out"]["inputs"]["model"] = from("sphere");
+  const std::string same = files.model("same.glb", renamed);
+  CHECK(contents(one) != contents(same));
+  CHECK(run({"diff", one, one}).code == 0);
+  const Outcome alike = run({"diff", one, same});
+  CAPTURE(alike.out, alike.err);
+  CHECK(alike.code == 0);
+  CHECK(Json::parse(run({"diff", one, same, "--json"}).out)["same_bytes"] == false);
+  const Outcome other = run({"diff", one, larger});
+  CHECK(other.code == 1);
+  CHECK(has(other.out, "largest x: 1.0"));
+  CHECK(run({"diff", one, larger, "--tolerance", "0.1"}).code == 0);
+}
+
+TEST_CASE("What cannot be compared is refused with a sentence, and is never the same") {
+  const Files files;
+  const std::string graph = files.graph("a.json", ball(1)), model = files.model("one.glb", ball(1));
+  files.write("package.json", "{}");
+  files.write("broken.json", "{");
+  const std::string bytes = contents(model);
+  files.write("short.glb", bytes.substr(0, bytes.size() / 2));
+  files.write("empty.glb", "glTF");
+  for (const auto& [other, code] : std::vector<std::pair<std::string, int>>{
+           {"one.glb", 2}, {"package.json", 3}, {"broken.json", 3}, {"none.json", 6}}) {
+    const Outcome outcome = run({"diff", graph, files.at(other)});
+    CAPTURE(other, outcome.err);
+    CHECK(outcome.code == code);
+    CHECK(outcome.out.empty());
+    CHECK(has(outcome.err, "error: "));
+  }
+  for (const char* other : {"short.glb", "empty.glb"}) CHECK(run({"diff", model, files.at(other)}).code == 3);
+  std::string damaged = bytes;
+  for (std::size_t at = bytes.size() / 2; at < bytes.size(); at += 97) {
+    damaged[at] = static_cast<char>(damaged[at] ^ 0x55);
+    files.write("damaged.glb", damaged);
+    const int code = run({"diff", model, files.at("damaged.glb")}).code;
+    CHECK((code == 1 || code == 3));
+  }
+  CHECK(run({"diff", graph}).code == 2);
+  CHECK(run({"diff", "-", "-"}).code == 2);
+  CHECK(run({"diff", model, model, "--tolerance", "-1"}).code == 2);
+}
