@@ -58,7 +58,7 @@ TEST_CASE("What fails only when it is computed has its place too") {
   CHECK(has(outcome.err, ": error: n"));
 }
 
-TEST_CASE("A text that is no JSON is told with the place of the fault; a byte order mark and CRLF are none") {
+TEST_CASE("A text that is no JSON is told with the place of the fault, and a byte order mark and CRLF are none") {
   CHECK(run({"validate", "-"}, "{\"format\": 1,\r\n \"nodes\": {,}}").err.starts_with("standard input:2:12: error: "));
   CHECK(run({"validate", "-"}, "\xEF\xBB\xBF{\"format\": 1,").err.starts_with("standard input:1:14: error: "));
   CHECK(run({"validate", "-"}, "").err.starts_with("standard input:1:1: error: "));
