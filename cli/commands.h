@@ -21,6 +21,7 @@ void add_explain(CLI::App& program, Command& chosen, const EngineMaker& make_eng
 void add_hash(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_fmt(CLI::App& program, Command& chosen);
 void add_upgrade(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
+void add_merge(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_nodes(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_store(CLI::App& program, Command& chosen);
 void add_describe(CLI::App& program, Command& chosen);

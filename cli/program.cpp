@@ -54,6 +54,7 @@ int run(int count, const char* const* words, const EngineMaker& make_engine) {
   add_hash(program, chosen, make_engine);
   add_fmt(program, chosen);
   add_upgrade(program, chosen, make_engine);
+  add_merge(program, chosen, make_engine);
   add_nodes(program, chosen, make_engine);
   add_store(program, chosen);
   add_describe(program, chosen);

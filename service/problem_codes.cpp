@@ -99,6 +99,7 @@ constexpr std::array codes = {
     ProblemCode{"bad-golden", program, 0, "A file is no golden result that this version reads."},
     ProblemCode{"bad-cases", program, 0, "A file of cases cannot be read, or is not as it has to be."},
     ProblemCode{"unexpected-success", program, 0, "A case that must fail did not."},
+    ProblemCode{"merge-conflict", program, 0, "Two sides changed the same thing of a graph, each in another way."},
     ProblemCode{"address", program, 0, "The server cannot listen at its address."},
     ProblemCode{"bad-example", program, 0, "An example or its mesh file is wrong, so the server does not start."},
 };

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace dini {
+
+/// A document with the order of its members.
+using OrderedJson = nlohmann::ordered_json;
+
+/// What two people made of one document. Conflicts are places that both changed, each in another way: `ring.radius`,
+/// `parameter reach.default`, `node ring`, or a JSON pointer elsewhere. There the merged document has what is ours.
+struct GraphMerge {
+  OrderedJson merged;
+  std::vector<std::string> conflicts = {};
+};
+
+/// Merges the changes from `base` to `theirs` into `ours`. What an input is given is one thing, as is any list; all
+/// else is merged member by member. The order is that of ours, and what is new in theirs comes last.
+GraphMerge merge_graphs(const OrderedJson& base, const OrderedJson& ours, const OrderedJson& theirs);
+
+}  // namespace dini
