@@ -99,7 +99,9 @@ void tell(const Options& options, const Work& work, const Outcome& outcome, bool
     options.console.problems(outcome.problems, is_io ? nullptr : source);
     if (!options.quiet && source != nullptr) options.console.warnings(outcome.report, *source);
   }
-  if (options.verbose) std::cerr << printable(work.graph->path) << ":\n" << times_of(outcome.report);
+  if (options.verbose && outcome.code == exit_ok) {
+    std::cerr << printable(work.graph->path) << ":\n" << times_of(outcome.report);
+  }
   if (outcome.code != exit_ok || !says) return;
   std::cout << (is_alone ? "" : printable(work.graph->path) + ": ") << summary_of(outcome.report)
             << (work.target->path ? " -> " + printable(*work.target->path) : "") << "\n";

@@ -14,7 +14,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// So many more are done, in about the time since the beginning.
+  /// One more is done; what is left is foretold by the time since the beginning.
   void step();
 
   /// Takes the line away, so that others can be written.

@@ -33,9 +33,10 @@ Problems find_in(const fs::path& root, std::vector<FoundGraph>& found) {
   std::error_code error;
   fs::recursive_directory_iterator entry(root, error);
   for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-    if (entry->is_directory()) {
+    std::error_code unknown;
+    if (entry->is_directory(unknown)) {
       if (is_left_out(entry->path())) entry.disable_recursion_pending();
-    } else if (entry->is_regular_file() && is_graph(entry->path())) {
+    } else if (entry->is_regular_file(unknown) && is_graph(entry->path())) {
       found.push_back({entry->path().lexically_normal().string(), root});
     }
   }
