@@ -1,5 +1,4 @@
 #include <atomic>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>

@@ -32,7 +32,8 @@ function check(name, holds, details) {
   }
 }
 
-const write = (name, value) => writeFileSync(join(folder, name), typeof value === "string" ? value : JSON.stringify(value));
+const write = (name, value) =>
+  writeFileSync(join(folder, name), typeof value === "string" ? value : JSON.stringify(value));
 const ball = (radius) => ({
   format: 1,
   nodes: {
@@ -41,27 +42,38 @@ const ball = (radius) => ({
   },
 });
 write("good.json", ball(1));
-write("bad <&\"> ünï.json", ball(-1));
+write('bad <&"> ünï.json', ball(-1));
 write("broken.json", '{"format": 1, "nodes": {');
 write("cases.json", {
   ...ball({ parameter: "radius" }),
   parameters: { radius: { type: "number", default: 1, min: 0.1, max: 9 } },
 });
 write("cases.cases.json", {
-  cases: { small: {}, large: { parameters: { radius: 2 } }, wrong: { parameters: { radius: 0 }, fails: "out-of-range" }, odd: { fails: "degenerate" } },
+  cases: {
+    small: {},
+    large: { parameters: { radius: 2 } },
+    wrong: { parameters: { radius: 0 }, fails: "out-of-range" },
+    odd: { fails: "degenerate" },
+  },
 });
 write("warns.json", {
   format: 1,
   nodes: { ...ball(1).nodes, loose: { type: "circle", inputs: { radius: -1 } } },
 });
 
-const schema = JSON.parse(readFileSync(join(here, "node_modules/@microsoft/jest-sarif/lib/schemas/sarif-2.1.0-rtm.5.json"), "utf8"));
+const schema = JSON.parse(
+  readFileSync(join(here, "node_modules/@microsoft/jest-sarif/lib/schemas/sarif-2.1.0-rtm.5.json"), "utf8"),
+);
 const ajv = new Ajv({ strict: false, allErrors: true, unicodeRegExp: false });
 addFormats(ajv);
 const isSarif = ajv.compile(schema);
 
 async function run(name, words, expected) {
-  const { status, stderr } = spawnSync(program, ["test", folder, "--junit", join(folder, "j.xml"), "--sarif", join(folder, "s.json"), ...words], { encoding: "utf8" });
+  const { status, stderr } = spawnSync(
+    program,
+    ["test", folder, "--junit", join(folder, "j.xml"), "--sarif", join(folder, "s.json"), ...words],
+    { encoding: "utf8" },
+  );
   check(`${name}: exit code`, status === expected.code, `${status}, ${stderr}`);
 
   const log = JSON.parse(readFileSync(join(folder, "s.json"), "utf8"));
@@ -73,7 +85,9 @@ async function run(name, words, expected) {
     check(`${name}: rule ${ruleId}`, log.runs[0].tool.driver.rules[ruleIndex].id === ruleId, ruleIndex);
   }
 
-  const lint = spawnSync("xmllint", ["--noout", "--schema", join(here, "junit.xsd"), join(folder, "j.xml")], { encoding: "utf8" });
+  const lint = spawnSync("xmllint", ["--noout", "--schema", join(here, "junit.xsd"), join(folder, "j.xml")], {
+    encoding: "utf8",
+  });
   check(`${name}: JUnit`, lint.status === 0, lint.error ?? lint.stderr);
   const read = await new JunitReader().parseXMLFile(join(folder, "j.xml"));
   const cases = read.testsuites.flatMap(({ testCases }) => testCases);
@@ -89,7 +103,7 @@ try {
   check("warnings in SARIF", levels.includes("warning"), levels);
   const [location] = log.runs[0].results.find(({ ruleId }) => ruleId === "not-json").locations;
   check("the place in SARIF", location.physicalLocation.region.startColumn === 25, JSON.stringify(location));
-  for (const name of ["bad <&\"> ünï.json", "broken.json", "cases.cases.json"]) rmSync(join(folder, name));
+  for (const name of ['bad <&"> ünï.json', "broken.json", "cases.cases.json"]) rmSync(join(folder, name));
   await run("a folder that is well", [], { code: 0, problems: 0, cases: 3, passed: 3 });
   mkdirSync(join(folder, "golden"));
   await run("golden results that are missing", [], { code: 1, problems: 3, cases: 3, passed: 0 });
