@@ -113,7 +113,7 @@ TEST_CASE("Buffers that nothing needs may be anywhere, those that are read may n
   }
 }
 
-TEST_CASE("Bytes behind the end, other chunks and padding do no harm; what is cut short is refused") {
+TEST_CASE("Bytes behind the end, other chunks and padding do no harm, and what is cut short is refused") {
   const std::string glb = triangle_parts().glb();
   for (const std::string& behind : {std::string("\n"), std::string(1000, '\0'), std::string("glTF")}) {
     const ReadFile file(read_glb_mesh(glb + behind, {}));

@@ -59,7 +59,7 @@ TEST_CASE("A chain as long as a graph may be does not exhaust the stack") {
   CHECK(support::numbers(registry, document(nodes), "n1999") == std::vector<double>{1999});
 }
 
-TEST_CASE("Failures name the node, the port and the sample; independent failures are all reported") {
+TEST_CASE("Failures name the node, the port and the sample, and independent failures are all reported") {
   const Problems problems = failures(document({{"r", {{"type", "ramp"}, {"inputs", {{"count", 5}}}}},
                                                {"m", {{"type", "sum"}, {"inputs", {{"a", from("r")}, {"b", -4}}}}},
                                                {"root", value_node("root", from("m"))},

@@ -50,7 +50,7 @@ TEST_CASE("A free place is never refused, however quickly tasks follow each othe
   CHECK(ran == 2000);
 }
 
-TEST_CASE("What waits can be taken back and then never runs; what runs cannot") {
+TEST_CASE("What waits can be taken back and then never runs, but what runs cannot") {
   std::latch go(1);
   std::atomic<bool> ran = false;
   {

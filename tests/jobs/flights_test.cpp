@@ -100,7 +100,7 @@ TEST_CASE("Who is not let in is not told") {
   CHECK(third.wait());
 }
 
-TEST_CASE("One who leaves is told why at once; the work goes on for the others and ends with the last") {
+TEST_CASE("One who leaves is told why at once, and the work goes on for the others and ends with the last") {
   Field field;
   std::atomic<bool> go = false;
   std::atomic<int> runs = 0, stopped = 0;

@@ -22,12 +22,14 @@ std::vector<std::string> titles_of(const std::string& text) {
   return titles;
 }
 
-/// A sentence begins with a capital letter, has a few words, and its period is left out.
+/// A sentence begins with a capital letter, has a few words, and its period is left out. A semicolon would make two
+/// tests of it in CMake, neither of which exists, and so both would pass.
 bool is_sentence(const std::string& title) {
   std::istringstream words(title);
   std::size_t count = 0;
   for (std::string word; words >> word;) ++count;
-  return count >= 3 && std::isupper(static_cast<unsigned char>(title.front())) != 0 && !title.ends_with('.');
+  return count >= 3 && std::isupper(static_cast<unsigned char>(title.front())) != 0 && !title.ends_with('.') &&
+         title.find(';') == std::string::npos;
 }
 
 std::vector<SourceFile> test_sources() {
@@ -56,6 +58,7 @@ TEST_CASE("Titles of test cases are sentences") {
   CHECK_FALSE(is_sentence("a boost fixes its own point"));
   CHECK_FALSE(is_sentence("A boost fixes its own point."));
   CHECK_FALSE(is_sentence("Boosts"));
+  CHECK_FALSE(is_sentence("A boost fixes its own point; it moves others"));
 }
 
 TEST_CASE("Files with test cases use the namespaces of the program and open none of them") {

@@ -178,7 +178,7 @@ TEST_CASE("A sweep as a job is stopped within its variants") {
   CHECK(get(server.port(), address)->json()["variants"]["done"] < 2'000);
 }
 
-TEST_CASE("The same request with the same key is the same job; another request with it is refused") {
+TEST_CASE("The same request with the same key is the same job, and another request with it is refused") {
   const Running server;
   const std::string key = "Idempotency-Key: night-1\r\n";
   const std::string address = address_of(begin(server.port(), toy_body({{"bytes", 5}}), key));
