@@ -27,7 +27,7 @@ Result<std::string> read_bounded(const std::string& path, std::size_t most) {
 void Assets::add_option(CLI::App& command) {
   command
       .add_option("--asset", words_,
-                  "A mesh file (OBJ, PLY or GLB) that the graph names, as name=file; may be repeated")
+                  "A mesh file (OBJ, PLY, STL or GLB) that the graph names, as name=file; may be repeated")
       ->allow_extra_args(false);
 }
 
