@@ -16,17 +16,17 @@ constexpr double root_of_three = 1.7320508075688772;  ///< From an error per axi
 class NameList {
  public:
   void add(const std::string& name) {
-    constexpr std::size_t most_named = 3;
     if (++count_ <= most_named) text_ += (text_.empty() ? "" : ", ") + name;
   }
 
   bool empty() const { return count_ == 0; }
   std::string text() const {
-    constexpr std::size_t most_named = 3;
     return text_ + (count_ > most_named ? " and " + std::to_string(count_ - most_named) + " more" : "");
   }
 
  private:
+  static constexpr std::size_t most_named = 3;
+
   std::string text_;
   std::size_t count_ = 0;
 };
@@ -38,7 +38,7 @@ class Builder {
 
   std::optional<FileError> add(const Part& part) {
     PlainPart plain{.name = part.name, .material = part.material, .color = part.color};
-    if (auto error = std::visit([&](const auto& shape) { return take(part, shape, plain); }, part.shape)) {
+    if (auto error = std::visit([&](const auto& shape) { return take(shape, plain); }, part.shape)) {
       error->part = part.name;
       return file_error(*error);
     }
@@ -76,7 +76,7 @@ class Builder {
   }
 
  private:
-  std::optional<EncodeError> take(const Part&, const SharedMesh& mesh, PlainPart& plain) {
+  std::optional<EncodeError> take(const SharedMesh& mesh, PlainPart& plain) {
     left_out_ = false;
     if (mesh == nullptr) return std::nullopt;
     plain.color = mesh->color;
@@ -91,14 +91,14 @@ class Builder {
     return std::nullopt;
   }
 
-  std::optional<EncodeError> take(const Part&, const std::vector<Polyline>& polylines, PlainPart& plain) {
+  std::optional<EncodeError> take(const std::vector<Polyline>& polylines, PlainPart& plain) {
     left_out_ = !carried_.curves;
     if (left_out_) return leave(plain, curves_);
     for (const Polyline& polyline : polylines) add_drawable_runs(polyline, plain.curves, cancel_);
     return include(plain.curves.points);
   }
 
-  std::optional<EncodeError> take(const Part&, const CurveSource& curves, PlainPart& plain) {
+  std::optional<EncodeError> take(const CurveSource& curves, PlainPart& plain) {
     left_out_ = !carried_.curves;
     if (left_out_) return leave(plain, curves_);
     for (std::size_t i = 0; i < curves.count && !cancel_.stopped(); ++i) {
@@ -107,7 +107,7 @@ class Builder {
     return include(plain.curves.points);
   }
 
-  std::optional<EncodeError> take(const Part&, const SharedColumn<Point>& points, PlainPart& plain) {
+  std::optional<EncodeError> take(const SharedColumn<Point>& points, PlainPart& plain) {
     left_out_ = !carried_.points;
     if (left_out_) return leave(plain, points_);
     if (points != nullptr) plain.points = drawable_points(*points, cancel_);

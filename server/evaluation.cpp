@@ -162,9 +162,14 @@ Result<Form> form_for(const Engine& engine, std::string_view accept, const std::
   const FileFormat* const wanted = format_named(formats, format);
   if (wanted == nullptr) {
     std::vector<std::string> names;
-    for (const FileFormat& known : formats) names.push_back(known.name);
+    std::string list;
+    for (const FileFormat& known : formats) {
+      names.push_back(known.name);
+      list += (list.empty() ? "" : ", ") + known.name;
+    }
     return Problem{.code = "not-in-choices",
-                   .detail = "there is no format '" + escape_controls(format, 80) + "'" + did_you_mean(format, names)};
+                   .detail = "there is no format '" + escape_controls(format, 80) + "' among " + list +
+                             did_you_mean(format, names)};
   }
   const std::string_view model = wanted->media_types.front();
   const auto best = choose_type(accept, std::array{model, report_type, both_type});
