@@ -28,7 +28,7 @@ void Assets::add_option(CLI::App& command) {
   command
       .add_option(
           "--asset", words_,
-          "A mesh file (OBJ, PLY or GLB) that the graph names, as name=file, or name=- for standard input; may be "
+          "A mesh file (OBJ, PLY, STL or GLB) that the graph names, as name=file, or name=- for standard input; may be "
           "repeated")
       ->allow_extra_args(false);
 }

@@ -25,6 +25,7 @@ struct Options {
   std::string output;
   std::string format;
   bool make_folders = false;
+  bool no_draco = false;
   bool embed_graph = false;
   std::string quality = "final";
   std::optional<std::int64_t> triangle_budget;
@@ -61,6 +62,7 @@ EvaluateRequest request_of(const Options& options, const Engine& engine, const J
           .triangle_budget = options.triangle_budget,
           .preview = options.preview,
           .format = work.target->format->name,
+          .draco = !options.no_draco,
           .embed_graph = options.embed_graph,
           .notes = notes_of(*work.graph->document)};
 }
@@ -217,12 +219,15 @@ void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine
   command->add_flag("--mkdir", options->make_folders, "Make the folders of what is written");
   command->add_flag("--embed-graph", options->embed_graph, "Put the graph document into the file (asset.extras)");
   command->add_option("--report", options->report, "Where the JSON report goes, or - for standard output");
+  auto* no_draco = command->add_flag("--no-draco", options->no_draco,
+                                     "Leave meshes uncompressed, for programs that cannot read Draco");
   auto* output = command->add_option("--output", options->output, "The export node (default: the only one)");
   command
       ->add_option("--preview", options->preview,
                    "A node, or node.output, to draw with control geometry instead of the model; may be repeated")
       ->allow_extra_args(false)
-      ->excludes(output);
+      ->excludes(output)
+      ->excludes(no_draco);
   command->add_option("--quality", options->quality, "draft or final (default)")
       ->check(CLI::IsMember({"draft", "final"}));
   command->add_option("--triangle-budget", options->triangle_budget, "About how many triangles a draft has");

@@ -45,6 +45,7 @@ inline Mesh copied_frame(const Mesh& mesh, const Cancel& cancel) {
   copy.triangles = copied(mesh.triangles, cancel);
   copy.tile_ends = copied(mesh.tile_ends, cancel);
   copy.color = mesh.color;
+  copy.finish = mesh.finish;
   return copy;
 }
 

@@ -70,6 +70,7 @@ class Clustering {
   Mesh mesh(const Cancel& cancel) const {
     Mesh coarse;
     coarse.color = mesh_.color;
+    coarse.finish = mesh_.finish;
     std::vector<std::uint32_t> kept;  // the vertices that stand for their cells
     NumberTable vertex_of;            // by cell
     CancelEvery steps(cancel);

@@ -37,6 +37,12 @@ std::array<float, 4> file_color(double red, double green, double blue, std::opti
   return {channel(red), channel(green), channel(blue), alpha ? channel(*alpha) : no_alpha};
 }
 
+double picture_share(double linear) {
+  if (!(linear > 0)) return 0;
+  const double light = std::min(linear, 1.0);
+  return light <= 0.0031308 ? 12.92 * light : 1.055 * elementary::pow(light, 1 / 2.4) - 0.055;
+}
+
 void make_linear(std::vector<std::array<float, 4>>& colors, const FullValue& light, const FullValue& alpha) {
   const double bright = full_value(colors, 0, 3, light), opaque = full_value(colors, 3, 4, alpha);
   for (auto& color : colors) {

@@ -21,6 +21,10 @@ struct FullValue {
   double least = 1, most = 65535;
 };
 
+/// A share of linear light in [0, 1] as the share that pictures store; the other way round than `make_linear`. What is
+/// not above 0 is 0.
+double picture_share(double linear);
+
 /// Turns the colors of a file into linear light with alpha in [0, 1] (IEC 61966-2-1). What is not finite stays so.
 void make_linear(std::vector<std::array<float, 4>>& colors, const FullValue& light = {}, const FullValue& alpha = {});
 

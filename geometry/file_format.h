@@ -18,6 +18,7 @@ struct FileOptions {
   int position_bits = 14;  ///< 8..20 bits over the largest extent, where coordinates are rounded
   int normal_bits = 10;    ///< 6..16 bits per coordinate of a normal
   int speed = 7;           ///< 0 smallest file .. 10 quickest
+  bool draco = true;       ///< whether a format that can compresses meshes with Draco
   bool normals = true;
   Json about = nullptr;  ///< what the file says about itself
 };
@@ -37,7 +38,8 @@ struct WrittenFile {
   std::vector<FileNote> notes = {};
 };
 
-/// Why a scene could not be written: `nothing-to-export`, `non-finite`, `limit-exceeded` or `encode-failed`.
+/// Why a scene could not be written: `nothing-to-export`, `non-finite`, `limit-exceeded` or `encode-failed`. The first
+/// has a detail only where the format is the reason.
 struct FileError {
   std::string code;
   std::string detail;
@@ -50,6 +52,8 @@ struct FileFormat {
   std::string extension;                 ///< with its period: ".glb"
   std::string doc;                       ///< one sentence
   Expected<WrittenFile, FileError> (*write)(const Scene& scene, const FileOptions& options, const Cancel& cancel);
+  std::size_t vertex_bytes =
+      0;  ///< memory that a vertex of a mesh needs more than in a GLB while it is written, at most
 };
 
 /// A format by what it is called, by a media type, or by the end of a file's name (case does not count); null for none.

@@ -1,9 +1,9 @@
 #pragma once
 
-// What reading a mesh file gives: a mesh or the reason why there is none. The readers (obj_reader.h, ply_reader.h, and
-// gltf/glb_import.h) take bytes from anyone: they never throw, never allocate by a number that the bytes claim before
-// the bytes themselves are there, take memory and time proportional to the bytes and to the limits, and look at the
-// cancel flag every some thousand elements.
+// What reading a mesh file gives: a mesh or the reason why there is none. The readers (obj_reader.h, ply_reader.h,
+// stl_reader.h, and gltf/glb_import.h) take bytes from anyone: they never throw, never allocate by a number that the
+// bytes claim before the bytes themselves are there, take memory and time proportional to the bytes and to the limits,
+// and look at the cancel flag every some thousand elements.
 
 #include <cstddef>
 #include <string>
@@ -17,10 +17,20 @@
 
 namespace dini {
 
-enum class MeshFormat { obj, ply, glb };
+enum class MeshFormat { obj, ply, stl, glb };
 
 constexpr std::string_view name_of(MeshFormat format) {
-  return format == MeshFormat::obj ? "obj" : format == MeshFormat::ply ? "ply" : "glb";
+  switch (format) {
+    case MeshFormat::obj:
+      return "obj";
+    case MeshFormat::ply:
+      return "ply";
+    case MeshFormat::stl:
+      return "stl";
+    case MeshFormat::glb:
+      break;
+  }
+  return "glb";
 }
 
 /// A mesh in the file's own axes and units, with unit normals at every vertex. Texture coordinates have their origin at

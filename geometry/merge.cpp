@@ -77,6 +77,7 @@ Mesh merge(std::span<const SharedMesh> meshes, const Cancel& cancel) {
   Mesh merged;
   if (!outline.first) return merged;
   merged.color = outline.first->color;
+  merged.finish = outline.first->finish;
   merged.positions = Column<Point>(outline.vertices);
   if (outline.normals) merged.normals = Column<Vector>(outline.vertices);
   if (outline.uvs) merged.uvs.reserve(outline.vertices);

@@ -3,6 +3,7 @@
 // Triangle meshes, polylines and point clouds: what a graph can draw.
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -14,6 +15,15 @@ namespace dini {
 
 /// Linear red, green, blue, alpha in [0, 1].
 using Color = std::array<double, 4>;
+
+/// How a surface takes light, besides its color; as in glTF, metallic and roughness are in [0, 1].
+struct Finish {
+  double metallic = 0;
+  double roughness = 0.6;
+  bool double_sided = true;
+
+  auto operator<=>(const Finish&) const = default;
+};
 
 /// An indexed triangle mesh in meters, Z up, counter-clockwise front faces.
 /// `normals` (unit), `uvs` and `colors` are either empty or one per vertex. Every index is below `positions.size()`.
@@ -27,6 +37,7 @@ struct Mesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::size_t> tile_ends;
   Color color = {0.75, 0.78, 0.82, 1};
+  Finish finish = {};
 
   std::size_t bytes() const {
     return positions.bytes() + normals.bytes() + uvs.size() * sizeof(uvs[0]) + colors.size() * sizeof(colors[0]) +

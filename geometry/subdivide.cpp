@@ -77,6 +77,7 @@ Mesh finer_by_one(const Mesh& mesh, const Cancel& cancel) {
   Middles middles(mesh, cancel);
   Mesh finer;
   finer.color = mesh.color;
+  finer.finish = mesh.finish;
   finer.triangles.reserve(4 * mesh.triangles.size());
   CancelEvery steps(cancel);
   for (const auto& [a, b, c] : mesh.triangles) {

@@ -16,6 +16,8 @@ constexpr double compressing_bytes = 240;  ///< of a vertex that is being compre
 constexpr double tile_vertices = 32768;
 constexpr double written_bytes = 16;  ///< of a vertex in the file
 constexpr double stored_bytes = 40;   ///< the same at speed 10, which hardly compresses
+constexpr double plain_work = 60;     ///< of a vertex that is not compressed
+constexpr double plain_bytes = 64;    ///< the same in the file: all attributes, and the indices of two triangles
 constexpr double part_bytes = 2048;   ///< of what a file says about a mesh or a few curves
 constexpr double point_bytes = 3 * sizeof(float);
 constexpr double segment_bytes = 2 * 4;  ///< indices of the ends of a segment
@@ -23,18 +25,22 @@ constexpr double document_bytes = 64 * 1024;
 
 }  // namespace
 
-EncodeCost encode_cost(const DrawnSizes& sizes, int speed) {
+EncodeCost encode_cost(const DrawnSizes& sizes, int speed, bool draco) {
   const double factor = speed < 5 ? slow_factor : 1;
   const double points = sizes.curve_points + sizes.curves + sizes.points;
   EncodeCost cost;
-  cost.work = factor * vertex_work * sizes.vertices + mesh_work * sizes.meshes + point_work * points;
+  cost.work =
+      (draco ? factor * vertex_work : plain_work) * sizes.vertices + mesh_work * sizes.meshes + point_work * points;
   cost.file_bytes = document_bytes + part_bytes * (sizes.meshes + std::min(sizes.curves, 64.0)) +
-                    (speed < 10 ? written_bytes : stored_bytes) * sizes.vertices + point_bytes * points +
-                    segment_bytes * sizes.curve_points;
+                    (!draco       ? plain_bytes
+                     : speed < 10 ? written_bytes
+                                  : stored_bytes) *
+                        sizes.vertices +
+                    point_bytes * points + segment_bytes * sizes.curve_points;
   // The file exists twice, as its parts and whole; points also as they are before they are written.
   cost.bytes = 2 * cost.file_bytes + (point_bytes + segment_bytes) * points + part_bytes * sizes.meshes +
                tile_bytes * sizes.vertices +
-               compressing_bytes * std::min(sizes.vertices, most_tiles_at_once * tile_vertices);
+               (draco ? compressing_bytes * std::min(sizes.vertices, most_tiles_at_once * tile_vertices) : 0);
   return cost;
 }
 

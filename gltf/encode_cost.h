@@ -22,7 +22,7 @@ struct EncodeCost {
   double file_bytes = 0;
 };
 
-/// The cost of `encode_scene` at a Draco speed of 0 to 10.
-EncodeCost encode_cost(const DrawnSizes& sizes, int speed);
+/// The cost of `encode_scene` at a Draco speed of 0 to 10, or without Draco.
+EncodeCost encode_cost(const DrawnSizes& sizes, int speed, bool draco = true);
 
 }  // namespace dini

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -37,6 +38,12 @@ FloatBox box_of(std::span<const std::array<float, 3>> points, const Cancel& canc
     box.include(point);
   }
   return box;
+}
+
+/// The look of a mesh whose vertices have colors of their own, which a material multiplies.
+GlbModel::Look under_colors(GlbModel::Look look) {
+  look.color = {1, 1, 1, 1};
+  return look;
 }
 
 std::string list_of(const char* name, const std::string& objects) {
@@ -88,7 +95,7 @@ void GlbModel::finish_mesh() {
   (group_ ? group_->children : below_root_).push_back(nodes_.size());
 }
 
-void GlbModel::add_tile(const EncodedTile& tile, const FloatBox& bounds, const Color& color, bool translucent) {
+void GlbModel::add_tile(const EncodedTile& tile, const FloatBox& bounds, const Look& look) {
   compressed_ = true;
   Json attributes = Json::object(), ids = Json::object();
   // Accessors without a buffer view describe the decompressed data.
@@ -110,15 +117,58 @@ void GlbModel::add_tile(const EncodedTile& tile, const FloatBox& bounds, const C
   add_primitive({{"mode", triangles_mode},
                  {"attributes", attributes},
                  {"indices", indices},
-                 {"material", add_material(tile.color_id < 0 ? color : Color{1, 1, 1, 1}, translucent)},
+                 {"material", add_material(tile.color_id < 0 ? look : under_colors(look))},
                  {"extensions", {{draco_extension, {{"bufferView", view}, {"attributes", ids}}}}}});
+}
+
+/// Rows of an attribute or of indices in a view of their own; the accessor that describes them.
+template <class Rows>
+std::size_t GlbModel::add_rows(const Rows& rows, Json accessor, int target) {
+  accessor["bufferView"] = add_bytes(rows.data(), rows.size() * sizeof(rows[0]), target);
+  return accessors_.add(accessor.dump());
+}
+
+void GlbModel::add_plain_tile(const Tile& tile, const Look& look) {
+  const std::size_t count = tile.positions.size();
+  Json positions = accessor_of(real, "VEC3", count);
+  set_bounds(positions, tile.position_box);
+  Json attributes = {{"POSITION", add_rows(tile.positions, std::move(positions), array_buffer)}};
+  if (!tile.normals.empty()) {
+    attributes["NORMAL"] = add_rows(tile.normals, accessor_of(real, "VEC3", count), array_buffer);
+  }
+  if (!tile.uvs.empty()) {
+    attributes["TEXCOORD_0"] = add_rows(tile.uvs, accessor_of(real, "VEC2", count), array_buffer);
+  }
+  if (!tile.colors.empty()) {
+    Json colors = accessor_of(unsigned_short, "VEC4", count);
+    colors["normalized"] = true;
+    attributes["COLOR_0"] = add_rows(tile.colors, std::move(colors), array_buffer);
+  }
+  add_primitive({{"mode", triangles_mode},
+                 {"attributes", attributes},
+                 {"indices", add_indices(tile)},
+                 {"material", add_material(tile.colors.empty() ? look : under_colors(look))}});
+}
+
+std::size_t GlbModel::add_indices(const Tile& tile) {
+  const std::size_t count = 3 * tile.triangles.size();
+  // The largest number of each kind means "begin anew" to some programs.
+  if (tile.positions.size() > std::numeric_limits<std::uint16_t>::max()) {
+    return add_rows(tile.triangles, accessor_of(unsigned_int, "SCALAR", count), element_array_buffer);
+  }
+  std::vector<std::uint16_t> indices;
+  indices.reserve(count);
+  for (const auto& triangle : tile.triangles) {
+    for (const std::uint32_t vertex : triangle) indices.push_back(static_cast<std::uint16_t>(vertex));
+  }
+  return add_rows(indices, accessor_of(unsigned_short, "SCALAR", count), element_array_buffer);
 }
 
 FloatBox GlbModel::add_runs(const FloatRuns& runs, const Color& color, const Cancel& cancel) {
   const FloatPoints& points = runs.points;
   constexpr std::size_t stride = sizeof(points[0]);
   const std::size_t view = add_bytes(points.data(), points.size() * stride, array_buffer, stride);
-  const std::size_t material = add_material(color, false);
+  const std::size_t material = add_material({color});
   if (runs.ends.size() <= most_strips) {
     FloatBox all;
     std::size_t first = 0;
@@ -159,7 +209,7 @@ FloatBox GlbModel::add_points(const FloatPoints& points, const Color& color, con
   const FloatBox box = box_of(points, cancel);
   const std::size_t positions = add_positions(view, 0, points.size(), box);
   add_primitive(
-      {{"mode", points_mode}, {"attributes", {{"POSITION", positions}}}, {"material", add_material(color, false)}});
+      {{"mode", points_mode}, {"attributes", {{"POSITION", positions}}}, {"material", add_material({color})}});
   return box;
 }
 
@@ -206,20 +256,28 @@ std::size_t GlbModel::add_positions(std::size_t view, std::size_t offset, std::s
   return accessors_.add(accessor.dump());
 }
 
-std::size_t GlbModel::add_material(const Color& color, bool translucent) {
-  Color factor;
-  std::transform(color.begin(), color.end(), factor.begin(), unit_interval);
-  const bool blended = translucent || factor[3] < 1;
-  const auto [entry, is_new] = material_of_.try_emplace({part_.material, factor, blended}, materials_.count);
+std::size_t GlbModel::add_material(Look look) {
+  std::transform(look.color.begin(), look.color.end(), look.color.begin(), unit_interval);
+  look.translucent = look.translucent || look.color[3] < 1;
+  const auto [entry, is_new] = material_of_.try_emplace({part_.material, look}, materials_.count);
   if (is_new) {
-    Json surface = {{"metallicFactor", 0.0}, {"roughnessFactor", 0.6}};
-    if (factor != Color{1, 1, 1, 1}) surface["baseColorFactor"] = factor;
-    Json material = {{"doubleSided", true}, {"pbrMetallicRoughness", surface}};
-    if (!part_.material.empty()) material["name"] = part_.material;
-    if (blended) material["alphaMode"] = "BLEND";
+    const Finish& finish = look.finish;
+    Json surface = {{"metallicFactor", unit_interval(finish.metallic)},
+                    {"roughnessFactor", unit_interval(finish.roughness)}};
+    if (look.color != Color{1, 1, 1, 1}) surface["baseColorFactor"] = look.color;
+    Json material = {{"doubleSided", finish.double_sided}, {"pbrMetallicRoughness", surface}};
+    if (!part_.material.empty()) material["name"] = free_material_name();
+    if (look.translucent) material["alphaMode"] = "BLEND";
     materials_.add(material.dump());
   }
   return entry->second;
+}
+
+/// The first look of a name has it; each other one is called like the part where it shows first.
+std::string GlbModel::free_material_name() {
+  if (material_names_.insert(part_.material).second) return part_.material;
+  material_names_.insert(part_.mesh);
+  return part_.mesh;
 }
 
 void GlbModel::add_primitive(const Json& primitive) {

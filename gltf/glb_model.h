@@ -2,8 +2,9 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "geometry/cancel.h"
@@ -35,8 +36,20 @@ class GlbModel {
   };
   void begin_part(PartNames names);
 
+  /// What a material is made of. `translucent` says that colors of vertices are.
+  struct Look {
+    Color color;
+    Finish finish = {};
+    bool translucent = false;
+
+    auto operator<=>(const Look&) const = default;
+  };
+
   /// A compressed tile, given its exact decoded bounds. A tile with vertex colors takes white as its material color.
-  void add_tile(const EncodedTile& tile, const FloatBox& bounds, const Color& color, bool translucent);
+  void add_tile(const EncodedTile& tile, const FloatBox& bounds, const Look& look);
+
+  /// The same without compression: floats, colors in 16 bits, indices as small as they can be.
+  void add_plain_tile(const Tile& tile, const Look& look);
 
   /// Polylines: one LINE_STRIP each; beyond 64 of them one LINES primitive, which viewers draw in one call.
   /// Returns their bounds. Stopped early: not all of them.
@@ -66,7 +79,11 @@ class GlbModel {
   };
 
   std::size_t add_bytes(const void* data, std::size_t size, int target, std::size_t stride = 0);
-  std::size_t add_material(const Color& color, bool translucent);
+  std::size_t add_material(Look look);
+  std::string free_material_name();
+  template <class Rows>
+  std::size_t add_rows(const Rows& rows, Json accessor, int target);
+  std::size_t add_indices(const Tile& tile);
   std::size_t add_positions(std::size_t view, std::size_t offset, std::size_t count, const FloatBox& box);
   void add_primitive(const Json& primitive);
   void finish_mesh();
@@ -81,7 +98,8 @@ class GlbModel {
   PartNames part_;
   std::string primitives_;  ///< of the part
   bool compressed_ = false;
-  std::map<std::tuple<std::string, Color, bool>, std::size_t> material_of_;
+  std::map<std::pair<std::string, Look>, std::size_t> material_of_;
+  std::set<std::string> material_names_;
 };
 
 }  // namespace dini

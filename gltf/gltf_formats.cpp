@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "gltf/file_error.h"
 #include "gltf/glb_writer.h"
 
 namespace dini {
@@ -27,34 +28,18 @@ FileNote note_of(const std::vector<RoughUvs>& rough) {
               (rough.size() == 1 ? "" : "; so are those of " + std::to_string(rough.size() - 1) + " more")};
 }
 
-FileError error_of(const EncodeError& error) {
-  const std::string detail = (error.part.empty() ? "" : error.part + ": ") + error.detail;
-  switch (error.code) {
-    case EncodeError::Code::non_finite:
-      return {"non-finite", detail};
-    case EncodeError::Code::too_large:
-      return {"limit-exceeded", detail};
-    case EncodeError::Code::empty:
-      return {"nothing-to-export", detail};
-    case EncodeError::Code::invalid_input:
-    case EncodeError::Code::encoder_failed:
-    case EncodeError::Code::canceled:
-      break;
-  }
-  return {"encode-failed", detail};
-}
-
 Expected<WrittenFile, FileError> write(const Scene& scene, const FileOptions& options, const Cancel& cancel,
                                        GltfContainer container) {
   EncodeOptions encode;
   encode.position_bits = options.position_bits;
   encode.normal_bits = options.normal_bits;
   encode.speed = options.speed;
+  encode.draco = options.draco;
   encode.normals = options.normals;
   encode.extras = options.about;
   encode.container = container;
   EncodeResult<EncodedScene> encoded = encode_scene(scene, encode, cancel);
-  if (!encoded) return error_of(encoded.error());
+  if (!encoded) return file_error(encoded.error());
   EncodedScene& written = *encoded;
   WrittenFile file{std::move(written.file), written.vertices, written.triangles,
                    root_of_three * written.position_error};
@@ -70,7 +55,7 @@ FileFormat glb_format() {
   return {.name = "glb",
           .media_types = {"model/gltf-binary"},
           .extension = ".glb",
-          .doc = "glTF 2.0 in one binary file, meshes compressed with Draco.",
+          .doc = "glTF 2.0 in one binary file, meshes compressed with Draco unless the export says not to.",
           .write = [](const Scene& scene, const FileOptions& options, const Cancel& cancel) {
             return write(scene, options, cancel, GltfContainer::binary);
           }};
@@ -80,7 +65,7 @@ FileFormat gltf_format() {
   return {.name = "gltf",
           .media_types = {"model/gltf+json"},
           .extension = ".gltf",
-          .doc = "glTF 2.0 as JSON with its data inside, meshes compressed with Draco.",
+          .doc = "glTF 2.0 as JSON with its data inside, meshes compressed with Draco unless the export says not to.",
           .write = [](const Scene& scene, const FileOptions& options, const Cancel& cancel) {
             return write(scene, options, cancel, GltfContainer::embedded);
           }};

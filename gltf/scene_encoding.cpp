@@ -23,6 +23,7 @@ constexpr std::size_t largest_binary = std::numeric_limits<std::int32_t>::max();
 std::optional<EncodeError> SceneEncoding::prepare() {
   if (auto error = plan()) return error;
   if (auto error = for_each_job([this](TileJob& job) { build(job); })) return error;
+  if (!options_.draco) return std::nullopt;
   make_grids();
   return for_each_job([this](TileJob& job) { encode(job); });
 }
@@ -50,7 +51,7 @@ std::optional<EncodeError> SceneEncoding::plan() {
       return error;
     }
     std::size_t begin = 0;
-    for (const std::size_t end : plan_tiles(**mesh, tile_sizes(options_))) {
+    for (const std::size_t end : tile_ends_of(**mesh)) {
       TileJob& job = jobs_.emplace_back();
       job.part = part;
       job.begin = std::exchange(begin, end);
@@ -58,6 +59,12 @@ std::optional<EncodeError> SceneEncoding::plan() {
     }
   }
   return std::nullopt;
+}
+
+// What is not compressed needs no tiles: one primitive for each mesh is what other programs like best.
+std::vector<std::size_t> SceneEncoding::tile_ends_of(const Mesh& mesh) const {
+  if (options_.draco) return plan_tiles(mesh, tile_sizes(options_));
+  return {mesh.triangles.size()};
 }
 
 // Runs `work` on every tile in parallel; the error of the first tile that has one, so errors do not depend on timing.
@@ -123,20 +130,32 @@ bool SceneEncoding::write(const Part&, const SharedMesh& mesh, GlbModel& model) 
   bool drawn = false, translucent = false;
   for (; next_job_ < jobs_.size() && jobs_[next_job_].part == next_part_; ++next_job_) {
     TileJob& job = jobs_[next_job_];
-    if (job.encoded.bytes.empty()) continue;
+    if (job.encoded.bytes.empty() && job.tile.triangles.empty()) continue;
     if (!drawn) {
-      translucent = job.encoded.color_id >= 0 && std::any_of(mesh->colors.begin(), mesh->colors.end(),
-                                                             [](const auto& color) { return color[3] < 1; });
+      const bool colored = job.encoded.color_id >= 0 || !job.tile.colors.empty();
+      translucent = colored && std::any_of(mesh->colors.begin(), mesh->colors.end(),
+                                           [](const auto& color) { return color[3] < 1; });
     }
     drawn = true;
-    model.add_tile(job.encoded, position_grid_.decoded(job.tile.position_box), mesh->color, translucent);
-    result_.vertices += job.encoded.vertices;
-    result_.triangles += job.encoded.triangles;
-    if (job.encoded.normal_id >= 0) result_.normal_error = octahedral_error(options_.normal_bits);
+    write(job, *mesh, translucent, model);
     job.encoded.bytes = {};  // they are in the file now
+    job.tile = {};
     if (cancel_.stopped()) break;
   }
   return drawn;
+}
+
+void SceneEncoding::write(const TileJob& job, const Mesh& mesh, bool translucent, GlbModel& model) {
+  const GlbModel::Look look = {mesh.color, mesh.finish, translucent};
+  if (!options_.draco) {
+    model.add_plain_tile(job.tile, look);
+    result_.triangles += job.tile.triangles.size();
+    return count_plain_points(job.tile.positions.size(), job.tile.position_box);
+  }
+  model.add_tile(job.encoded, position_grid_.decoded(job.tile.position_box), look);
+  result_.vertices += job.encoded.vertices;
+  result_.triangles += job.encoded.triangles;
+  if (job.encoded.normal_id >= 0) result_.normal_error = octahedral_error(options_.normal_bits);
 }
 
 bool SceneEncoding::write(const Part& part, const std::vector<Polyline>& polylines, GlbModel& model) {

@@ -21,7 +21,8 @@ class SceneEncoding {
   SceneEncoding(const Scene& scene, const EncodeOptions& options, const Cancel& cancel, const MeshEncoder& encoder)
       : scene_(scene), options_(options), cancel_(cancel), encoder_(encoder) {}
 
-  /// Cuts meshes into tiles, lays the one grid over all of them, and compresses them.
+  /// Cuts meshes into tiles, lays the one grid over all of them, and compresses them; or, without Draco, checks them
+  /// and rounds them to floats.
   std::optional<EncodeError> prepare();
 
   /// Adds the primitives of the next part to what the model is at. Errors: `canceled`, `too_large`.
@@ -41,6 +42,8 @@ class SceneEncoding {
     std::optional<EncodeError> error;
   };
 
+  /// What of a mesh is written: compressed tiles, or the whole as it is.
+  void write(const TileJob& job, const Mesh& mesh, bool translucent, GlbModel& model);
   const Mesh& mesh_of(const TileJob& job) const { return *std::get<SharedMesh>(scene_.parts[job.part].shape); }
   std::optional<EncodeError> plan();
   template <class Work>
@@ -54,6 +57,7 @@ class SceneEncoding {
   bool write(const Part& part, const SharedColumn<Point>& points, GlbModel& model);
   bool write_runs(const Part& part, const FloatRuns& runs, GlbModel& model);
   void count_plain_points(std::size_t count, const FloatBox& box);
+  std::vector<std::size_t> tile_ends_of(const Mesh& mesh) const;
 
   const Scene& scene_;
   const EncodeOptions& options_;

@@ -31,6 +31,7 @@ using SharedFile = std::shared_ptr<const File>;
 struct WantedFile {
   const FileFormat* format = nullptr;  ///< of the engine's, which outlives every plan
   Json about = nullptr;                ///< what the file says about itself
+  bool draco = true;                   ///< false: meshes are not compressed, whatever the node says
 };
 
 }  // namespace dini

@@ -1,6 +1,7 @@
 #include "nodes/drawn_scene.h"
 
 #include <algorithm>
+#include <map>
 
 #include "algebra/extract.h"
 #include "geometry/circle_grid.h"
@@ -34,6 +35,19 @@ std::string place_of(const Axes& axes, std::size_t index) {
   return text.empty() ? "" : "[" + text + "]";
 }
 
+/// Names of models for parts: the same model given twice gets a number behind its name, so that no two are alike. No
+/// output of a node is called by a number, so ".2" means nothing else.
+class PartNames {
+ public:
+  std::string unique(const std::string& name) {
+    const std::size_t times = ++times_[name];
+    return times == 1 ? name : name + "." + std::to_string(times);
+  }
+
+ private:
+  std::map<std::string, std::size_t> times_;
+};
+
 }  // namespace
 
 std::size_t segments_of_circles(std::size_t circles) {
@@ -50,20 +64,23 @@ Scene scene_of(const Items& models, const Cancel& cancel) {
   Scene scene;
   const std::size_t segments = segments_of_circles(count_circles(models));
   CancelEvery steps(cancel);
+  PartNames names;
   for (std::size_t k = 0; k < models.values.size(); ++k) {
     const Value& value = models.values[k];
-    const std::string& name = models.origins[k].part;
+    const std::string& material = models.origins[k].part;
+    const std::string name = names.unique(material);
     if (value.type() == WireType::mesh) {
       const Column<SharedMesh>& meshes = column_of<SharedMesh>(value);
       for (std::size_t i = 0; i < meshes.size() && !steps.stopped(); ++i) {
-        scene.parts.push_back({name + place_of(value.axes, i), meshes[i], meshes[i]->color, name});
+        scene.parts.push_back({name + place_of(value.axes, i), meshes[i], meshes[i]->color, material});
       }
     } else if (value.type() == WireType::circle) {
       const auto& circles = std::get<SharedColumn<Circle>>(value.column);
       const auto curve = [circles, segments, &cancel](std::size_t i) { return drawn((*circles)[i], segments, cancel); };
-      scene.parts.push_back({name, CurveSource{circles->size(), curve}, linear_color(WireType::circle), name});
+      scene.parts.push_back({name, CurveSource{circles->size(), curve}, linear_color(WireType::circle), material});
     } else {
-      scene.parts.push_back({name, std::get<SharedColumn<Point>>(value.column), linear_color(WireType::point), name});
+      scene.parts.push_back(
+          {name, std::get<SharedColumn<Point>>(value.column), linear_color(WireType::point), material});
     }
   }
   return scene;

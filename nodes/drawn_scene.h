@@ -8,8 +8,8 @@
 namespace dini {
 
 /// Values as the parts of a file. A part has the name of the node that made it, a mesh of a family also its place on
-/// each axis ("skin[3,0]"); its material has the name of the node. Circles and lines are curves that are made when they
-/// are written, points are shared. Stopped early: only some parts.
+/// each axis ("skin[3,0]"), and what is given once more a number ("skin.2"); its material has the name of the node.
+/// Circles and lines are curves that are made when they are written, points are shared. Stopped early: only some parts.
 Scene scene_of(const Items& models, const Cancel& cancel);
 
 /// In how many segments each circle of some values is drawn: as smoothly as usual, or coarser where there are so many

@@ -55,13 +55,14 @@ RunCost cost_of_export(const RunSize& size) {
   const auto segments = static_cast<double>(segments_of_circles(static_cast<std::size_t>(circles)));
   const DrawnSizes drawn{size.given_of(WireType::mesh), size.given_vertices, circles, segments * circles,
                          size.given_of(WireType::point)};
-  const EncodeCost cost = encode_cost(drawn, static_cast<int>(integer_at(size.literals, "speed")));
+  const EncodeCost cost =
+      encode_cost(drawn, static_cast<int>(integer_at(size.literals, "speed")), boolean_at(size.literals, "draco"));
   return {cost.work, cost.bytes, cost.file_bytes};
 }
 
 struct ExportInputs {
   std::int64_t position_bits, normal_bits, speed;
-  bool normals;
+  bool normals, draco;
 };
 
 Attempt<SharedFile> export_file(const Context& context,
@@ -74,12 +75,14 @@ Attempt<SharedFile> export_file(const Context& context,
   if (context.quality() == Quality::draft) options.speed = std::max(options.speed, draft_speed);
   options.normals = in.normals;
   const WantedFile* const wanted = context.file();
+  options.draco = in.draco && (wanted == nullptr || wanted->draco);
   if (wanted != nullptr) options.about = wanted->about;
   const FileFormat& format = wanted != nullptr ? *wanted->format : all_formats().front();
   auto outcome = format.write(scene_of(model, context.cancel()), options, context.cancel());
   if (!outcome) {
     const FileError& error = outcome.error();
-    return error.code == "nothing-to-export" ? nothing_to_export(model) : Failure{error.code, error.detail, "model"};
+    return error.code == "nothing-to-export" && error.detail.empty() ? nothing_to_export(model)
+                                                                     : Failure{error.code, error.detail, "model"};
   }
   WrittenFile& written = *outcome;
   warn_of_what_is_left_out(context, model);
@@ -98,17 +101,19 @@ void add_export(Registry& registry) {
       node("export", export_file)
           .title("Export")
           .family("answers")
-          .doc("Writes meshes, circles and points as one Draco-compressed glTF file.")
+          .doc("Writes meshes, circles and points as one file: glTF with Draco, or what is asked for.")
           .details("Everything shares one quantization grid, so seams never crack. Circles and points travel "
                    "uncompressed; of more than 15 625 circles each has fewer than the usual 256 segments. "
-                   "Parts and materials have the ids of the nodes that made them. Graphs are Z up; the "
-                   "file's root node turns to Y up.")
+                   "Parts and materials have the ids of the nodes that made them. Graphs are Z up; the root node of a "
+                   "glTF turns to Y up, other formats stay Z up. All are in meters.")
           .input("model", "Meshes, circles or points, over any axes.", required().several())
           .input("position_bits", &ExportInputs::position_bits, "Bits per coordinate over the largest extent.",
                  defaults(14).hard(8, 20))
           .input("normal_bits", &ExportInputs::normal_bits, "Bits per normal coordinate.", defaults(10).hard(6, 16))
           .input("speed", &ExportInputs::speed, "0 smallest file, 10 fastest.", defaults(7).hard(0, 10))
           .input("normals", &ExportInputs::normals, "Whether normals are sent.", defaults(true))
+          .input("draco", &ExportInputs::draco,
+                 "Whether meshes are compressed with Draco; many programs read only files without.", defaults(true))
           .depends_on_quality()
           .names_parts()
           .cost(cost_of_export)

@@ -78,14 +78,14 @@ void add_import(Registry& registry) {
       node("import", imported)
           .title("Import")
           .family("meshes")
-          .doc("A mesh from an OBJ, PLY or GLB file that was uploaded, or given on the command line.")
+          .doc("A mesh from an OBJ, PLY, STL or GLB file that was uploaded, or given on the command line.")
           .version(2)
           .details("Texture coordinates, vertex colors and normals are kept; missing normals are computed. "
                    "Materials, textures and animations are left out, and skins are taken in the pose of the file. "
                    "Polygons become triangles. What of the file is left out is a warning. A file that is not "
                    "known here is an error.")
           .input("asset", "The sha256 of an uploaded file, or the name given to a file by --asset.")
-          .input("up", &ImportInputs::up, "Which axis of the file is up; by its format: y in GLB, z in OBJ and PLY.",
+          .input("up", &ImportInputs::up, "Which axis of the file is up; by its format: y in GLB, z in the others.",
                  defaults("format"))
           .input("scale", &ImportInputs::scale, "Factor from the file's unit to meters.",
                  defaults(1).hard(1e-9, 1e9).soft(0.1, 10))

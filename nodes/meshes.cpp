@@ -54,6 +54,20 @@ SharedMesh colored(const Context& context, const SharedMesh& shape, const ColorI
   return copy;
 }
 
+struct MaterialInputs {
+  Color color;
+  double opacity, metallic, roughness;
+  bool double_sided;
+};
+
+SharedMesh with_material(const Context& context, const SharedMesh& shape, const MaterialInputs& in) {
+  auto copy = std::make_shared<Mesh>(copied_without_colors(*shape, context.cancel()));
+  copy->color = in.color;
+  copy->color[3] *= in.opacity;
+  copy->finish = {in.metallic, in.roughness, in.double_sided};
+  return copy;
+}
+
 std::size_t grid_vertices(const Literals& literals, const char* first, const char* second) {
   return static_cast<std::size_t>((integer_at(literals, first) + 1) * (integer_at(literals, second) + 1));
 }
@@ -118,6 +132,26 @@ void add_meshes(Registry& registry) {
           .input("shape", "The mesh.")
           .input("color", &ColorInputs::color, "Linear red, green, blue and alpha.", defaults({0.2, 0.5, 0.9, 1.0}))
           .output("shape", "The colored mesh."));
+
+  registry.add(
+      node("material", with_material)
+          .title("Material")
+          .family("meshes")
+          .doc("Gives a mesh one color, and says how its surface takes light.")
+          .details(
+              "Colors of vertices are left out; a node that colors them may follow, and leaves metallic, roughness "
+              "and the sides as they are. A merged mesh has those of its first. Files in glTF hold all of it, "
+              "others the color only: the export warns of what is left out.")
+          .input("shape", "The mesh.")
+          .input("color", &MaterialInputs::color, "Linear red, green, blue and alpha.", defaults({0.2, 0.5, 0.9, 1.0}))
+          .input("opacity", &MaterialInputs::opacity,
+                 "1 hides what is behind, 0 cannot be seen; a factor of the alpha.", defaults(1).hard(0, 1))
+          .input("metallic", &MaterialInputs::metallic, "0 for paint, plastic or wood, 1 for bare metal.",
+                 defaults(0).hard(0, 1))
+          .input("roughness", &MaterialInputs::roughness, "0 is a mirror, 1 is chalk.", defaults(0.6).hard(0, 1))
+          .input("double_sided", &MaterialInputs::double_sided, "Whether the back of the surface is seen too.",
+                 defaults(true))
+          .output("shape", "The mesh with that material."));
 }
 
 }  // namespace dini

@@ -12,9 +12,10 @@ namespace dini::server {
 namespace {
 
 /// The content tells the format; the type only keeps out what web forms send on their own.
-constexpr std::array<std::string_view, 8> mesh_types = {
-    "application/octet-stream", "model/gltf-binary", "model/obj",   "application/x-ply",
-    "application/ply",          "model/ply",         "model/x-ply", "text/plain",
+constexpr std::array<std::string_view, 12> mesh_types = {
+    "application/octet-stream", "model/gltf-binary", "model/obj",       "application/x-ply",
+    "application/ply",          "model/ply",         "model/x-ply",     "model/stl",
+    "model/x.stl-binary",       "model/x.stl-ascii", "application/sla", "text/plain",
 };
 
 bool is_mesh_type(std::string_view type) {
@@ -36,29 +37,30 @@ Reply added_reply(const AssetSummary& added) {
 }  // namespace
 
 Operation describe_add_asset() {
-  return {.id = "addAsset",
-          .group = "Files",
-          .title = "Takes a mesh file for the node `import`",
-          .doc =
-              "Keeps a mesh file (OBJ, PLY or GLB, told by its content) for graphs that name it by its hash in a node "
-              "`import`. They outlive the server where graphs do. When there is no more room (`asset_file_bytes` on "
-              "the disk, `asset_store_bytes` in memory), the files that were used longest ago go; from the disk none "
-              "that a stored graph names.",
-          .parameters = {supersede_key_header()},
-          .file_types = {mesh_types.begin(), mesh_types.end()},
-          .answers = {{.status = 201,
-                       .doc = "What is known of the file.",
-                       .contents = {{.type = "application/json",
-                                     .schema = schema::reference("AssetSummary"),
-                                     .example = {{"sha256", std::string(64, '0')},
-                                                 {"bytes", 35128},
-                                                 {"format", "obj"},
-                                                 {"vertices", 397},
-                                                 {"triangles", 736},
-                                                 {"warnings", {"1 line (l) is left out"}}}}},
-                       .headers = {"Cache-Control"}}},
-          .problems = {"invalid-asset", "limit-exceeded", "storage-full", "storage-failed"},
-          .computes = true};
+  return {
+      .id = "addAsset",
+      .group = "Files",
+      .title = "Takes a mesh file for the node `import`",
+      .doc =
+          "Keeps a mesh file (OBJ, PLY, STL or GLB, told by its content) for graphs that name it by its hash in a node "
+          "`import`. They outlive the server where graphs do. When there is no more room (`asset_file_bytes` on "
+          "the disk, `asset_store_bytes` in memory), the files that were used longest ago go; from the disk none "
+          "that a stored graph names.",
+      .parameters = {supersede_key_header()},
+      .file_types = {mesh_types.begin(), mesh_types.end()},
+      .answers = {{.status = 201,
+                   .doc = "What is known of the file.",
+                   .contents = {{.type = "application/json",
+                                 .schema = schema::reference("AssetSummary"),
+                                 .example = {{"sha256", std::string(64, '0')},
+                                             {"bytes", 35128},
+                                             {"format", "obj"},
+                                             {"vertices", 397},
+                                             {"triangles", 736},
+                                             {"warnings", {"1 line (l) is left out"}}}}},
+                   .headers = {"Cache-Control"}}},
+      .problems = {"invalid-asset", "limit-exceeded", "storage-full", "storage-failed"},
+      .computes = true};
 }
 
 void add_asset(const Context& context) {
@@ -67,7 +69,7 @@ void add_asset(const Context& context) {
     return reply_problems(context,
                           {{.code = "unsupported-media-type",
                             .detail = "Send the file itself as application/octet-stream, model/gltf-binary, model/obj, "
-                                      "application/x-ply or text/plain."}});
+                                      "model/stl, application/x-ply or text/plain."}});
   }
   const Digest key = DigestBuilder().text("asset").digest(sha256(context.request().body)).finish();
   compute<AssetSummary>(

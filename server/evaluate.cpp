@@ -43,8 +43,8 @@ Operation describe_evaluate() {
               "output and the previews depend on has to be well; problems of other nodes are warnings of the "
               "report. But a check that cannot run fails the request, as one that does not hold would.",
           .parameters = {accept_header("What is answered: the file, the report, or both as parts of one answer."),
-                         if_none_match_header(), supersede_key_header(), supersede_header(), prefer_header(),
-                         idempotency_key_header()},
+                         format_parameter(), if_none_match_header(), supersede_key_header(), supersede_header(),
+                         prefer_header(), idempotency_key_header()},
           .request = &evaluate_description(),
           .answers = {{.status = 200,
                        .doc = "The file of the model, or without an output that of the preview; the report; or the "
@@ -66,20 +66,20 @@ Operation describe_evaluate() {
 }
 
 void evaluate(const Context& context) {
-  const Result<std::string_view> type = evaluation_type(context.engine(), context.request().header("Accept"));
-  if (!type) return reply_problems(context, type.problems());
+  const Result<Form> form = asked_form(context);
+  if (!form) return reply_problems(context, form.problems());
   if (auto problem = wrong_supersede(context.request())) return reply_problems(context, {*std::move(problem)});
   if (prefers_job(context.request())) {
     auto given = read_graph_body(context);
     if (!given) return reply_problems(context, given.problems());
-    return begin_job(context, std::move(given->json), format_of_answer(context.engine(), *type));
+    return begin_job(context, std::move(given->json), form->format);
   }
-  const Result<SharedBody> body = read_body(context, format_of_answer(context.engine(), *type));
+  const Result<SharedBody> body = read_body(context, form->format);
   if (!body) {
     reply_problems(context, body.problems());
     return take_over(context);  // a wrong request is newer all the same
   }
-  answer_evaluation(context, *type, *body);
+  answer_evaluation(context, form->type, *body);
 }
 
 }  // namespace dini::server

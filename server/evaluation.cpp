@@ -1,9 +1,12 @@
 #include "server/evaluation.h"
 
 #include <algorithm>
+#include <array>
 
+#include "graph/nearest.h"
 #include "server/computing.h"
 #include "server/negotiation.h"
+#include "server/query.h"
 #include "server/ranges.h"
 #include "server/responses.h"
 #include "server/text.h"
@@ -149,12 +152,43 @@ std::vector<std::string_view> evaluation_types(std::span<const FileFormat> forma
   return types;
 }
 
-Result<std::string_view> evaluation_type(const Engine& engine, std::string_view accept) {
-  return accepted_type(accept, evaluation_types(engine.formats()));
+Result<Form> form_for(const Engine& engine, std::string_view accept, const std::string& format) {
+  const std::span<const FileFormat> formats = engine.formats();
+  if (format.empty()) {
+    const Result<std::string_view> type = accepted_type(accept, evaluation_types(formats));
+    if (!type) return type.problems();
+    return Form{*type, is_model(*type) ? format_of_type(formats, *type)->name : ""};
+  }
+  const FileFormat* const wanted = format_named(formats, format);
+  if (wanted == nullptr) {
+    std::vector<std::string> names;
+    std::string list;
+    for (const FileFormat& known : formats) {
+      names.push_back(known.name);
+      list += (list.empty() ? "" : ", ") + known.name;
+    }
+    return Problem{.code = "not-in-choices",
+                   .detail = "there is no format '" + escape_controls(format, 80) + "' among " + list +
+                             did_you_mean(format, names)};
+  }
+  const std::string_view model = wanted->media_types.front();
+  const auto best = choose_type(accept, std::array{model, report_type, both_type});
+  return Form{best.value_or(model), wanted->name};
 }
 
-std::string format_of_answer(const Engine& engine, std::string_view type) {
-  return is_model(type) ? format_of_type(engine.formats(), type)->name : "";
+Result<Form> asked_form(const Context& context) {
+  auto query = read_query(context.request(), {format_parameter().name});
+  if (!query) return query.problems();
+  return form_for(context.engine(), context.request().header("Accept"), (*query)["format"]);
+}
+
+Parameter format_parameter() {
+  return {
+      .place = Parameter::Place::query,
+      .name = "format",
+      .doc = "The format of the model by its name, instead of a media type in `Accept`; `GET /v1/nodes` lists them.",
+      .schema = {{"type", "string"}},
+      .example = "glb"};
 }
 
 void answer_evaluation(const Context& context, std::string_view type, const std::shared_ptr<const EvaluateBody>& body,

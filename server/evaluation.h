@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "server/application.h"
+#include "server/operation.h"
 #include "service/requests/requests.h"
 
 namespace dini::server {
@@ -16,11 +17,21 @@ namespace dini::server {
 /// files, the report, and both as parts.
 std::vector<std::string_view> evaluation_types(std::span<const FileFormat> formats);
 
-/// The type that a client likes best, or the problem that lists them all.
-Result<std::string_view> evaluation_type(const Engine& engine, std::string_view accept);
+/// In what an evaluation is answered.
+struct Form {
+  std::string_view type;  ///< of the answer
+  std::string format;     ///< the name of the format of the model in it; empty for the usual one
+};
 
-/// The name of the format of a media type; empty for one that is no file's.
-std::string format_of_answer(const Engine& engine, std::string_view type);
+/// What `accept` likes best. Where `format` names a format, models are written in it whatever types of models that
+/// says; without one the type says the format. Problems list what there is.
+Result<Form> form_for(const Engine& engine, std::string_view accept, const std::string& format = "");
+
+/// The same for a request whose query has nothing but a format.
+Result<Form> asked_form(const Context& context);
+
+/// The query parameter of that name, for descriptions.
+Parameter format_parameter();
 
 /// How an evaluation is answered besides what it comes to.
 struct Presentation {

@@ -51,6 +51,7 @@ struct Asked {
   EvaluateBody body;
   Presentation presentation;
   std::string accept;  ///< media types, or none to go by the header
+  std::string format;  ///< the name of a format, or none
 };
 
 std::vector<Parameter> query_parameters() {
@@ -62,6 +63,9 @@ std::vector<Parameter> query_parameters() {
                      .example = std::move(example)};
   };
   return {query("quality", "A draft is made faster, of fewer triangles.", {{"enum", {"draft", "final"}}}, "draft"),
+          query("draco", "`false` leaves meshes uncompressed, for programs that cannot read Draco.",
+                {{"type", "boolean"}}, "false"),
+          format_parameter(),
           query("accept", "A media type, instead of `Accept`, for links.", {{"type", "string"}}, "model/gltf-binary"),
           query("download", "The answer is to be saved rather than shown.", {{"type", "string"}}, "")};
 }
@@ -94,6 +98,13 @@ Result<Asked> read_query(const Context& context, const KnownGraph& known) {
         return Problem{.code = "not-in-choices", .detail = "'quality' in the query is draft or final."};
       }
       asked.body.quality = value == "draft" ? Quality::draft : Quality::final;
+    } else if (name == "draco") {
+      if (value != "true" && value != "false") {
+        return Problem{.code = "not-in-choices", .detail = "'draco' in the query is true or false."};
+      }
+      asked.body.draco = value == "true";
+    } else if (name == "format") {
+      asked.format = value;
     } else if (name == "accept") {
       asked.accept = value;
     } else if (name == "download") {
@@ -110,18 +121,22 @@ Result<Asked> read_query(const Context& context, const KnownGraph& known) {
   return asked;
 }
 
-/// "ring.glb" is the output "ring" as that format, "ring" in what `accept` or the header likes best.
-Result<std::string_view> type_for(const Context& context, const std::string& file, Asked& asked) {
+/// "ring.glb" is the output "ring" as that format, "ring" in what `format`, `accept` or the header likes best.
+Result<Form> form_of(const Context& context, const std::string& file, Asked& asked) {
   const auto dot = file.rfind('.');
   asked.body.output = file.substr(0, dot);
   if (dot == std::string::npos) {
-    return evaluation_type(context.engine(),
-                           asked.accept.empty() ? context.request().header("Accept") : std::string_view(asked.accept));
+    const std::string_view header = context.request().header("Accept");
+    return form_for(context.engine(), asked.accept.empty() ? header : std::string_view(asked.accept), asked.format);
   }
   std::string endings;
   for (const FileFormat& format : context.engine().formats()) {
-    if (file.substr(dot) == format.extension) return std::string_view(format.media_types.front());
     endings += (endings.empty() ? "" : ", ") + format.extension;
+    if (file.substr(dot) != format.extension) continue;
+    if (asked.format.empty() || asked.format == format.name) return Form{format.media_types.front(), format.name};
+    return Problem{.code = "not-in-choices",
+                   .detail = "The address ends in " + format.extension + ", so 'format' in its query can be " +
+                             format.name + " only."};
   }
   return Problem{.code = "not-found", .detail = "Outputs end in " + endings + ", or in nothing."};
 }
@@ -167,12 +182,13 @@ void graph_output(const Context& context) {
   if (!known) return reply_problems(context, known.problems());
   auto asked = read_query(context, **known);
   if (!asked) return reply_problems(context, asked.problems());
-  const auto type = type_for(context, context.arguments.at(1), *asked);
-  if (!type) return reply_problems(context, type.problems());
-  asked->body.format = format_of_answer(context.engine(), *type);
+  const auto form = form_of(context, context.arguments.at(1), *asked);
+  if (!form) return reply_problems(context, form.problems());
+  asked->body.format = form->format;
   asked->presentation.parts = true;
   if (name.find('@') != std::string::npos) asked->presentation.cache_control = "public, max-age=31536000, immutable";
-  answer_evaluation(context, *type, std::make_shared<const EvaluateBody>(std::move(asked->body)), asked->presentation);
+  answer_evaluation(context, form->type, std::make_shared<const EvaluateBody>(std::move(asked->body)),
+                    asked->presentation);
 }
 
 Operation describe_graph_interface() {

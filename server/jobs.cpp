@@ -188,7 +188,7 @@ Operation describe_create_job() {
           "`sweep_milliseconds` for a sweep; a `deadline_ms` counts from when the job begins.",
       .parameters = {accept_header("The format that an evaluation is to write its model in; the answer to this "
                                    "request is JSON whatever it says."),
-                     idempotency_key_header()},
+                     format_parameter(), idempotency_key_header()},
       .request = &evaluate_description(),
       .or_request = &sweep_description(),
       .answers = job_answers(),
@@ -196,11 +196,11 @@ Operation describe_create_job() {
 }
 
 void create_job(const Context& context) {
-  const auto type = evaluation_type(context.engine(), context.request().header("Accept"));
-  if (!type) return reply_problems(context, type.problems());
+  const auto form = asked_form(context);
+  if (!form) return reply_problems(context, form.problems());
   auto given = read_graph_body(context);
   if (!given) return reply_problems(context, given.problems());
-  begin_job(context, std::move(given->json), format_of_answer(context.engine(), *type));
+  begin_job(context, std::move(given->json), form->format);
 }
 
 Operation describe_get_job() {

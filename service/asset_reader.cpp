@@ -5,6 +5,7 @@
 #include "geometry/obj_reader.h"
 #include "geometry/ply_header.h"
 #include "geometry/ply_reader.h"
+#include "geometry/stl_reader.h"
 #include "geometry/text_reader.h"
 #include "gltf/glb_import.h"
 #include "graph/stopped.h"
@@ -13,7 +14,7 @@ namespace dini {
 
 namespace {
 
-constexpr std::string_view what_is_read = "OBJ, PLY and GLB are read";
+constexpr std::string_view what_is_read = "OBJ, PLY, STL and GLB are read";
 
 bool is_text(std::string_view bytes) {
   return std::none_of(bytes.begin(), bytes.end(), [](char c) {
@@ -25,6 +26,7 @@ bool is_text(std::string_view bytes) {
 ImportResult read_any(std::string_view bytes, const ImportLimits& limits, const Cancel& cancel) {
   if (bytes.starts_with("glTF")) return read_glb_mesh(bytes, limits, cancel);
   if (begins_like_ply(bytes)) return read_ply(bytes, limits, cancel);
+  if (begins_like_stl(bytes)) return read_stl(bytes, limits, cancel);
   const std::string_view text = without_byte_order_mark(bytes);
   if (text.substr(std::min(text.find_first_not_of(white_space), text.size())).starts_with('{')) {
     return invalid_file("it looks like JSON; a .gltf with files of its own cannot be read, but " +
@@ -34,13 +36,17 @@ ImportResult read_any(std::string_view bytes, const ImportLimits& limits, const 
     return invalid_file("it is text in UTF-16; save it as ASCII or UTF-8");
   }
   if (bytes.empty() || !is_text(bytes)) {
-    return invalid_file("its format is not known; " + std::string(what_is_read));
+    const std::string hint = stl_size_hint(bytes).value_or("");
+    return invalid_file("its format is not known; " + std::string(what_is_read) +
+                        (hint.empty() ? "" : " (" + hint + ")"));
   }
   return read_obj(bytes, limits, cancel);
 }
 
 std::string format_of(std::string_view bytes) {
-  return bytes.starts_with("glTF") ? "this GLB: " : begins_like_ply(bytes) ? "this PLY: " : "this file: ";
+  if (bytes.starts_with("glTF")) return "this GLB: ";
+  if (begins_like_ply(bytes)) return "this PLY: ";
+  return begins_like_stl(bytes) ? "this STL: " : "this file: ";
 }
 
 }  // namespace

@@ -47,6 +47,8 @@ struct EvaluateRequest {
   bool without_output = false;
   /// The name of the format that the output is written in; empty is the first. Previews are GLB always.
   std::string format = {};
+  /// Whether meshes of the output may be compressed with Draco; false counts more than what the export node says.
+  bool draco = true;
   /// Whether the file carries the document, in `document` of what it says about itself.
   bool embed_graph = false;
   /// What that document has besides the graph: see `notes_of`.
@@ -66,7 +68,7 @@ struct InspectRequest {
 struct AssetSummary {
   std::string sha256;  ///< 64 hexadecimal digits: what graphs write to mean this file
   std::size_t bytes = 0;
-  std::string format;  ///< obj, ply or glb
+  std::string format;  ///< obj, ply, stl or glb
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   std::vector<std::string> warnings = {};  ///< sentences about what of the file the mesh has not
@@ -116,11 +118,11 @@ class Engine {
   /// The cards of every node type, wire type and format: the body of `GET /v1/nodes`.
   virtual const Json& catalogue() const = 0;
 
-  /// Reads a mesh file (OBJ, PLY or GLB, told by its content) and keeps the mesh for graphs that name it by its hash.
-  /// With a `name` it is kept for ever and graphs may use the name too (letters, digits, `_`, `-`, `.`); without one it
-  /// goes when `asset_store_bytes` are full and others were used later. Problems: `invalid-asset` for what is no such
-  /// file, `limit-exceeded`, `usage` for a name that cannot be one, those of the keeper, and those of `compute` when
-  /// `cancel` stops it.
+  /// Reads a mesh file (OBJ, PLY, STL or GLB, told by its content) and keeps the mesh for graphs that name it by its
+  /// hash. With a `name` it is kept for ever and graphs may use the name too (letters, digits, `_`, `-`, `.`); without
+  /// one it goes when `asset_store_bytes` are full and others were used later. Problems: `invalid-asset` for what is no
+  /// such file, `limit-exceeded`, `usage` for a name that cannot be one, those of the keeper, and those of `compute`
+  /// when `cancel` stops it.
   virtual Result<AssetSummary> add_asset(std::string_view bytes, const std::string& name,
                                          const Cancel& cancel) const = 0;
 

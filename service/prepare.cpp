@@ -114,13 +114,26 @@ Json about_file(const PreparedGraph& prepared, const EvaluateRequest& request) {
   return about;
 }
 
+/// Memory for a file that needs more than a compressed GLB, whose memory is in the cost of the plan.
+std::size_t more_memory(const PlannedNode& exported, const FileFormat& format, bool draco) {
+  constexpr std::size_t uncompressed_bytes = 160;  // two copies of the file, less what Draco needs
+  std::size_t vertices = 0;
+  for (const PlannedInput& input : exported.inputs) {
+    for (const PlannedItem& item : input.items) vertices += item.shape.vertices;
+  }
+  return vertices * (format.vertex_bytes + (draco ? 0 : uncompressed_bytes));
+}
+
 /// Tells the node that exports what file is wanted, which its result depends on from then on.
 void want_file(PreparedGraph& prepared, const FileFormat& format, const EvaluateRequest& request) {
   PlannedNode& node = prepared.plan.nodes[*prepared.export_node];
   prepared.fingerprint = node.fingerprint;
-  const auto wanted = std::make_shared<const WantedFile>(WantedFile{&format, about_file(prepared, request)});
+  const auto wanted =
+      std::make_shared<const WantedFile>(WantedFile{&format, about_file(prepared, request), request.draco});
   const std::string about = wanted->about.dump();
-  node.fingerprint = DigestBuilder().text("file").digest(node.fingerprint).text(format.name).text(about).finish();
+  DigestBuilder digest;
+  digest.text("file").digest(node.fingerprint).text(format.name).text(about).integer(request.draco ? 1 : 0);
+  node.fingerprint = digest.finish();
   node.file = wanted;
   prepared.held += 2 * about.size();
 }
@@ -250,6 +263,8 @@ Result<std::shared_ptr<const PreparedGraph>> prepare_evaluation(const Environmen
   prepared->model_tag = tag_of(prepared->content);
   prepared->report_tag = tag_of(report_digest(*prepared));
   prepared->bytes = prepared->plan.cost.bytes;
+  if (prepared->export_node)
+    prepared->bytes += more_memory(prepared->plan.nodes[*prepared->export_node], **format, request.draco);
   prepared->work = prepared->plan.cost.work;
   prepared->held += memory_of(*prepared);
   prepared->milliseconds = milliseconds_since(begin);

@@ -75,7 +75,7 @@ constexpr std::array codes = {
     ProblemCode{"encode-failed", graph, 422, "A mesh could not be written."},
     ProblemCode{"more-problems", graph, 422, "Stands last when more than 100 problems were found, with their number."},
 
-    ProblemCode{"invalid-asset", file, 422, "The file is no OBJ, PLY or GLB that can be read."},
+    ProblemCode{"invalid-asset", file, 422, "The file is no OBJ, PLY, STL or GLB that can be read."},
 
     ProblemCode{"busy", service, 503, "All places are taken just now; try again after `Retry-After` seconds."},
     ProblemCode{"out-of-memory", service, 503, "There is not enough memory for this now."},

@@ -18,7 +18,8 @@ Result<DataFolder> DataFolder::hold(const std::filesystem::path& path) {
   std::filesystem::create_directories(path, error);
   if (error) return io_problem(path, "the data folder cannot be made: " + error.message());
   const int handle = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (handle < 0) return io_problem(path, "the data folder cannot be opened: " + std::generic_category().message(errno));
+  if (handle < 0)
+    return io_problem(path, "the data folder cannot be opened: " + std::generic_category().message(errno));
   if (::flock(handle, LOCK_EX | LOCK_NB) != 0) {
     const int reason = errno;
     ::close(handle);

@@ -182,8 +182,7 @@ Result<std::vector<GraphVersion>> GraphStore::versions(std::string_view id) cons
 std::optional<std::filesystem::path> GraphStore::folder() const { return database_->folder(); }
 
 Result<bool> GraphStore::names(const Digest& asset) const {
-  return database_->read(
-      [&](SQLite::Database& database) -> Result<bool> { return is_referenced(database, asset); });
+  return database_->read([&](SQLite::Database& database) -> Result<bool> { return is_referenced(database, asset); });
 }
 
 std::optional<Problem> GraphStore::check_writing() {

@@ -125,7 +125,8 @@ Result<std::string> JobStore::body(std::string_view id) const {
 
 Result<bool> JobStore::begin(std::string_view id) {
   return database_->write([&](SQLite::Database& database) -> Result<bool> {
-    SQLite::Statement update(database, "UPDATE jobs SET state = 'running', started = ? WHERE id = ? AND state IN ('queued', 'running')");
+    SQLite::Statement update(
+        database, "UPDATE jobs SET state = 'running', started = ? WHERE id = ? AND state IN ('queued', 'running')");
     update.bind(1, now_milliseconds());
     bind_text(update, 2, id);
     return update.exec() > 0;

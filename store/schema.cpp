@@ -96,7 +96,8 @@ void add_jobs(SQLite::Database& database) {
   )");
 }
 
-/// What makes each version of the schema of the one before it; the first, of an empty database. A step is never changed.
+/// What makes each version of the schema of the one before it; the first, of an empty database. A step is never
+/// changed.
 constexpr std::array steps = {add_graphs, add_asset_references, add_jobs};
 constexpr int schema_version = static_cast<int>(steps.size());
 

@@ -28,6 +28,11 @@ const RequestType<EvaluateBody>& request() {
                   usually(Detail::usual_triangle_budget)
                       .range(EvaluateRequest::least_triangle_budget, EvaluateRequest::most_triangle_budget)
                       .unit("triangles"))
+          .member(
+              "draco", &EvaluateRequest::draco,
+              "Whether meshes may be compressed with Draco; `false` is for programs that cannot read it, and counts "
+              "more than the input `draco` of the `export` node. A preview is compressed always.",
+              usually(true))
           .member("embed_graph", &EvaluateRequest::embed_graph,
                   "Whether the file carries the graph document in `asset.extras.document`.", usually(false))
           .deadline(&EvaluateBody::deadline_milliseconds);

@@ -145,7 +145,7 @@ Json sweep_line() {
 Json asset_summary() {
   return object({{"sha256", text("64 hexadecimal digits: what graphs write to mean this file.")},
                  {"bytes", whole("Of the file.")},
-                 {"format", word({"obj", "ply", "glb"}, "Told by its content.")},
+                 {"format", word({"obj", "ply", "stl", "glb"}, "Told by its content.")},
                  {"vertices", whole("After seams are split.")},
                  {"triangles", whole("Of the mesh.")},
                  {"warnings", list(text(""), "Sentences about what of the file the mesh has not.")}},

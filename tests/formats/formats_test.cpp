@@ -118,6 +118,20 @@ TEST_CASE("A file carries the graph when that is asked for, and can be evaluated
   }
 }
 
+TEST_CASE("A file is compressed unless the export or the request says not to") {
+  const std::unique_ptr<Engine> engine = make_engine();
+  const auto is_compressed = [&](const Json& asked, bool draco) {
+    const std::string file = file_of(*engine, {.graph = asked, .draco = draco});
+    return Json::parse(split_glb(file)->json).contains("extensionsRequired");
+  };
+  Json plain = graph();
+  plain["nodes"]["out"]["inputs"]["draco"] = false;
+  CHECK(is_compressed(graph(), true));
+  CHECK_FALSE(is_compressed(graph(), false));
+  CHECK_FALSE(is_compressed(plain, true));
+  CHECK_FALSE(is_compressed(plain, false));
+}
+
 TEST_CASE("A model is asked for by the media type of its format") {
   const RunningOver server(engine_with_counts(), quick_settings());
   const std::string body = Json{{"graph", graph()}}.dump();
@@ -135,9 +149,30 @@ TEST_CASE("A model is asked for by the media type of its format") {
   REQUIRE(gltf->status == 200);
   CHECK(gltf->header("content-type") == "model/gltf+json");
   CHECK(gltf->json()["asset"]["version"] == "2.0");
-  const auto refused = post(server.port(), "/v1/evaluate", body, "Accept: model/stl\r\n");
+  const auto refused = post(server.port(), "/v1/evaluate", body, "Accept: model/step\r\n");
   CHECK(refused->status == 406);
   CHECK(refused->json()["errors"][0]["detail"].get<std::string>().find("text/x-counts") != std::string::npos);
+}
+
+TEST_CASE("A model is asked for by the name of its format") {
+  const RunningOver server(engine_with_counts(), quick_settings());
+  const std::string body = Json{{"graph", graph()}}.dump();
+  const auto stl = post(server.port(), "/v1/evaluate?format=stl", body);
+  REQUIRE(stl->status == 200);
+  CHECK(stl->header("content-type") == "model/stl");
+  CHECK(stl->header("content-disposition").find(".stl\"") != std::string::npos);
+  CHECK(stl->body.size() == 84 + 50 * 24);
+  CHECK(post(server.port(), "/v1/evaluate?format=stl", body, "Accept: model/gltf-binary\r\n")->body == stl->body);
+  CHECK(post(server.port(), "/v1/evaluate", body, "Accept: model/stl\r\n")->body == stl->body);
+  // Beside a report it says what the part is in.
+  const auto both = post(server.port(), "/v1/evaluate?format=stl", body, "Accept: multipart/form-data\r\n");
+  CHECK(both->header("content-type").starts_with("multipart/form-data"));
+  CHECK(both->body.find(stl->body) != std::string::npos);
+  CHECK(both->body.find("STL holds no curves; not in the file: ring") != std::string::npos);
+  const auto wrong = post(server.port(), "/v1/evaluate?format=sdl", body);
+  CHECK(wrong->status == 422);
+  CHECK(wrong->json()["errors"][0]["detail"].get<std::string>().find("stl") != std::string::npos);
+  CHECK(post(server.port(), "/v1/evaluate?formt=stl", body)->code() == "unknown-member");
 }
 
 TEST_CASE("The graph is put into the file when a request says so") {
@@ -163,6 +198,9 @@ TEST_CASE("The end of a file's name says the format, and --format says it better
   CHECK(Json::parse(contents(to("d.gltf")))["asset"]["version"] == "2.0");
   CHECK(run({"eval", path, "-o", to("e")}).code == 0);
   CHECK(read_glb(contents(to("e"))));
+  CHECK(run({"eval", path, "-o", to("g.glb"), "--no-draco"}).code == 0);
+  CHECK(contents(to("g.glb")).find("KHR_draco_mesh_compression") == std::string::npos);
+  CHECK(run({"eval", path, "-o", to("h.glb"), "--no-draco", "--preview", "ring"}).code == 2);
   CHECK(run({"eval", path, "-o", to("f.glb"), "--embed-graph"}).code == 0);
   CHECK(extras_of(Json::parse(split_glb(contents(to("f.glb")))->json))["document"] == graph());
 }
@@ -173,14 +211,16 @@ TEST_CASE("An end that is no format is told before anything is done") {
   folder.write("old.json", "an older report");
   const std::string path = (folder.path() / "graph.json").string(), report = (folder.path() / "old.json").string();
   for (const std::vector<std::string>& wrong :
-       std::vector<std::vector<std::string>>{{"-o", (folder.path() / "x.stl").string()},
-                                             {"-o", (folder.path() / "x.glb").string(), "--format", "stl"},
+       std::vector<std::vector<std::string>>{{"-o", (folder.path() / "x.step").string()},
+                                             {"-o", (folder.path() / "x.glb").string(), "--format", "step"},
                                              {"-o", (folder.path() / "x.gltf").string(), "--preview", "ring"}}) {
     std::vector<std::string> words = {"eval", path, "--report", report};
     words.insert(words.end(), wrong.begin(), wrong.end());
     const Outcome outcome = run(words);
     CHECK(outcome.code == 2);
-    CHECK(outcome.err.find(".glb (glb), .gltf (gltf), .counts (counts)") != std::string::npos);
+    CHECK(outcome.err.find(
+              ".glb (glb), .gltf (gltf), .obj (obj), .stl (stl), .ply (ply), .3mf (3mf), .counts (counts)") !=
+          std::string::npos);
     CHECK_FALSE(std::filesystem::exists(wrong[1]));
     CHECK(contents(report) == "an older report");
   }

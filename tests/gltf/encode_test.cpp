@@ -4,6 +4,7 @@
 #include <set>
 
 #include "geometry/json.h"
+#include "gltf/glb_import.h"
 #include "tests/gltf/compare.h"
 #include "tests/gltf/shapes.h"
 #include "tests/support/picture_value.h"
@@ -174,6 +175,40 @@ TEST_CASE("Attributes that were not asked for are not written") {
   CHECK(mesh_of(decoded).uvs.empty());
   CHECK(mesh_of(decoded).colors.empty());
   CHECK(encoded.normal_error == 0);
+}
+
+TEST_CASE("Without Draco a mesh is one primitive of the very floats, which needs no extension") {
+  Mesh mesh = shapes::torus(240, 240);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) mesh.colors.push_back({0.5f, 1, 0, 0.25f});
+  const Scene scene = shapes::scene_of(std::move(mesh));
+  EncodeOptions options;
+  options.draco = false;
+  options.position_bits = 8;
+  const EncodedScene encoded = encode(scene, options);
+  const auto gltf = dini::Json::parse(split_glb(encoded.file)->json);
+  CHECK_FALSE(gltf.contains("extensionsUsed"));
+  CHECK(gltf["meshes"][0]["primitives"].size() == 1);
+  CHECK(gltf["materials"][0]["alphaMode"] == "BLEND");
+  const auto read = read_glb_mesh(encoded.file, {});
+  REQUIRE(read);
+  const Mesh& original = mesh_of(scene);
+  CHECK(read->mesh.triangles.size() == original.triangles.size());
+  CHECK(read->mesh.positions.size() == original.positions.size());
+  CHECK(encoded.vertices == original.positions.size());
+  CHECK(encoded.triangles == original.triangles.size());
+  CHECK(read->mesh.colors[0][3] == Approx(0.25).margin(1e-4));
+  double largest = 0;
+  for (std::size_t i = 0; i < original.triangles.size(); ++i) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      // An import has the axes of the file, in which y is up.
+      const Vector there = to_vector(read->mesh.positions[read->mesh.triangles[i][corner]]);
+      const Vector here = to_vector(original.positions[original.triangles[i][corner]]);
+      const Vector apart = Vector{there.x, -there.z, there.y} - here;
+      largest = std::max({largest, std::abs(apart.x), std::abs(apart.y), std::abs(apart.z)});
+    }
+  }
+  CHECK(largest <= encoded.position_error);
+  CHECK(encoded.position_error < 1e-7);
 }
 
 TEST_CASE("Parts keep their names, colors and order") {

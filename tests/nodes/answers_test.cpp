@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "gltf/glb_container.h"
 #include "gltf/glb_reader.h"
 #include "tests/support/catalogue.h"
 #include "tests/support/close.h"
@@ -63,6 +64,34 @@ TEST_CASE("Color paints a mesh and leaves its shape alone") {
   CHECK(after->color == Color{1, 0.25, 0, 1});
   CHECK(after->positions == before->positions);
   CHECK(after->triangles == before->triangles);
+}
+
+TEST_CASE("A material reaches the file, and colors that follow leave its finish alone") {
+  const Json look = {{"shape", from("ball")}, {"color", {1, 0.25, 0}}, {"opacity", 0.5},
+                     {"metallic", 1},         {"roughness", 0.2},      {"double_sided", false}};
+  CatalogueGraph graph = graph_of({{"ball", ball},
+                                   {"glass", make("material", look)},
+                                   {"shaded", make("curvature_color", {{"shape", from("glass")}})},
+                                   {"moved", make("translate", {{"shape", from("shaded")}, {"vector", {9, 0, 0}}})},
+                                   {"out", make("export", {{"model", {from("glass"), from("ball"), from("moved")}}})}});
+  const auto glass = graph.one<SharedMesh>("glass"), moved = graph.one<SharedMesh>("moved");
+  CHECK(glass->color == Color{1, 0.25, 0, 0.5});
+  CHECK(glass->positions == graph.one<SharedMesh>("ball")->positions);
+  CHECK_FALSE(moved->colors.empty());
+  CHECK(moved->finish == Finish{1, 0.2, false});
+  const auto chunks = split_glb(*graph.one<SharedFile>("out")->bytes);
+  REQUIRE(chunks);
+  const Json materials = Json::parse(chunks->json)["materials"];
+  REQUIRE(materials.size() == 3);
+  CHECK(materials[0] ==
+        Json{{"name", "glass"},
+             {"alphaMode", "BLEND"},
+             {"doubleSided", false},
+             {"pbrMetallicRoughness",
+              {{"baseColorFactor", {1.0, 0.25, 0.0, 0.5}}, {"metallicFactor", 1.0}, {"roughnessFactor", 0.2}}}});
+  CHECK(materials[1]["doubleSided"] == true);
+  CHECK(materials[1]["pbrMetallicRoughness"]["roughnessFactor"] == 0.6);
+  CHECK(materials[2]["pbrMetallicRoughness"]["metallicFactor"] == 1.0);
 }
 
 TEST_CASE("Check passes a number on within its bounds and fails beyond, with its message") {

@@ -134,7 +134,7 @@ void add_source(Json& nodes, const Subject& subject, std::size_t port, const Wir
 
 bool same_mesh(const Mesh& a, const Mesh& b) {
   return a.positions == b.positions && a.normals == b.normals && a.uvs == b.uvs && a.colors == b.colors &&
-         a.triangles == b.triangles && a.tile_ends == b.tile_ends && a.color == b.color;
+         a.triangles == b.triangles && a.tile_ends == b.tile_ends && a.color == b.color && a.finish == b.finish;
 }
 
 template <class T>

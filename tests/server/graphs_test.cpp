@@ -159,6 +159,8 @@ TEST_CASE("An output has an address with the bytes of an evaluation") {
   CHECK(part->status == 206);
   CHECK(part->body == "glTF");
   CHECK(get(server.port(), "/v1/graphs/ball/outputs/out.gltf")->header("content-type") == "model/gltf+json");
+  CHECK(get(server.port(), "/v1/graphs/ball/outputs/out.glb?draco=false")->body.find("KHR_draco") == std::string::npos);
+  CHECK(get(server.port(), "/v1/graphs/ball/outputs/out.glb?draco=true")->body.find("KHR_draco") != std::string::npos);
   CHECK(get(server.port(), "/v1/graphs/ball/outputs/out?accept=application/json")->json().contains("nodes"));
   CHECK(get(server.port(), "/v1/graphs/ball/outputs/out?axis=1,0,0&parameter.quality=2&quality=draft")->status == 200);
 }
@@ -192,6 +194,8 @@ TEST_CASE("What is wrong with an address of an output is told with what would be
   CHECK(problem("ball/outputs/out?radius=big").first == "type-mismatch");
   CHECK(problem("ball/outputs/out?radius=101").first == "out-of-range");
   CHECK(problem("ball/outputs/out?quality=best").first == "not-in-choices");
+  CHECK(problem("ball/outputs/out?draco=no").first == "not-in-choices");
+  CHECK(problem("ball/outputs/out?format=glbb").second.starts_with("there is no format 'glbb' among glb, gltf, "));
   CHECK(problem("ball/outputs/aut").first == "unknown-output");
   CHECK(problem("ball/outputs/out.step").first == "not-found");
   CHECK(problem("bell/outputs/out").first == "not-found");

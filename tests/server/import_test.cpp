@@ -29,8 +29,10 @@ std::string body_with(const std::string& asset) { return Json{{"graph", graph_wi
 
 TEST_CASE("A file of every format is uploaded, named by its hash, and evaluated") {
   const RunningReal server;
-  for (const auto& [bytes, format] : std::vector<std::pair<std::string, std::string>>{
-           {std::string(quad_obj), "obj"}, {std::string(quad_ply), "ply"}, {quad_glb(), "glb"}}) {
+  for (const auto& [bytes, format] : std::vector<std::pair<std::string, std::string>>{{std::string(quad_obj), "obj"},
+                                                                                      {std::string(quad_ply), "ply"},
+                                                                                      {std::string(quad_stl), "stl"},
+                                                                                      {quad_glb(), "glb"}}) {
     CAPTURE(format);
     CHECK(post(server.port(), "/v1/evaluate", body_with(std::string(64, '0')))->code() == "unknown-asset");
     const auto uploaded = upload(server.port(), bytes);
@@ -125,7 +127,8 @@ TEST_CASE("Hostile files are refused, and the server stays as it was") {
   const long before = resident_kib();
   for (const std::string& bytes :
        {std::string(), std::string(64, '\0'), std::string("{\"asset\":{}}"), std::string("hello"), huge_ply,
-        quad_glb().substr(0, 61), glb_of(draco.dump(), quad_binary()), glb_of(far.dump(), quad_binary()),
+        std::string("solid\nfacet\nvertex 0 0\n"), std::string(80, 'x') + "\xff\xff\xff\x7f", quad_glb().substr(0, 61),
+        glb_of(draco.dump(), quad_binary()), glb_of(far.dump(), quad_binary()),
         glb_of(std::string(1 << 20, '['), "")}) {
     const auto answer = upload(server.port(), bytes);
     REQUIRE(answer);

@@ -7,12 +7,12 @@ namespace dini {
 namespace support {
 
 /// A choice that a toy request has.
-enum class Finish { plain, shiny };
+enum class Coating { plain, shiny };
 
 }  // namespace support
 
 template <>
-struct ChoiceNames<support::Finish> {
+struct ChoiceNames<support::Coating> {
   static constexpr std::array<std::string_view, 2> names = {"plain", "shiny"};
 };
 

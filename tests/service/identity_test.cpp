@@ -91,13 +91,14 @@ TEST_CASE("Requests of equal identity are those that ask for the same") {
         asked.preview = {"ring", "ball"};
       }),
       with([](Asked& asked) { asked.format = "glb"; }),
+      with([](Asked& asked) { asked.draco = false; }),
       with([](Asked& asked) { asked.embed_graph = true; }),
       with([](Asked& asked) {
         asked.embed_graph = true;
         asked.graph["meta"] = {{"title", "Ball"}};
       }),
   };
-  CHECK(different.size() == 11);
+  CHECK(different.size() == 12);
 }
 
 TEST_CASE("A file that carries its document carries its notes too") {

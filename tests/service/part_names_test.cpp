@@ -56,6 +56,22 @@ TEST_CASE("A mesh of a family has its place on each axis beside the id, and shar
   CHECK(names_of(gltf["materials"]) == Names{"globes"});
 }
 
+TEST_CASE("No two parts and no two materials of a file have one name") {
+  const std::unique_ptr<Engine> engine = make_engine();
+  Json same = make("color", {{"shape", from("globe")}});
+  same["bypass"] = true;
+  const Json gltf =
+      gltf_of(*engine, document({{"globe", ball()},
+                                 {"same", same},
+                                 {"k", make("range", {{"count", 3}})},
+                                 {"row", make("color_by", {{"shape", from("globe")}, {"value", from("k")}})},
+                                 {"out", out_of({from("globe"), from("row"), from("same"), from("row")})}}));
+  CHECK(names_of(gltf["meshes"]) ==
+        Names{"globe", "row[0]", "row[1]", "row[2]", "globe.2", "row.2[0]", "row.2[1]", "row.2[2]"});
+  // The cyclic palette is alike at both ends, and what looks alike is one material.
+  CHECK(names_of(gltf["materials"]) == Names{"globe", "row", "row[1]"});
+}
+
 TEST_CASE("An output that is not a node's first is named too") {
   const std::unique_ptr<Engine> engine = make_engine();
   const Json gltf = gltf_of(*engine, document({{"hoop", make("circle")},

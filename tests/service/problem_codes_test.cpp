@@ -36,7 +36,8 @@ std::map<std::string, std::string> words_in_sources() {
   static const std::regex made(
       R"((?:\bcode = |\b(?:Problem|Failure|FileError|FileNote|LiteralProblem|Warning|problem|warn)\s*[({]+\s*|return \{)\"([a-z]+)\")");
   std::map<std::string, std::string> words;
-  for (const auto* folder : {"geometry", "graph", "gltf", "golden", "nodes", "service", "jobs", "server", "cli"}) {
+  for (const auto* folder :
+       {"geometry", "graph", "gltf", "formats", "golden", "nodes", "service", "jobs", "server", "cli"}) {
     for (const SourceFile& file : read_source_files(DINI_SOURCE_DIR, folder)) {
       if (!file.path.ends_with(".cpp") && !file.path.ends_with(".h")) continue;
       if (file.path == "service/problem_codes.cpp" || file.path == "server/operation.cpp") continue;

@@ -14,7 +14,7 @@ const std::unique_ptr<Engine> engine = make_engine();
 struct Order {
   std::string item;
   std::optional<std::int64_t> count = {};
-  Finish finish = Finish::shiny;
+  Coating finish = Coating::shiny;
   bool wrapped = false;
   std::vector<std::string> notes = {};
   Json extras = Json::object();
@@ -50,14 +50,14 @@ TEST_CASE("A body is read into the members that it names, and the others keep th
   REQUIRE(full);
   CHECK(full->item == "cup");
   CHECK(full->count == 3);
-  CHECK(full->finish == Finish::plain);
+  CHECK(full->finish == Coating::plain);
   CHECK(full->wrapped);
   CHECK(full->notes == std::vector<std::string>{"a", "b"});
   CHECK(full->extras == Json{{"x", 1}});
   const auto least = order().read({{"item", "cup"}}, *engine);
   REQUIRE(least);
   CHECK_FALSE(least->count);
-  CHECK(least->finish == Finish::shiny);
+  CHECK(least->finish == Coating::shiny);
   CHECK(least->extras == Json::object());
 }
 
@@ -121,6 +121,7 @@ TEST_CASE("What the description of a request calls a default is what reading lea
   const RequestDescription& description = evaluate_description();
   CHECK(description.find("quality")->spec.default_value == "final");
   CHECK(evaluate->quality == Quality::final);
+  CHECK(description.find("draco")->spec.default_value == evaluate->draco);
   CHECK(description.find("embed_graph")->spec.default_value == evaluate->embed_graph);
   CHECK(description.find("triangle_budget")->spec.default_value == Detail(Quality::draft).triangle_budget);
   const auto inspect = read_inspect_body({{"graph", Json::object()}, {"node", "a"}}, *engine);

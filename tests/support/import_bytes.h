@@ -91,6 +91,14 @@ inline constexpr std::string_view quad_ply =
     "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
     "0 0 0 0 0 255 0 0\n1 0 0 1 0 0 255 0\n1 1 0 1 1 0 0 255\n0 1 0 0 1 255 255 255\n4 0 1 2 3\n";
 
+/// The same square without colors and texture coordinates, as text of two kinds of hands.
+inline constexpr std::string_view quad_stl =
+    "solid a square\n"
+    "  facet normal 0 0 1\n    outer loop\n      vertex 0 0 0\n      vertex 1e0 0 0\n      vertex 1 1 0\n    endloop\n"
+    "  endfacet\n"
+    "FACET NORMAL nan nan nan\r\nouter loop\nVertex 0 0 0\nvertex 1 1 -0\nvertex 0 1 0\nendloop\nendfacet\n"
+    "endsolid a square\n";
+
 /// What a reader says to `bytes`: nothing when it takes them, else its code and sentence.
 template <class Read>
 std::string refusal(Read read, std::string_view bytes, const ImportLimits& limits = {}, const Cancel& cancel = {}) {

@@ -24,6 +24,7 @@ struct Asked {
   std::vector<std::string> measures = {};
   bool without_output = false;
   std::string format = {};
+  bool draco = true;
   bool embed_graph = false;
 };
 
@@ -37,6 +38,7 @@ inline EvaluateRequest request_to(const Engine& engine, const Asked& asked) {
           .measures = asked.measures,
           .without_output = asked.without_output,
           .format = asked.format,
+          .draco = asked.draco,
           .embed_graph = asked.embed_graph,
           .notes = notes_of(asked.graph)};
 }

@@ -184,3 +184,20 @@ test("the export says what it makes before it is downloaded, as a GLB in full qu
     await dialog.waitFor({ state: "detached" });
     assert.equal((await factsOf(page)).revision, "1", "the graph is as it was");
   }));
+
+test("the export writes the formats that the server lists, and the graph", () =>
+  withPage({ hash: `#example=${RING}` }, async (page) => {
+    await settled(page);
+    await page.getByRole("button", { name: "Export", exact: true }).click();
+    const dialog = page.getByRole("dialog", { name: "Export" });
+    const format = dialog.getByRole("combobox", { name: "Format" });
+    const formats = await format.locator("option").evaluateAll((options) => options.map(({ value }) => value));
+    assert.deepEqual(formats, ["glb", "gltf", "obj", "stl", "ply", "3mf", "json"]);
+    await format.selectOption("stl");
+    const [download] = await Promise.all([
+      page.waitForEvent("download"),
+      dialog.getByRole("button", { name: "Download boosted-ring.stl" }).click(),
+    ]);
+    const model = readFileSync(await download.path());
+    assert.equal(model.length, 84 + 50 * model.readUInt32LE(80));
+  }));

@@ -16,6 +16,9 @@ import { type ExportOption, exportOptions, withOptions } from "./export_options"
 import { filesOf } from "./Files";
 import { withGraph } from "./glb_graph";
 
+const GRAPH = "json";
+/** The format that this page puts the graph into. */
+const HOLDS_GRAPH = "glb";
 const PAUSE_MILLISECONDS = 250;
 const DRAFT_TRIANGLES = 20_000;
 
@@ -26,41 +29,45 @@ export function ExportDialog(): ReactElement {
   const document = useCurrent((state) => state.document);
   const catalogue = useCurrent((state) => state.catalogue);
   const values = useCurrent((state) => state.values);
-  const [format, setFormat] = useState<"glb" | "json">("glb");
+  const formats = catalogue?.formats ?? [];
+  const [chosen, setChosen] = useState<string | null>(null);
   const [quality, setQuality] = useState<Quality>("final");
   const [changes, setChanges] = useState<Record<string, Json>>({});
   const [withDocument, setWithDocument] = useState(true);
   const [answer, setAnswer] = useState<Answer | null>(null);
+  // Nothing chosen is the usual format, and GRAPH none of a model.
+  const format = chosen === GRAPH ? undefined : (formats.find(({ name }) => name === chosen) ?? formats[0]);
+  const formatName = format?.name;
   const output = document && catalogue ? fileOutput(document, catalogue) : undefined;
 
   useEffect(() => {
-    if (!document || output === undefined) return undefined;
+    if (!document || output === undefined || formatName === undefined) return undefined;
     const request = new AbortController();
     setAnswer(null);
     const timer = window.setTimeout(() => {
       const graph = withOptions(document, output, changes);
-      evaluate({ graph, parameters: values, output }, { quality, triangles: DRAFT_TRIANGLES }, request.signal).then(
-        setAnswer,
-        () => undefined,
-      );
+      const effort = { quality, triangles: DRAFT_TRIANGLES, format: formatName };
+      evaluate({ graph, parameters: values, output }, effort, request.signal).then(setAnswer, () => undefined);
     }, PAUSE_MILLISECONDS);
     return () => {
       window.clearTimeout(timer);
       request.abort();
     };
-  }, [document, values, output, quality, changes]);
+  }, [document, values, output, quality, changes, formatName]);
 
-  const name = `${fileName(document?.title ?? "")}.${format}`;
+  const name = `${fileName(document?.title ?? "")}${format?.extension ?? ".json"}`;
   const model = answer?.kind === "model" ? answer.model : undefined;
-  const file = model && document && withDocument ? withGraph(model, documentWithValues(document, values)) : model;
+  const holdsGraph = formatName === HOLDS_GRAPH;
+  const file =
+    model && document && withDocument && holdsGraph ? withGraph(model, documentWithValues(document, values)) : model;
   const download = (): void => {
-    if (format === "glb" && file) saveBlob(new Blob([file], { type: "model/gltf-binary" }), name);
-    if (format === "json" && document) {
+    if (format && file) saveBlob(new Blob([file], { type: format.mediaType }), name);
+    if (!format && document) {
       saveBlob(new Blob([documentText(documentWithValues(document, values))], { type: "application/json" }), name);
     }
     files.show(null);
   };
-  const isReady = format === "json" ? document !== null : file !== undefined;
+  const isReady = format ? file !== undefined : document !== null;
   return (
     <Dialog
       title="Export"
@@ -76,13 +83,18 @@ export function ExportDialog(): ReactElement {
         <select
           id="export-format"
           className="select"
-          value={format}
-          onChange={(event) => setFormat(event.currentTarget.value === "json" ? "json" : "glb")}
+          value={formatName ?? GRAPH}
+          title={format?.description}
+          onChange={(event) => setChosen(event.currentTarget.value)}
         >
-          <option value="glb">Model, glTF binary with Draco (.glb)</option>
-          <option value="json">Graph (.json)</option>
+          {formats.map(({ name: each, extension }) => (
+            <option key={each} value={each}>
+              Model, {each.toUpperCase()} ({extension})
+            </option>
+          ))}
+          <option value={GRAPH}>Graph (.json)</option>
         </select>
-        {format === "glb" && (
+        {format && (
           <>
             <label htmlFor="export-quality">Quality</label>
             <select
@@ -104,6 +116,10 @@ export function ExportDialog(): ReactElement {
                   onChange={(value) => setChanges({ ...changes, [option.input.name]: value })}
                 />
               ))}
+          </>
+        )}
+        {holdsGraph && (
+          <>
             <label htmlFor="export-graph" title="The file can be opened here again, dropped on this page">
               Graph inside
             </label>
@@ -117,7 +133,7 @@ export function ExportDialog(): ReactElement {
           </>
         )}
       </div>
-      {format === "glb" && (
+      {format && (
         <p className="export-result" role="status" data-tone={answer?.kind === "problem" ? "error" : "ok"}>
           {resultText(output, answer, file?.byteLength ?? 0)}
         </p>

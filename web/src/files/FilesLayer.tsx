@@ -20,7 +20,7 @@ export function FilesLayer(): ReactElement {
       {dialog === "share" && <ShareDialog />}
       {dropping && (
         <div className="drop-place">
-          <p>Drop a graph (.json), a model of Dini (.glb) or a mesh (.obj, .ply, .glb)</p>
+          <p>Drop a graph (.json), a model of Dini (.glb) or a mesh (.obj, .ply, .stl, .glb)</p>
         </div>
       )}
       <div className="files-note-place" role="status">

@@ -23,7 +23,7 @@ export interface OpenedFile {
 export type { FileHandle };
 
 const GRAPH_TYPES = [{ description: "Graph", accept: { "application/json": [".json"] } }];
-const READABLE = ".json,.glb,.obj,.ply";
+const READABLE = ".json,.glb,.obj,.ply,.stl";
 
 /** Asks for a file to open; undefined if the person changes their mind. */
 export async function askForFile(): Promise<OpenedFile | undefined> {
@@ -33,7 +33,7 @@ export async function askForFile(): Promise<OpenedFile | undefined> {
     const types = [
       {
         description: "Graphs and meshes",
-        accept: { "application/json": [".json"], "model/obj": [".obj", ".ply", ".glb"] },
+        accept: { "application/json": [".json"], "model/obj": [".obj", ".ply", ".stl", ".glb"] },
       },
     ];
     const [handle] = await showOpenFilePicker.call(window, { types, multiple: false });

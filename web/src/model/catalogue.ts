@@ -1,6 +1,6 @@
 // The catalogue of node types as GET /v1/nodes answers it. Everything the page knows about nodes comes from here.
 
-import { asArray, asNumber, asObject, asString, isNumber, type Json } from "./json";
+import { asArray, asNumber, asObject, asString, isNumber, type Json, type JsonObject } from "./json";
 
 /** A wire type: what its sockets and wires look like. */
 export interface WireType {
@@ -69,8 +69,20 @@ export interface NodeCard {
   outputs: OutputCard[];
 }
 
+/** A format that models are written in. */
+export interface FileFormat {
+  /** What requests call it: "glb". */
+  name: string;
+  mediaType: string;
+  /** With its period. */
+  extension: string;
+  description: string;
+}
+
 export interface Catalogue {
   engine: string;
+  /** The usual one first. */
+  formats: FileFormat[];
   types: Map<string, WireType>;
   families: Map<string, string>;
   nodes: Map<string, NodeCard>;
@@ -93,6 +105,7 @@ export function readCatalogue(json: Json): Catalogue {
   const root = asObject(json);
   const catalogue: Catalogue = {
     engine: asString(root["engine"]),
+    formats: asArray(root["formats"]).map(asObject).map(readFormat),
     types: new Map(),
     families: new Map(),
     nodes: new Map(),
@@ -113,6 +126,15 @@ export function readCatalogue(json: Json): Catalogue {
     if (card.id) catalogue.nodes.set(card.id, card);
   }
   return catalogue;
+}
+
+function readFormat(item: JsonObject): FileFormat {
+  return {
+    name: asString(item["name"]),
+    mediaType: asString(asArray(item["media_types"])[0]),
+    extension: asString(item["extension"]),
+    description: asString(item["description"]),
+  };
 }
 
 /** The look of a wire type; a neutral one for a type the catalogue does not list. */

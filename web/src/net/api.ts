@@ -30,14 +30,14 @@ export async function isAlive(): Promise<boolean> {
 /** Evaluates a graph to report and model. Never rejects, except with AbortError after `signal`. */
 export async function evaluate(
   body: EvaluateBody,
-  { quality, triangles }: Effort,
+  { quality, triangles, format }: Effort,
   signal?: AbortSignal,
   supersedeKey?: string,
 ): Promise<Answer> {
   const headers: Record<string, string> = { "content-type": "application/json", accept: MULTIPART };
   if (supersedeKey) headers["supersede-key"] = supersedeKey;
   try {
-    const response = await fetch("v1/evaluate", {
+    const response = await fetch(format ? `v1/evaluate?format=${encodeURIComponent(format)}` : "v1/evaluate", {
       method: "POST",
       headers,
       body: JSON.stringify({ ...body, quality, ...(quality === "draft" ? { triangle_budget: triangles } : {}) }),

@@ -19,6 +19,8 @@ export interface EvaluateBody {
 export interface Effort {
   quality: Quality;
   triangles: number;
+  /** The name of the format of the model; GLB without one. */
+  format?: string;
 }
 
 export type Answer =
