@@ -1,6 +1,6 @@
 #include "cli/command_markdown.h"
 
-#include <algorithm>
+#include "cli/command_tree.h"
 
 namespace dini::cli {
 namespace {
@@ -47,48 +47,28 @@ std::string cell(const std::string& text) {
   return result;
 }
 
-std::string upper(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return text;
-}
-
-/// What an option takes, in a word: that of its name where it has one word.
-std::string value_of(const CLI::Option& option) {
-  const std::string name = option.get_lnames().empty() ? "" : option.get_lnames().front();
-  return name.empty() || name.find('-') != std::string::npos ? "VALUE" : upper(name);
-}
-
 /// `-o, --out` with what it takes.
-std::string name_of(const CLI::Option& option) {
-  if (option.get_positional()) return "`" + upper(option.get_name(true)) + "`";
+std::string name_of(const DescribedOption& option) {
   std::string name;
-  for (const std::string& flag : option.get_snames()) name += (name.empty() ? "-" : ", -") + flag;
-  for (const std::string& flag : option.get_lnames()) name += (name.empty() ? "--" : ", --") + flag;
-  const bool is_flag = option.get_expected_max() == 0;
-  return "`" + name + (is_flag ? "" : " " + value_of(option)) + "`";
+  for (const std::string& flag : option.flags) name += (name.empty() ? "" : ", ") + flag;
+  if (!option.value.empty()) name += (name.empty() ? "" : " ") + option.value;
+  return "`" + name + "`";
 }
 
-std::string row(const CLI::Option& option) {
-  std::string text = option.get_description();
-  if (option.get_positional() && option.get_required()) text += " (required)";
-  if (!option.get_envname().empty()) text += " (`" + option.get_envname() + "`)";
+std::string row(const DescribedOption& option) {
+  std::string text = option.doc;
+  if (option.flags.empty() && option.is_required) text += " (required)";
+  if (!option.variable.empty()) text += " (`" + option.variable + "`)";
   return "| " + name_of(option) + " | " + cell(text) + " |\n";
 }
 
-std::string options_of(const CLI::App& command) {
-  std::string rows;
-  for (const CLI::Option* option : command.get_options()) {
-    if (option->get_name() != "--help") rows += row(*option);
-  }
-  return rows.empty() ? "" : "\n| option | |\n|---|---|\n" + rows;
-}
-
 /// Deeper commands follow the one that they belong to, as `dini store list`.
-std::string section(const CLI::App& command, const std::string& before) {
-  const std::string name = before + " " + command.get_name();
-  std::string text = "\n## " + name + "\n\n" + command.get_description() + ".\n" + options_of(command);
-  if (!command.get_footer().empty()) text += "\n```sh\n" + command.get_footer() + "\n```\n";
-  for (const CLI::App* deeper : command.get_subcommands({})) text += section(*deeper, name);
+std::string section(const DescribedCommand& command) {
+  std::string text = "\n## dini " + command.name + "\n\n" + command.doc + ".\n";
+  if (!command.options.empty()) text += "\n| option | |\n|---|---|\n";
+  for (const DescribedOption& option : command.options) text += row(option);
+  if (!command.examples.empty()) text += "\n```sh\n" + command.examples + "\n```\n";
+  for (const DescribedCommand& deeper : command.commands) text += section(deeper);
   return text;
 }
 
@@ -96,7 +76,7 @@ std::string section(const CLI::App& command, const std::string& before) {
 
 std::string commands_markdown(const CLI::App& program) {
   std::string page = head;
-  for (const CLI::App* command : program.get_subcommands({})) page += section(*command, program.get_name());
+  for (const DescribedCommand& command : described_commands(program)) page += section(command);
   return page;
 }
 

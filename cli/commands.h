@@ -25,5 +25,6 @@ void add_merge(CLI::App& program, Command& chosen, const EngineMaker& make_engin
 void add_nodes(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_store(CLI::App& program, Command& chosen);
 void add_describe(CLI::App& program, Command& chosen);
+void add_completion(CLI::App& program, Command& chosen);
 
 }  // namespace dini::cli

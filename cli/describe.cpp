@@ -4,6 +4,7 @@
 #include "cli/command_markdown.h"
 #include "cli/commands.h"
 #include "cli/exit_codes.h"
+#include "cli/manual_page.h"
 #include "cli/output_files.h"
 #include "cli/terminal.h"
 #include "server/description_markdown.h"
@@ -17,6 +18,7 @@ namespace {
 struct Options {
   std::string page;
   bool commands = false;
+  bool manual = false;
 };
 
 /// Writes the generated parts of a page of documentation anew.
@@ -34,6 +36,10 @@ int run(const Options& options, const CLI::App& program) {
     std::cout << commands_markdown(program);
     return exit_ok;
   }
+  if (options.manual) {
+    std::cout << manual_page(program);
+    return exit_ok;
+  }
   if (!options.page.empty()) return update(options.page);
   std::cout << server::openapi_document(server::routes(), engine_version).dump(2) << "\n";
   return exit_ok;
@@ -43,12 +49,17 @@ int run(const Options& options, const CLI::App& program) {
 
 void add_describe(CLI::App& program, Command& chosen) {
   auto* command =
-      program.add_subcommand("describe", "Print the HTTP interface as OpenAPI, or the page about the command line");
+      program.add_subcommand("describe", "Print the HTTP interface as OpenAPI, or the pages about the command line");
   const auto options = std::make_shared<Options>();
   auto* page = command->add_option("--update", options->page,
                                    "Instead, write the generated parts of this page of documentation anew");
-  command->add_flag("--commands", options->commands, "Instead, print the page about the command line, docs/cli.md")
-      ->excludes(page);
+  auto* commands = command
+                       ->add_flag("--commands", options->commands,
+                                  "Instead, print the page about the command line, docs/cli.md")
+                       ->excludes(page);
+  command->add_flag("--manual", options->manual, "Instead, print the manual, for man")
+      ->excludes(page)
+      ->excludes(commands);
   command->callback([options, &chosen, &program] { chosen = [options, &program] { return run(*options, program); }; });
 }
 

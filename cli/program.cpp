@@ -58,6 +58,7 @@ int run(int count, const char* const* words, const EngineMaker& make_engine) {
   add_nodes(program, chosen, make_engine);
   add_store(program, chosen);
   add_describe(program, chosen);
+  add_completion(program, chosen);
   program.failure_message(usage_line);
   if (const std::string wrong = wrong_command(program, count, words); !wrong.empty()) {
     std::cerr << line("usage", wrong + "; see dini --help");
