@@ -132,7 +132,8 @@ std::string fish(const std::vector<DescribedCommand>& commands) {
   constexpr const char* quote = "\\'";
   std::string text = "# Completion of dini for fish: `dini completion fish`.\n";
   for (const DescribedCommand& command : commands) {
-    text += "complete -c dini -n __fish_use_subcommand -f -a " + command.name + " -d " + quoted(command.doc, quote) + "\n";
+    text +=
+        "complete -c dini -n __fish_use_subcommand -f -a " + command.name + " -d " + quoted(command.doc, quote) + "\n";
     const std::string seen = "complete -c dini -n '__fish_seen_subcommand_from " + command.name + "'";
     for (const DescribedCommand& deeper : command.commands) {
       text += seen + " -f -a " + last_word(deeper.name) + " -d " + quoted(deeper.doc, quote) + "\n";
@@ -142,7 +143,8 @@ std::string fish(const std::vector<DescribedCommand>& commands) {
       for (const std::string& flag : option.flags) {
         text += flag.starts_with("--") ? " -l " + flag.substr(2) : " -s " + flag.substr(1);
       }
-      if (!option.value.empty()) text += option.choices.empty() ? " -r" : " -x -a " + quoted(joined(option.choices), quote);
+      if (!option.value.empty())
+        text += option.choices.empty() ? " -r" : " -x -a " + quoted(joined(option.choices), quote);
       text += " -d " + quoted(option.doc, quote) + "\n";
     }
   }

@@ -53,10 +53,9 @@ void add_describe(CLI::App& program, Command& chosen) {
   const auto options = std::make_shared<Options>();
   auto* page = command->add_option("--update", options->page,
                                    "Instead, write the generated parts of this page of documentation anew");
-  auto* commands = command
-                       ->add_flag("--commands", options->commands,
-                                  "Instead, print the page about the command line, docs/cli.md")
-                       ->excludes(page);
+  auto* commands =
+      command->add_flag("--commands", options->commands, "Instead, print the page about the command line, docs/cli.md")
+          ->excludes(page);
   command->add_flag("--manual", options->manual, "Instead, print the manual, for man")
       ->excludes(page)
       ->excludes(commands);

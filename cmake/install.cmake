@@ -26,7 +26,6 @@ install_words(fish/vendor_completions.d/dini.fish completion fish)
 install_words(man/man1/dini.1 describe --manual)
 
 set(CPACK_GENERATOR DEB TGZ)
-set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGE_CONTACT "The Dini contributors <dini@example.org>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Graphs of geometry nodes, evaluated into Draco-compressed glTF")

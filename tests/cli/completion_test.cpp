@@ -25,8 +25,7 @@ std::set<std::string> offered(const std::vector<std::string>& line) {
   std::string words;
   for (const std::string& word : line) words += " '" + word + "'";
   const std::string script = "source '" + (folder.path() / "dini.bash").string() + "'; COMP_WORDS=(" + words +
-                             "); COMP_CWORD=" + std::to_string(line.size() - 1) +
-                             "; _dini; echo \"${COMPREPLY[@]}\"";
+                             "); COMP_CWORD=" + std::to_string(line.size() - 1) + "; _dini; echo \"${COMPREPLY[@]}\"";
   Program bash({"/bin/bash", "-c", script});
   const Outcome outcome = bash.wait();
   CHECK(outcome.code == 0);
