@@ -107,3 +107,37 @@ TEST_CASE("A program that is installed finds its page beside it") {
   ServingProgram server({"--log-level", "off"}, (folder.path() / "bin" / "dini").string());
   CHECK(get(server.port(), "/")->body == "the page");
 }
+
+TEST_CASE("A server with hardly any descriptors answers again as soon as it has some") {
+  ServingProgram server({}, dini_path(), {"/usr/bin/prlimit", "--nofile=64"});
+  {
+    std::vector<std::unique_ptr<Client>> idle;
+    for (int i = 0; i < 200; ++i) idle.push_back(std::make_unique<Client>(server.port()));
+  }
+  CHECK(eventually([&] {
+    const auto answer = get(server.port(), "/healthz");
+    return answer && answer->status == 200;
+  }));
+  server.program().signal(SIGTERM);
+  CHECK(server.program().wait().code == 0);
+}
+
+TEST_CASE("Threads of small stacks are enough for long addresses and deep documents") {
+#ifdef __SANITIZE_ADDRESS__
+  constexpr int bytes = 1024 * 1024;  // what it looks for takes room of its own
+#else
+  constexpr int bytes = 256 * 1024;
+#endif
+  ServingProgram server({}, dini_path(), {"/usr/bin/prlimit", "--stack=" + std::to_string(bytes)});
+  for (const char* path : {"/", "/v1/nodes/", "/v1/graphs/", "/v1/artifacts/", "/assets/", "/embed/"}) {
+    const auto answer = get(server.port(), path + std::string(8000, 'a'));
+    REQUIRE(answer);
+    CHECK((answer->status == 404 || answer->status == 414));
+  }
+  for (const char bracket : {'[', '{'}) {
+    const auto answer = post(server.port(), "/v1/evaluate", std::string(200'000, bracket));
+    REQUIRE(answer);
+    CHECK(answer->status == 400);
+  }
+  CHECK(get(server.port(), "/healthz")->status == 200);
+}

@@ -16,10 +16,17 @@ namespace dini::support {
 /// `dini serve` on a free port, once it listens; it keeps nothing unless the options say where.
 class ServingProgram {
  public:
-  explicit ServingProgram(const std::vector<std::string>& options = {}, const std::string& program = dini_path()) {
+  /// `before` stands before the program, such as a command that limits it.
+  explicit ServingProgram(const std::vector<std::string>& options = {}, const std::string& program = dini_path(),
+                          const std::vector<std::string>& before = {}) {
     const auto file = std::filesystem::temp_directory_path() / ("dini-port-" + std::to_string(::getpid()));
     std::filesystem::remove(file);
-    std::vector<std::string> words = {program, "serve", "--data", "none", "--port", "0", "--port-file", file.string()};
+    std::vector<std::string> words = before;
+    for (const std::string& word :
+         {program, std::string("serve"), std::string("--data"), std::string("none"), std::string("--port"),
+          std::string("0"), std::string("--port-file"), file.string()}) {
+      words.push_back(word);
+    }
     words.insert(words.end(), options.begin(), options.end());
     program_ = std::make_unique<Program>(words);
     REQUIRE(eventually([&] { return (std::ifstream(file) >> port_) && port_ != 0; }));

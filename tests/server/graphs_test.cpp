@@ -202,6 +202,34 @@ TEST_CASE("What is wrong with an address of an output is told with what would be
   CHECK(problem("ball/outputs/out?accept=text/html").first == "not-acceptable");
 }
 
+TEST_CASE("Words of SQL are kept and found as they are, and do nothing") {
+  const RunningReal server;
+  const std::vector<std::string> titles = {
+      "'; DROP TABLE graphs; --", "%", "_", "a\\b", "\"quoted\"", "100 % _sure_", "'"};
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    Json graph = ball();
+    graph["meta"] = {{"title", titles[i]}, {"note", titles[titles.size() - 1 - i]}};
+    const std::string id = "g" + std::to_string(i);
+    REQUIRE(create(server.port(), id, graph)->status == 201);
+    const Json kept = get(server.port(), "/v1/graphs/" + id)->json();
+    CHECK(kept == graph);
+  }
+  const auto found = [&](const std::string& encoded) {
+    std::vector<std::string> ids;
+    const Json page = get(server.port(), "/v1/graphs?query=" + encoded)->json();
+    for (const Json& graph : page["graphs"]) ids.push_back(graph["id"]);
+    return ids;
+  };
+  CHECK(found("%25") == std::vector<std::string>{"g1", "g5"});
+  CHECK(found("_") == std::vector<std::string>{"g2", "g5"});
+  CHECK(found("%27") == std::vector<std::string>{"g0", "g6"});
+  CHECK(found("%27%3B%20DROP") == std::vector<std::string>{"g0"});
+  CHECK(found("%5C") == std::vector<std::string>{"g3"});
+  CHECK(found("%22") == std::vector<std::string>{"g4"});
+  CHECK(get(server.port(), "/v1/graphs?after=%27%20OR%201%3D1")->status == 200);
+  CHECK(get(server.port(), "/v1/graphs")->json()["graphs"].size() == titles.size());
+}
+
 TEST_CASE("A request may name a graph that is kept instead of bringing one") {
   const RunningReal server;
   const std::string tag = create(server.port(), "ball", ball())->header("etag");
