@@ -71,6 +71,13 @@ std::size_t vertices_of(const Literals& literals, const Axes&) {
   return std::max(mesh.positions.size(), (mesh.triangles.size() + 1) / 2);
 }
 
+/// Also four times of this is never less than what subdividing makes where no two triangles share an edge: a vertex for
+/// each of three edges of a triangle.
+std::size_t most_vertices_of(const Literals& literals, const Axes& consumed) {
+  const Mesh& mesh = file_at(literals, "asset").content.mesh;
+  return std::max(vertices_of(literals, consumed), (mesh.positions.size() + 3 * mesh.triangles.size() + 3) / 4);
+}
+
 }  // namespace
 
 void add_import(Registry& registry) {
@@ -91,7 +98,7 @@ void add_import(Registry& registry) {
                  defaults(1).hard(1e-9, 1e9).soft(0.1, 10))
           .input("center", &ImportInputs::center, "Whether the middle of the mesh moves to the origin.",
                  defaults(false))
-          .vertices(vertices_of)
+          .vertices(vertices_of, most_vertices_of)
           .thinned_to(12)
           .cost([](const RunSize& size) {
             return RunCost{100 * size.vertices, 64 * size.vertices};
