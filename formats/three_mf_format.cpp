@@ -6,6 +6,7 @@
 #include "formats/plain_scene.h"
 #include "formats/three_mf_mesh.h"
 #include "formats/zip_archive.h"
+#include "geometry/markup.h"
 
 namespace dini {
 
@@ -27,29 +28,6 @@ constexpr const char* relations =
 )";
 
 constexpr std::size_t materials_id = 1;  ///< of the resources: the materials first, then colors and objects
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 /// "#FF8000FF".
 std::string hexadecimal(const PictureColor& color) {
@@ -91,7 +69,7 @@ class ModelWriter {
     const std::size_t colors = colored ? next_id_++ : 0;
     const std::string triangles = triangles_of(mesh, part, colors);
     const std::size_t id = next_id_++;
-    objects_ += "<object id=\"" + std::to_string(id) + "\" name=\"" + escaped(part.name) + "\" type=\"" +
+    objects_ += "<object id=\"" + std::to_string(id) + "\" name=\"" + escaped_markup(part.name) + "\" type=\"" +
                 (mesh.closed ? "model" : "surface") + "\" pid=\"" + std::to_string(materials_id) + "\" pindex=\"" +
                 std::to_string(material) + "\"><mesh>\n<vertices>\n";
     for (const auto& place : mesh.places) {
@@ -110,9 +88,9 @@ class ModelWriter {
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"meter\" xml:lang=\"en-US\" "
         "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
         "xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\">\n<metadata name=\"Application\">" +
-        escaped(program_of(options)) + "</metadata>\n";
+        escaped_markup(program_of(options)) + "</metadata>\n";
     if (const std::string about = about_line(options, true); !about.empty()) {
-      text += "<metadata name=\"Description\">" + escaped(about) + "</metadata>\n";
+      text += "<metadata name=\"Description\">" + escaped_markup(about) + "</metadata>\n";
     }
     return text + "<resources>\n<basematerials id=\"" + std::to_string(materials_id) + "\">\n" + materials_ +
            "</basematerials>\n" + objects_ + "</resources>\n<build>\n" + items_ + "</build>\n</model>\n";
@@ -130,7 +108,7 @@ class ModelWriter {
     if (fresh) {
       // As in glTF: another color of the same name is called like the part where it shows first.
       const std::string& free = names_.insert(name).second ? name : *names_.insert(part.name).first;
-      materials_ += "<base name=\"" + escaped(free) + "\" displaycolor=\"" + hexadecimal(color) + "\"/>\n";
+      materials_ += "<base name=\"" + escaped_markup(free) + "\" displaycolor=\"" + hexadecimal(color) + "\"/>\n";
     }
     return entry->second;
   }

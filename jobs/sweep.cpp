@@ -18,6 +18,15 @@ constexpr std::chrono::milliseconds busy_pause{50};
 
 std::size_t at_once() { return static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency())); }
 
+VariantOutcome evaluated(const Engine& engine, const SweepRequest& request, std::size_t index, const Job& job) {
+  Json setting = request.variants.at(index);
+  Result<SharedPrepared> prepared = engine.prepare(request.with(setting), job.cancel);
+  if (!prepared) return {index, std::move(setting), prepared.problems(), prepared.problems()};
+  SharedComputed known = engine.find(**prepared);
+  Result<SharedComputed> computed = known != nullptr ? std::move(known) : engine.compute(**prepared, job);
+  return {index, std::move(setting), std::move(prepared), std::move(computed)};
+}
+
 /// No two sweeps have an outcome in common.
 Digest new_name() {
   static std::atomic<std::uint64_t> count = 0;
@@ -49,6 +58,16 @@ Result<std::shared_ptr<const SweepCost>> predict(const Engine& engine, const Swe
                    .in_request = true};
   }
   return std::make_shared<const SweepCost>(cost);
+}
+
+std::vector<VariantOutcome> evaluate_together(const Engine& engine, const SweepRequest& request, std::size_t first,
+                                              const Job& job) {
+  std::vector<std::optional<VariantOutcome>> outcomes(std::min(request.variants.size() - first, at_once()));
+  tbb::parallel_for(std::size_t{0}, outcomes.size(),
+                    [&](std::size_t i) { outcomes[i] = evaluated(engine, request, first + i, job); });
+  std::vector<VariantOutcome> all;
+  for (std::optional<VariantOutcome>& outcome : outcomes) all.push_back(*std::move(outcome));
+  return all;
 }
 
 Sweep::Sweep(const Engine& engine, Flights& flights, SweepRequest request, const SweepCost& cost,
@@ -95,24 +114,13 @@ Result<std::shared_ptr<const bool>> Sweep::run_slice(const Job& job) {
   const std::size_t size = request_.variants.size();
   bool has_room = true;
   while (has_room && wanted_ && next_ < size && Clock::now() < until) {
-    const std::size_t count = std::min(size - next_, at_once());
-    std::vector<std::optional<VariantOutcome>> outcomes(count);
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { outcomes[i] = evaluate(next_ + i, job); });
+    const std::vector<VariantOutcome> outcomes = evaluate_together(engine_, request_, next_, job);
     const std::lock_guard lock(taking_);  // who stops this work does not wait for it
     if (job.cancel.stopped() || ended_) return stopped_problem(job.cancel.reason());
-    for (std::size_t i = 0; i < count && wanted_; ++i, ++next_) wanted_ = taker_->take(*outcomes[i]);
+    for (std::size_t i = 0; i < outcomes.size() && wanted_; ++i, ++next_) wanted_ = taker_->take(outcomes[i]);
     has_room = taker_->has_room(nullptr);
   }
   return std::make_shared<const bool>(true);
-}
-
-VariantOutcome Sweep::evaluate(std::size_t index, const Job& job) const {
-  Json setting = request_.variants.at(index);
-  Result<SharedPrepared> prepared = engine_.prepare(request_.with(setting), job.cancel);
-  if (!prepared) return {index, std::move(setting), prepared.problems(), prepared.problems()};
-  SharedComputed known = engine_.find(**prepared);
-  Result<SharedComputed> computed = known != nullptr ? std::move(known) : engine_.compute(**prepared, job);
-  return {index, std::move(setting), std::move(prepared), std::move(computed)};
 }
 
 void Sweep::slice_told(const Result<std::shared_ptr<const bool>>& outcome) {

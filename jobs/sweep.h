@@ -41,6 +41,10 @@ struct VariantOutcome {
   Result<SharedComputed> computed;  ///< the problems of preparing where there are some
 };
 
+/// Evaluates variants from that one on, as many as there are threads, all at once; their outcomes in their order.
+std::vector<VariantOutcome> evaluate_together(const Engine& engine, const SweepRequest& request, std::size_t first,
+                                              const Job& job);
+
 /// Evaluates variants, as many at once as there are threads, and tells how they fared in their order. It gives its
 /// place to compute up after every slice, so that nobody waits behind a long sweep, and while its taker has no room.
 class Sweep : public std::enable_shared_from_this<Sweep> {
@@ -69,7 +73,6 @@ class Sweep : public std::enable_shared_from_this<Sweep> {
 
   void go_on();
   Result<std::shared_ptr<const bool>> run_slice(const Job& job);
-  VariantOutcome evaluate(std::size_t index, const Job& job) const;
   void slice_told(const Result<std::shared_ptr<const bool>>& outcome);
   void end(const Problems& reasons);
 

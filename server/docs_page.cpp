@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/markup.h"
 #include "server/html.h"
 #include "server/responses.h"
 #include "server/text.h"
@@ -12,25 +13,25 @@ namespace {
 
 using html::element;
 
-std::string id_of(std::string_view text) { return "id=\"" + html::escaped(text) + "\""; }
+std::string id_of(std::string_view text) { return "id=\"" + escaped_markup(text) + "\""; }
 
 std::string method_mark(std::string_view method) {
-  return element("span", html::escaped(method), "class=\"method " + to_lower(method) + "\"");
+  return element("span", escaped_markup(method), "class=\"method " + to_lower(method) + "\"");
 }
 
 /// A heading and a table below it; nothing without rows.
 std::string titled(std::string_view title, const Table& table) {
-  return table.rows.empty() ? "" : element("h4", html::escaped(title)) + "\n" + html::table(table);
+  return table.rows.empty() ? "" : element("h4", escaped_markup(title)) + "\n" + html::table(table);
 }
 
 std::string folded(std::string_view title, std::string_view content) {
-  return element("details", element("summary", html::escaped(title)) + std::string(content)) + "\n";
+  return element("details", element("summary", escaped_markup(title)) + std::string(content)) + "\n";
 }
 
-std::string json_block(const Json& json) { return element("pre", element("code", html::escaped(json.dump(2)))); }
+std::string json_block(const Json& json) { return element("pre", element("code", escaped_markup(json.dump(2)))); }
 
 std::string operation_html(const Route& route, const Operation& operation) {
-  std::string text = element("h3", method_mark(route.method) + " " + element("code", html::escaped(route.path)));
+  std::string text = element("h3", method_mark(route.method) + " " + element("code", escaped_markup(route.path)));
   text += element("p", element("strong", html::prose(operation.title + ".")) + " " + html::prose(operation.doc));
   text += titled("Parameters", parameters_table(operation));
   if (operation.request != nullptr) {
@@ -67,7 +68,7 @@ std::vector<std::string> groups_of(std::span<const Route> routes) {
 }
 
 std::string link(std::string_view to, std::string_view text) {
-  return element("a", text, "href=\"" + html::escaped(to) + "\"");
+  return element("a", text, "href=\"" + escaped_markup(to) + "\"");
 }
 
 }  // namespace
@@ -76,33 +77,33 @@ std::string docs_html(std::span<const Route> routes, const std::string& version)
   std::string contents, sections;
   for (const std::string& group : groups_of(routes)) {
     std::string entries;
-    sections += element("h2", html::escaped(group), id_of(to_lower(group))) + "\n";
+    sections += element("h2", escaped_markup(group), id_of(to_lower(group))) + "\n";
     for (const Route& route : routes) {
       const Operation operation = route.describe();
       if (operation.group != group) continue;
-      entries += element(
-          "li", link("#" + operation.id, method_mark(route.method) + " " + element("code", html::escaped(route.path))));
+      entries += element("li", link("#" + operation.id,
+                                    method_mark(route.method) + " " + element("code", escaped_markup(route.path))));
       sections += operation_html(route, operation);
     }
-    contents += element("h2", html::escaped(group)) + element("ul", entries) + "\n";
+    contents += element("h2", escaped_markup(group)) + element("ul", entries) + "\n";
   }
   std::string shapes;
   const Json components = result_schemas();
   for (const auto& [name, schema] : components.items()) {
-    shapes += element("h3", element("code", html::escaped(name)), id_of(name)) + "\n" +
+    shapes += element("h3", element("code", escaped_markup(name)), id_of(name)) + "\n" +
               element("p", html::prose(schema.value("description", ""))) + html::table(schema_table(schema));
   }
   std::string codes;
   for (const ProblemKind kind : problem_kinds()) {
     codes +=
-        element("h3", html::escaped("Codes " + std::string(title_of(kind)))) + "\n" + html::table(codes_table(kind));
+        element("h3", escaped_markup("Codes " + std::string(title_of(kind)))) + "\n" + html::table(codes_table(kind));
   }
   contents += element("h2", "Everywhere") +
               element("ul", element("li", link("#headers", "Headers of answers")) +
                                 element("li", link("#shapes", "Parts of answers")) +
                                 element("li", link("#limits", "Limits")) + element("li", link("#codes", "Problems")));
   const std::string head =
-      element("h1", "Dini " + html::escaped(version)) +
+      element("h1", "Dini " + escaped_markup(version)) +
       element("p",
               "Graphs of geometry nodes, evaluated into Draco-compressed glTF. This page is made of the same "
               "declarations as " +
@@ -122,10 +123,11 @@ std::string docs_html(std::span<const Route> routes, const std::string& version)
 
 std::string problem_page_html(const ProblemCode& code) {
   std::string body = element("p", link("../docs#codes", "All problems"), "class=\"home\"") +
-                     element("h1", element("code", html::escaped(code.code))) + element("p", html::prose(code.meaning));
+                     element("h1", element("code", escaped_markup(code.code))) +
+                     element("p", html::prose(code.meaning));
   if (code.status != 0) {
     body += element("p", "HTTP status " + element("code", std::to_string(code.status)) + ": " +
-                             html::escaped(title_of_status(code.status)) + ".");
+                             escaped_markup(title_of_status(code.status)) + ".");
   } else {
     body += element("p", code.kind == ProblemKind::warning ? "A warning: the answer that it stands in is good."
                                                            : "Told by the program <code>dini</code> only.");

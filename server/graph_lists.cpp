@@ -83,7 +83,7 @@ Operation describe_graph_list() {
 }
 
 Reply graph_list(const Context& context) {
-  const auto values = read_query(context.request(), query_names(describe_graph_list()));
+  const auto values = read_query(context.request(), query_names(list_parameters()));
   if (!values) return problem_reply(values.problems(), context.exchange());
   const auto limit = number_of(*values, "limit", usual_page, largest_page);
   if (!limit) return problem_reply(limit.problems(), context.exchange());
@@ -130,7 +130,7 @@ Operation describe_graph_difference() {
 Reply graph_difference(const Context& context) {
   const auto refuse = [&](const Problems& problems) { return problem_reply(problems, context.exchange()); };
   const std::string& id = context.arguments.front();
-  const auto values = read_query(context.request(), query_names(describe_graph_difference()));
+  const auto values = read_query(context.request(), query_names(difference_parameters()));
   if (!values) return refuse(values.problems());
   const auto versions = context.application.graphs.versions(id);
   if (!versions) return refuse(versions.problems());

@@ -122,9 +122,7 @@ Parameter graph_parameter(bool with_version) {
           .name = "id",
           .doc = with_version ? "The name of the graph, with `@` and a number for one of its versions."
                               : "The name of the graph.",
-          .schema = {{"type", "string"},
-                     {"pattern",
-                      with_version ? "^[A-Za-z][A-Za-z0-9_-]{0,63}(@[1-9][0-9]*)?$" : "^[A-Za-z][A-Za-z0-9_-]{0,63}$"}},
+          .schema = {{"type", "string"}, {"pattern", schema::graph_name_pattern(with_version)}},
           .example = "example"};
 }
 

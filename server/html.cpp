@@ -2,37 +2,16 @@
 
 #include <algorithm>
 
-namespace dini::server::html {
+#include "geometry/markup.h"
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
+namespace dini::server::html {
 
 std::string prose(std::string_view text) {
   std::string result;
   bool in_code = false;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t tick = std::min(text.find('`', at), text.size());
-    const std::string piece = escaped(text.substr(at, tick - at));
+    const std::string piece = escaped_markup(text.substr(at, tick - at));
     result += in_code ? element("code", piece) : piece;
     in_code = !in_code;
     at = tick + 1;
@@ -53,7 +32,7 @@ std::string table(const Table& table) {
   };
   std::string head, body;
   for (std::size_t column = 0; column < table.headings.size(); ++column) {
-    if (!is_empty(column)) head += element("th", escaped(table.headings[column]));
+    if (!is_empty(column)) head += element("th", escaped_markup(table.headings[column]));
   }
   for (const auto& row : table.rows) {
     std::string cells;
@@ -63,7 +42,7 @@ std::string table(const Table& table) {
       if (column == 0 && !table.link_folder.empty()) {
         std::string name = row[column];
         std::erase(name, '`');
-        cell = element("a", cell, "href=\"" + escaped(table.link_folder + "/" + name) + "\"");
+        cell = element("a", cell, "href=\"" + escaped_markup(table.link_folder + "/" + name) + "\"");
       }
       cells += element("td", cell);
     }
@@ -77,7 +56,7 @@ std::string table(const Table& table) {
 std::string page(std::string_view title, std::string_view style, std::string_view body) {
   return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
-         element("title", escaped(title)) + "\n<link rel=\"stylesheet\" href=\"" + escaped(style) +
+         element("title", escaped_markup(title)) + "\n<link rel=\"stylesheet\" href=\"" + escaped_markup(style) +
          "\">\n</head>\n<body>\n" + std::string(body) + "</body>\n</html>\n";
 }
 

@@ -7,10 +7,7 @@
 
 namespace dini::server::html {
 
-/// Text that HTML reads as itself.
-std::string escaped(std::string_view text);
-
-/// The same, with what stands between backticks as <code>.
+/// Text that HTML reads as itself, with what stands between backticks as <code>.
 std::string prose(std::string_view text);
 
 /// <name attributes>content</name>

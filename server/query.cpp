@@ -21,9 +21,9 @@ Problem unknown_name(const std::string& shown, const std::string& name, const st
 
 }  // namespace
 
-std::vector<std::string> query_names(const Operation& operation) {
+std::vector<std::string> query_names(const std::vector<Parameter>& parameters) {
   std::vector<std::string> names;
-  for (const Parameter& parameter : operation.parameters) {
+  for (const Parameter& parameter : parameters) {
     if (parameter.place == Parameter::Place::query) names.push_back(parameter.name);
   }
   return names;

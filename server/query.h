@@ -11,8 +11,8 @@
 
 namespace dini::server {
 
-/// The names that the query of an operation may have, in their order.
-std::vector<std::string> query_names(const Operation& operation);
+/// The names of those that stand in a query, in their order.
+std::vector<std::string> query_names(const std::vector<Parameter>& parameters);
 
 /// The query of a request by name; a name that is none of these, or comes twice, is a problem.
 Result<std::map<std::string, std::string>> read_query(const Request& request, const std::vector<std::string>& names);

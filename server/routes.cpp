@@ -110,7 +110,7 @@ const std::vector<std::string>* declared_query(const Route& route) {
     std::map<const Route*, std::vector<std::string>> names;
     for (const Route& each : all_routes) {
       const Operation operation = each.describe();
-      if (!operation.takes_any_query) names.emplace(&each, query_names(operation));
+      if (!operation.takes_any_query) names.emplace(&each, query_names(operation.parameters));
     }
     return names;
   }();

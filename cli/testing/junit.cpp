@@ -5,33 +5,14 @@
 
 #include "cli/exit_codes.h"
 #include "cli/terminal.h"
+#include "geometry/markup.h"
 
 namespace dini::cli {
 namespace {
 
 /// Text that may stand in XML: without control characters, in UTF-8.
 std::string escaped(const std::string& text) {
-  const std::string clean = Json::parse(dump(Json(printable(text)))).get<std::string>();
-  std::string result;
-  for (const char c : clean) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
+  return escaped_markup(Json::parse(dump(Json(printable(text)))).get<std::string>());
 }
 
 std::string attribute(const char* name, const std::string& value) {

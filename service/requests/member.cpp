@@ -5,6 +5,7 @@
 
 #include "graph/json_reader.h"
 #include "service/requests/excerpt.h"
+#include "service/requests/schema.h"
 
 namespace dini {
 namespace {
@@ -80,7 +81,7 @@ std::string words_for(MemberKind kind) {
 
 Json schema_of(const Member& member) {
   if (member.kind == MemberKind::graph) {
-    const Json name = {{"type", "string"}, {"pattern", "^[A-Za-z][A-Za-z0-9_-]{0,63}(@[1-9][0-9]*)?$"}};
+    const Json name = {{"type", "string"}, {"pattern", schema::graph_name_pattern(true)}};
     return {{"anyOf", {{{"$ref", "#/components/schemas/Graph"}}, name}}, {"description", member.doc}};
   }
   static const char* const types[] = {"object", "object", "string", "string", "boolean", "integer", "array", "array"};

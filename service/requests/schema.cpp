@@ -11,6 +11,10 @@ Json typed(const char* type, std::string doc) {
 
 }  // namespace
 
+std::string graph_name_pattern(bool with_version) {
+  return std::string("^[A-Za-z][A-Za-z0-9_-]{0,63}") + (with_version ? "(@[1-9][0-9]*)?$" : "$");
+}
+
 Json text(std::string doc) { return typed("string", std::move(doc)); }
 
 Json word(std::vector<std::string> choices, std::string doc) {

@@ -11,6 +11,8 @@
 namespace dini::schema {
 
 Json text(std::string doc);
+/// The pattern of the names of kept graphs, or also of their versions (`chair@3`).
+std::string graph_name_pattern(bool with_version);
 Json word(std::vector<std::string> choices, std::string doc);
 Json number(std::string doc);
 Json whole(std::string doc);  ///< a whole number, not below 0

@@ -71,10 +71,10 @@ std::span<const LayerRule> layer_rules() {
         "geometry/cancel.h"}},
       {"server",
        {"store/", "jobs/", "service/", "graph/problem.h", "graph/limits.h", "graph/nearest.h", "graph/cache.h",
-        "graph/digest.h", "graph/file.h", "geometry/cancel.h"}},
+        "graph/digest.h", "graph/file.h", "geometry/cancel.h", "geometry/markup.h"}},
       {"cli",
        {"server/", "store/", "jobs/", "service/", "golden/", "graph/problem.h", "graph/nearest.h", "graph/stopped.h",
-        "geometry/cancel.h", "algebra/kernels.h"}},
+        "geometry/cancel.h", "geometry/markup.h", "algebra/kernels.h"}},
   };
   return rules;
 }
