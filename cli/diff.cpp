@@ -3,6 +3,7 @@
 
 #include "cli/commands.h"
 #include "cli/documents.h"
+#include "cli/evaluation.h"
 #include "cli/exit_codes.h"
 #include "cli/output_files.h"
 #include "cli/terminal.h"
@@ -54,7 +55,7 @@ int compare_graphs(const Options& options, const Json& before, const Json& after
   const Json difference = graph_difference(before, after);
   const bool same = is_empty(difference["nodes"]) && is_empty(difference["parameters"]);
   if (options.json) {
-    std::cout << difference.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+    std::cout << written(difference);
   } else {
     Lines lines;
     lines.add(difference["parameters"], "parameter ");

@@ -12,6 +12,7 @@
 #include "cli/exit_codes.h"
 #include "cli/in_order.h"
 #include "cli/output_files.h"
+#include "cli/quality_option.h"
 #include "cli/terminal.h"
 
 namespace dini::cli {
@@ -27,7 +28,7 @@ struct Options {
   bool make_folders = false;
   bool no_draco = false;
   bool embed_graph = false;
-  std::string quality = "final";
+  QualityOption quality;
   std::optional<std::int64_t> triangle_budget;
   std::vector<std::string> preview;
   std::size_t deadline_ms = 0;
@@ -48,17 +49,11 @@ struct Work {
   const EvalTarget* target = nullptr;
 };
 
-/// Nobody waits at the other end of a script, so a deadline is kept only when one is asked for.
-Job job_of(const Options& options) {
-  return {Cancel(options.deadline_ms == 0 ? Cancel::Clock::time_point::max()
-                                          : Cancel::Clock::now() + std::chrono::milliseconds(options.deadline_ms))};
-}
-
 EvaluateRequest request_of(const Options& options, const Engine& engine, const Json& parameters, const Work& work) {
   return {.graph = engine.read(*work.graph->document),
           .parameters = parameters,
           .output = work.target->output,
-          .quality = options.quality == "draft" ? Quality::draft : Quality::final,
+          .quality = options.quality.value(),
           .triangle_budget = options.triangle_budget,
           .preview = options.preview,
           .format = work.target->format->name,
@@ -70,7 +65,7 @@ EvaluateRequest request_of(const Options& options, const Engine& engine, const J
 /// Evaluates and writes the file, so that no finished file waits in memory for those before it.
 Outcome made(const Options& options, const Engine& engine, const Json& parameters, const Work& work) {
   if (!work.graph->problems.empty()) return failed(work.graph->problems, work.graph->code);
-  Outcome outcome = evaluated(engine, request_of(options, engine, parameters, work), job_of(options));
+  Outcome outcome = evaluated(engine, request_of(options, engine, parameters, work), job_within(options.deadline_ms));
   if (outcome.code != exit_ok || !work.target->path) return outcome;
   if (Problems wrong = write_output(*work.target->path, *outcome.file->bytes); !wrong.empty()) {
     outcome.code = exit_io;
@@ -137,7 +132,7 @@ Told make_all(const Options& options, const Engine& engine, const Json& paramete
 int finish(const Options& options, const Told& told) {
   Json report =
       told.runs.size() == 1 ? told.runs.front() : Json{{"succeeded", told.code == exit_ok}, {"runs", told.runs}};
-  const std::string text = report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  const std::string text = written(report);
   if (options.json) std::cout << text;
   if (!options.report) return told.code;
   const Problems wrong = write_output(*options.report, text);
@@ -191,7 +186,7 @@ int run(Options& options, const EngineMaker& make_engine) {
   files.push_back(report);
   if (options.json) files.push_back({"--json", "-"});
   if (const Problems unfit = unwritable(files, inputs); !unfit.empty()) return refused(unfit);
-  if (const Problems wrong = options.assets.give_to(*engine, job_of(options).cancel); !wrong.empty()) {
+  if (const Problems wrong = options.assets.give_to(*engine, job_within(options.deadline_ms).cancel); !wrong.empty()) {
     return finish_early(options, wrong);
   }
   return finish(options, make_all(options, *engine, *parameters, works));
@@ -228,8 +223,7 @@ void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine
       ->allow_extra_args(false)
       ->excludes(output)
       ->excludes(no_draco);
-  command->add_option("--quality", options->quality, "draft or final (default)")
-      ->check(CLI::IsMember({"draft", "final"}));
+  options->quality.add_option(*command);
   command->add_option("--triangle-budget", options->triangle_budget, "About how many triangles a draft has");
   command->add_option("--deadline-ms", options->deadline_ms, "Give up on a model after this many milliseconds")
       ->check(CLI::Range(std::size_t{1}, std::size_t{86'400'000}));

@@ -1,6 +1,7 @@
 #include "cli/evaluation.h"
 
 #include <algorithm>
+#include <chrono>
 #include <iomanip>
 #include <new>
 #include <sstream>
@@ -12,8 +13,19 @@
 namespace dini::cli {
 namespace {
 
-Outcome evaluate(const Engine& engine, const EvaluateRequest& request, const Job& job) {
-  const auto prepared = engine.prepare(request, job.cancel);
+/// What a step comes to, also when it throws.
+template <class Step>
+Outcome outcome_of(const Step& step) {
+  try {
+    return step();
+  } catch (const std::bad_alloc&) {
+    return failed({out_of_memory()}, exit_limit);
+  } catch (const std::exception& error) {
+    return failed({{.code = "internal", .detail = error.what()}}, exit_our_bug);
+  }
+}
+
+Outcome computed(const Engine& engine, const Result<SharedPrepared>& prepared, const Job& job) {
   if (!prepared) return failed(prepared.problems(), exit_code_for(prepared.problems(), Stage::checking));
   const auto computed = engine.compute(**prepared, job);
   if (!computed) return failed(computed.problems(), exit_code_for(computed.problems(), Stage::evaluating));
@@ -25,15 +37,21 @@ Outcome evaluate(const Engine& engine, const EvaluateRequest& request, const Job
 
 Outcome failed(const Problems& problems, int code) { return {.code = code, .problems = problems}; }
 
-Outcome evaluated(const Engine& engine, const EvaluateRequest& request, const Job& job) {
-  try {
-    return evaluate(engine, request, job);
-  } catch (const std::bad_alloc&) {
-    return failed({out_of_memory()}, exit_limit);
-  } catch (const std::exception& error) {
-    return failed({{.code = "internal", .detail = error.what()}}, exit_our_bug);
-  }
+Job job_within(std::size_t milliseconds) {
+  using Clock = Cancel::Clock;
+  return {
+      Cancel(milliseconds == 0 ? Clock::time_point::max() : Clock::now() + std::chrono::milliseconds(milliseconds))};
 }
+
+Outcome evaluated(const Engine& engine, const Result<SharedPrepared>& prepared, const Job& job) {
+  return outcome_of([&] { return computed(engine, prepared, job); });
+}
+
+Outcome evaluated(const Engine& engine, const EvaluateRequest& request, const Job& job) {
+  return outcome_of([&] { return computed(engine, engine.prepare(request, job.cancel), job); });
+}
+
+std::string written(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 Json report_of(const Outcome& outcome, const SourceText* source) {
   Json report = outcome.report;

@@ -18,8 +18,18 @@ struct Outcome {
 
 Outcome failed(const Problems& problems, int code);
 
-/// Prepares, computes and reports. What goes wrong that should not is an outcome too, never an exception.
+/// Work that is given up after so many milliseconds; 0 is for ever, since nobody waits at the other end of a script.
+Job job_within(std::size_t milliseconds);
+
+/// Computes what was prepared, or why it could not be, and reports. What goes wrong that should not is an outcome too,
+/// never an exception.
+Outcome evaluated(const Engine& engine, const Result<SharedPrepared>& prepared, const Job& job);
+
+/// The same from the request on.
 Outcome evaluated(const Engine& engine, const EvaluateRequest& request, const Job& job);
+
+/// JSON as it is written for people and programs: indented, with a line end, and whatever is no UTF-8 replaced.
+std::string written(const Json& json);
 
 /// The report of every outcome says whether it is one of success, so that a failed run never leaves one behind that
 /// says so.

@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/exit_codes.h"
 #include "cli/given_graph.h"
+#include "cli/quality_option.h"
 
 namespace dini::cli {
 namespace {
@@ -14,7 +15,7 @@ struct Options {
   GraphArguments graph;
   std::string output;
   std::vector<std::string> preview;
-  std::string quality = "final";
+  QualityOption quality;
   bool json = false;
 };
 
@@ -54,7 +55,7 @@ int run(const Options& options, const EngineMaker& make_engine) {
   const auto prepared = given->engine->prepare({.graph = given->graph,
                                                 .parameters = given->parameters,
                                                 .output = options.output,
-                                                .quality = options.quality == "draft" ? Quality::draft : Quality::final,
+                                                .quality = options.quality.value(),
                                                 .preview = options.preview},
                                                Cancel());
   if (!prepared) {
@@ -81,8 +82,7 @@ void add_explain(CLI::App& program, Command& chosen, const EngineMaker& make_eng
   command->add_option("--preview", options->preview, "A node, or node.output, to draw instead; may be repeated")
       ->allow_extra_args(false)
       ->excludes(output);
-  command->add_option("--quality", options->quality, "draft or final (default)")
-      ->check(CLI::IsMember({"draft", "final"}));
+  options->quality.add_option(*command);
   command->add_flag("--json", options->json, "Answer as JSON, the schema `Explanation` of docs/http.md");
   command->callback(
       [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });

@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/exit_codes.h"
 #include "cli/given_graph.h"
+#include "cli/quality_option.h"
 #include "service/version.h"
 
 namespace dini::cli {
@@ -13,7 +14,7 @@ struct Options {
   GraphArguments graph;
   std::string output;
   std::string format;
-  std::string quality = "final";
+  QualityOption quality;
   bool json = false;
 };
 
@@ -43,13 +44,12 @@ int run(const Options& options, const EngineMaker& make_engine) {
   Json tags = Json::object();
   // A graph without outputs is asked for the usual one all the same, which says what it lacks.
   for (const std::string& output : outputs->empty() ? std::vector<std::string>{""} : *outputs) {
-    const auto prepared =
-        given->engine->prepare({.graph = given->graph,
-                                .parameters = given->parameters,
-                                .output = output,
-                                .quality = options.quality == "draft" ? Quality::draft : Quality::final,
-                                .format = options.format},
-                               Cancel());
+    const auto prepared = given->engine->prepare({.graph = given->graph,
+                                                  .parameters = given->parameters,
+                                                  .output = output,
+                                                  .quality = options.quality.value(),
+                                                  .format = options.format},
+                                                 Cancel());
     if (!prepared) return failed(prepared.problems());
     tags[(*prepared)->output] = (*prepared)->model_tag;
   }
@@ -73,8 +73,7 @@ void add_hash(CLI::App& program, Command& chosen, const EngineMaker& make_engine
   options->graph.add_options(*command);
   command->add_option("--output", options->output, "The export node (default: all)");
   command->add_option("--format", options->format, "The format of the files (default: glb)");
-  command->add_option("--quality", options->quality, "draft or final (default)")
-      ->check(CLI::IsMember({"draft", "final"}));
+  options->quality.add_option(*command);
   command->add_flag("--json", options->json, "Answer as JSON");
   command->callback(
       [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });

@@ -12,6 +12,7 @@
 #include "cli/in_order.h"
 #include "cli/output_files.h"
 #include "cli/output_names.h"
+#include "cli/quality_option.h"
 #include "cli/sweeping/axes.h"
 #include "cli/sweeping/ledger.h"
 #include "cli/sweeping/progress.h"
@@ -25,7 +26,8 @@ struct Options {
   std::vector<std::string> grids, lists;
   std::optional<std::string> out, csv, report;
   std::vector<std::string> measures;
-  std::string output, format, quality = "final";
+  std::string output, format;
+  QualityOption quality;
   std::size_t index = 0, count = 1, jobs = 0, deadline_ms = 0;
   bool make_folders = false, fail_fast = false, quiet = false;
   Computing computing;
@@ -71,7 +73,7 @@ Result<jobs::SweepRequest> request_of(const Options& options, const GivenGraph& 
   const EvaluateRequest base{.graph = given.graph,
                              .parameters = given.parameters,
                              .output = options.output,
-                             .quality = options.quality == "draft" ? Quality::draft : Quality::final,
+                             .quality = options.quality.value(),
                              .measures = options.measures,
                              .format = options.format};
   return jobs::SweepRequest{base, *std::move(variants)};
@@ -110,20 +112,17 @@ SweptVariant swept(const Sweeping& sweeping, const Wanted& wanted) {
   const Engine& engine = *sweeping.given.engine;
   SweptVariant variant{.index = wanted.index, .setting = wanted.setting, .file = wanted.file.value_or("")};
   const EvaluateRequest request = sweeping.request.with(wanted.setting);
-  std::string tag;
-  if (wanted.file) {
-    const auto prepared = engine.prepare(request, Cancel());
-    if (prepared) tag = (*prepared)->report_tag;
-    if (Json told = sweeping.ledger->find(*wanted.file, tag); prepared && !told.is_null()) {
+  const Job job = job_within(options.deadline_ms);
+  const auto prepared = engine.prepare(request, job.cancel);
+  const std::string tag = prepared ? (*prepared)->report_tag : "";
+  if (wanted.file && prepared) {
+    if (Json told = sweeping.ledger->find(*wanted.file, tag); !told.is_null()) {
       variant.outcome.report = std::move(told);
       variant.known = true;
       return variant;
     }
   }
-  using Clock = Cancel::Clock;
-  const Job job{Cancel(options.deadline_ms == 0 ? Clock::time_point::max()
-                                                : Clock::now() + std::chrono::milliseconds(options.deadline_ms))};
-  Outcome& outcome = variant.outcome = evaluated(engine, request, job);
+  Outcome& outcome = variant.outcome = evaluated(engine, prepared, job);
   if (outcome.code != exit_ok) return variant;
   Json told = Json::object();
   for (const char* member : {"model", "measures", "output", "fingerprint"}) {
@@ -206,7 +205,7 @@ int finish(const Sweeping& sweeping, const std::vector<SweptVariant>& variants) 
   };
   write(options.csv, table_of(variants, options.measures));
   const Json report = report_of(variants, sweeping.wanted.size(), code, sweeping.given.source);
-  write(options.report, report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  write(options.report, written(report));
   if (!options.quiet && options.csv != "-" && options.report != "-") {
     std::cout << variants.size() - failures << " of " << sweeping.wanted.size() << " variants are done";
     if (known > 0) std::cout << ", " << known << " of them by an earlier run";
@@ -286,8 +285,7 @@ void add_sweep(CLI::App& program, Command& chosen, const EngineMaker& make_engin
                    "A node, or node.output, whose values the tables tell; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--output", options->output, "The export node (default: the only one)");
-  command->add_option("--quality", options->quality, "draft or final (default)")
-      ->check(CLI::IsMember({"draft", "final"}));
+  options->quality.add_option(*command);
   command->add_option("--index", options->index, "Of --count processes that share the work, which this is, from 0");
   command->add_option("--count", options->count, "How many processes share the work: each makes every COUNTth variant")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}));

@@ -119,7 +119,6 @@ std::vector<CaseResult> all_results(const Options& options, const Engine& engine
 
 /// Writes everything that is asked for; the last word of each call.
 int finish(const Options& options, const std::vector<CaseResult>& results, int code) {
-  const auto text = [](const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; };
   const auto write = [&](const std::optional<std::string>& path, const auto& make) {
     if (!path) return;
     const Problems wrong = write_output(*path, make());
@@ -127,10 +126,10 @@ int finish(const Options& options, const std::vector<CaseResult>& results, int c
   };
   Json report = test_report_of(results);
   report["succeeded"] = code == exit_ok;
-  if (options.json) std::cout << text(report);
-  write(options.report, [&] { return text(report); });
+  if (options.json) std::cout << written(report);
+  write(options.report, [&] { return written(report); });
   write(options.junit, [&] { return junit_of(results); });
-  write(options.sarif, [&] { return text(sarif_of(results)); });
+  write(options.sarif, [&] { return written(sarif_of(results)); });
   write(options.markdown, [&] { return test_page_of(results); });
   return code;
 }

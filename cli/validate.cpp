@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/evaluation.h"
 #include "cli/exit_codes.h"
 #include "cli/given_graph.h"
 
@@ -33,7 +34,7 @@ int run(const Options& options, const EngineMaker& make_engine) {
   const Problems problems = problems_of_request(verdict->value("errors", Json::array()));
   if (options.json) {
     (*verdict)["errors"] = problems_json(problems, &given->source);
-    std::cout << verdict->dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+    std::cout << written(*verdict);
   } else if (valid) {
     print_valid(*verdict);
   } else {

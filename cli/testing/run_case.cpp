@@ -1,7 +1,5 @@
 #include "cli/testing/run_case.h"
 
-#include <chrono>
-
 #include "cli/evaluation.h"
 #include "cli/exit_codes.h"
 #include "service/version.h"
@@ -55,13 +53,10 @@ class Run {
 
   /// Without a name, only the checks.
   void evaluate_output(const std::string& output) {
-    using Clock = Cancel::Clock;
-    const Clock::time_point deadline =
-        milliseconds_ == 0 ? Clock::time_point::max() : Clock::now() + std::chrono::milliseconds(milliseconds_);
     const Outcome outcome = evaluated(
         engine_,
         {.graph = shared_, .parameters = asked_.parameters, .output = output, .without_output = output.empty()},
-        {Cancel(deadline)});
+        job_within(milliseconds_));
     add(outcome);
     if (outcome.code != exit_ok) return;
     result_.outputs[output].report = outcome.report;
