@@ -1,0 +1,203 @@
+#include "draco/rans.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+namespace dini {
+namespace {
+
+constexpr std::uint32_t states_per_share = 4;  // a state is at least this often the precision
+constexpr std::uint32_t byte_values = 256;
+
+// The shares when each is rounded by itself.
+std::vector<std::uint32_t> rounded_shares(std::span<const std::uint32_t> frequencies, std::uint32_t precision) {
+  const auto total = std::accumulate(frequencies.begin(), frequencies.end(), std::uint64_t{0});
+  std::vector<std::uint32_t> shares(frequencies.size(), 0);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    if (frequencies[i] == 0) continue;
+    const double share = static_cast<double>(frequencies[i]) / static_cast<double>(total);
+    shares[i] = std::max(1u, static_cast<std::uint32_t>(share * precision + 0.5));
+  }
+  return shares;
+}
+
+// Takes `excess` from the larger shares, from each in proportion and at least 1, until it is gone.
+void take_excess(std::vector<std::uint32_t>& shares, const std::vector<std::uint32_t>& by_size, std::uint32_t precision,
+                 std::uint32_t excess) {
+  while (excess > 0) {
+    const double factor = static_cast<double>(precision) / static_cast<double>(precision + excess);
+    for (std::size_t i = by_size.size() - 1; excess > 0 && i > 0; --i) {
+      std::uint32_t& share = shares[by_size[i]];
+      if (share <= 1) break;
+      const auto scaled = static_cast<std::uint32_t>(factor * share);
+      const std::uint32_t taken = std::min({std::max(1u, share - scaled), share - 1, excess});
+      share -= taken;
+      excess -= taken;
+    }
+  }
+}
+
+std::vector<std::uint32_t> shares_of(std::span<const std::uint32_t> frequencies, std::uint32_t precision) {
+  std::vector<std::uint32_t> shares = rounded_shares(frequencies, precision);
+  const std::uint32_t total = std::accumulate(shares.begin(), shares.end(), 0u);
+  if (total == precision) return shares;
+  std::vector<std::uint32_t> by_size(shares.size());
+  std::iota(by_size.begin(), by_size.end(), 0u);
+  std::stable_sort(by_size.begin(), by_size.end(), [&](auto a, auto b) { return shares[a] < shares[b]; });
+  if (total < precision) {
+    shares[by_size.back()] += precision - total;
+  } else {
+    take_excess(shares, by_size, precision, total - precision);
+  }
+  return shares;
+}
+
+/// One stream in the making. The state stays below 2^31, so that a product with a reciprocal fits 64 bits.
+class RansCoder {
+ public:
+  RansCoder(const RansTable& table, char* target)
+      : table_(&table), bits_(table.bits()), state_(states_per_share << table.bits()), target_(target) {}
+
+  void put(std::uint32_t value) {
+    const RansSymbol& symbol = (*table_)[value];
+    const std::uint32_t limit = states_per_share * byte_values * symbol.probability;
+    // As many of the lowest bytes as the state is too large: up to three, found without a branch.
+    const int spilled = (state_ >= limit) + ((state_ >> 8) >= limit) + ((state_ >> 16) >= limit);
+    std::memcpy(target_, &state_, sizeof state_);
+    target_ += spilled;
+    state_ >>= 8 * spilled;
+    const auto quotient =
+        static_cast<std::uint32_t>((std::uint64_t{state_} * symbol.reciprocal) >> (31 + symbol.shift));
+    state_ += quotient * ((1u << bits_) - symbol.probability) + symbol.cumulative;
+  }
+
+  // The last state, with the number of its bytes in its two highest bits.
+  char* end() {
+    const std::uint32_t rest = state_ - (states_per_share << bits_);
+    const std::uint32_t extra = rest < 1u << 6 ? 0 : rest < 1u << 14 ? 1 : rest < 1u << 22 ? 2 : 3;
+    const std::uint32_t last = rest | extra << (6 + 8 * extra);
+    std::memcpy(target_, &last, sizeof last);
+    return target_ + extra + 1;
+  }
+
+ private:
+  const RansTable* table_;
+  int bits_;
+  std::uint32_t state_;
+  char* target_;
+};
+
+// Where a stream is written: no symbol takes more than three bytes, and the end four.
+std::string room_for(const RansInput& input) {
+  std::string room;
+  room.resize(3 * input.rows * static_cast<std::size_t>(input.columns) + 8);
+  return room;
+}
+
+template <int columns>
+void put_row(RansCoder& coder, const std::uint32_t* values, std::size_t row) {
+  for (int column = columns - 1; column >= 0; --column) coder.put(values[row * columns + static_cast<std::size_t>(column)]);
+}
+
+template <int first_columns, int second_columns>
+TwoTexts put_rows(const RansInput& first, const RansInput& second) {
+  TwoTexts result = {room_for(first), room_for(second)};
+  RansCoder one(*first.table, result.first.data());
+  RansCoder two(*second.table, result.second.data());
+  for (std::size_t row = first.rows; row-- > 0;) {
+    put_row<first_columns>(one, first.values, row);
+    put_row<second_columns>(two, second.values, row);
+  }
+  result.first.resize(static_cast<std::size_t>(one.end() - result.first.data()));
+  result.second.resize(static_cast<std::size_t>(two.end() - result.second.data()));
+  return result;
+}
+
+template <int columns>
+std::string put_rows(const RansInput& input) {
+  std::string result = room_for(input);
+  RansCoder coder(*input.table, result.data());
+  for (std::size_t row = input.rows; row-- > 0;) put_row<columns>(coder, input.values, row);
+  result.resize(static_cast<std::size_t>(coder.end() - result.data()));
+  return result;
+}
+
+}  // namespace
+
+RansTable::RansTable(std::span<const std::uint32_t> frequencies, int bits) : bits_(bits) {
+  const std::vector<std::uint32_t> shares = shares_of(frequencies, 1u << bits);
+  symbols_.resize(shares.size());
+  std::uint32_t cumulative = 0;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const std::uint32_t share = shares[i];
+    RansSymbol& symbol = symbols_[i];
+    symbol.probability = share;
+    symbol.cumulative = cumulative;
+    cumulative += share;
+    if (share == 0) continue;
+    // Division by multiplication (Alverson 1991), exact for states below 2^31.
+    symbol.shift = static_cast<std::uint32_t>(std::bit_width(share - 1));
+    symbol.reciprocal = static_cast<std::uint32_t>(((std::uint64_t{1} << (31 + symbol.shift)) + share - 1) / share);
+  }
+}
+
+void RansTable::write(ByteWriter& bytes) const {
+  constexpr std::size_t longest_run = 64;
+  bytes.varint(static_cast<std::uint32_t>(symbols_.size()));
+  for (std::size_t i = 0; i < symbols_.size(); ++i) {
+    const std::uint32_t share = symbols_[i].probability;
+    if (share == 0) {
+      std::size_t run = 1;
+      while (run < longest_run && symbols_[i + run].probability == 0) ++run;
+      bytes.byte(static_cast<std::uint8_t>((run - 1) << 2 | 3));
+      i += run - 1;
+      continue;
+    }
+    const unsigned extra = share < 1u << 6 ? 0 : share < 1u << 14 ? 1 : 2;
+    bytes.byte(static_cast<std::uint8_t>(share << 2 | extra));
+    for (unsigned byte = 0; byte < extra; ++byte) bytes.byte(static_cast<std::uint8_t>(share >> (8 * byte + 6)));
+  }
+}
+
+std::string rans_bytes(const RansInput& input) {
+  switch (input.columns) {
+    case 1: return put_rows<1>(input);
+    case 2: return put_rows<2>(input);
+    case 3: return put_rows<3>(input);
+    default: return put_rows<4>(input);
+  }
+}
+
+TwoTexts rans_bytes(const RansInput& first, const RansInput& second) {
+  if (first.rows == second.rows && first.columns == 3 && second.columns == 2) return put_rows<3, 2>(first, second);
+  if (first.rows == second.rows && first.columns == 2 && second.columns == 4) return put_rows<2, 4>(first, second);
+  return {rans_bytes(first), rans_bytes(second)};
+}
+
+void write_bits(const std::vector<bool>& bits, ByteWriter& bytes) {
+  constexpr std::uint32_t least_state = 4096;
+  const auto zeros = static_cast<double>(std::count(bits.begin(), bits.end(), false));
+  const double share = zeros / static_cast<double>(bits.size()) * byte_values + 0.5;
+  const std::uint32_t zero = static_cast<std::uint32_t>(std::clamp(share, 1.0, 255.0));
+  std::string coded;
+  std::uint32_t state = least_state;
+  for (std::size_t i = bits.size(); i-- > 0;) {
+    const std::uint32_t probability = bits[i] ? byte_values - zero : zero;
+    if (state >= least_state * probability) {
+      coded.push_back(static_cast<char>(state % byte_values));
+      state /= byte_values;
+    }
+    state = state / probability * byte_values + state % probability + (bits[i] ? 0 : byte_values - zero);
+  }
+  const std::uint32_t rest = state - least_state;
+  const int extra = rest < 1u << 6 ? 0 : rest < 1u << 14 ? 1 : 2;
+  const std::uint32_t last = rest | static_cast<std::uint32_t>(extra) << (6 + 8 * extra);
+  for (int byte = 0; byte <= extra; ++byte) coded.push_back(static_cast<char>(last >> (8 * byte)));
+  bytes.byte(static_cast<std::uint8_t>(zero));
+  bytes.block(coded);
+}
+
+}  // namespace dini
