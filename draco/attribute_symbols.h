@@ -4,11 +4,10 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <vector>
 
-#include "draco/byte_writer.h"
-#include "draco/octahedron.h"
+#include "draco/attribute_kernels.h"
 #include "draco/symbol_coding.h"
 #include "draco/vertex_order.h"
 
@@ -25,17 +24,19 @@ struct AttributeSymbols {
   Prediction prediction = Prediction::parallelogram;
   Transform transform = Transform::wrap;
   int columns = 0;
-  std::vector<std::uint32_t> values;
+  std::size_t stride = 0;
+  std::size_t count = 0;  ///< of vertices
+  std::unique_ptr<std::uint32_t[]> values;
   std::array<std::int32_t, 2> range = {};  ///< of the attribute (wrap), or its steps and their center (octahedron)
 
-  SymbolRows rows() const { return {values, columns}; }
+  SymbolRows rows() const { return {values.get(), count, columns, stride}; }
 };
 
-/// Whole numbers predicted by parallelograms; `values` has `columns` (2 to 4) for each vertex of the mesh, from 0 to
-/// 2^20. What is left is counted modulo the range of all values, and kept without sign.
-AttributeSymbols parallelogram_symbols(std::span<const std::int32_t> values, int columns, const VertexOrder& order);
+/// Whole numbers from 0 to 2^20 predicted by parallelograms, `columns` (2 to 4) for each vertex of the mesh. What is left
+/// is counted modulo the range of all, and kept without sign.
+AttributeSymbols parallelogram_symbols(std::span<const kernels::Row> rows, int columns, const VertexOrder& order);
 
-/// Unit vectors, one for each vertex of the mesh, as steps on the octahedron from the one decoded before.
+/// Directions, one for each vertex of the mesh, as steps on the octahedron from the one decoded before.
 AttributeSymbols octahedron_symbols(std::span<const std::array<float, 3>> directions, int bits,
                                     const VertexOrder& order);
 

@@ -1,5 +1,6 @@
 #include "draco/octahedron.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
@@ -7,9 +8,12 @@
 namespace dini {
 namespace {
 
-constexpr double shortest_direction = 1e-6;
-
-std::int32_t rounded(double value) { return static_cast<std::int32_t>(std::floor(value + 0.5)); }
+// Halves go up. Without std::floor, which is a call where processors are not assumed to round.
+std::int32_t rounded(double value) {
+  const double raised = value + 0.5;
+  const auto whole = static_cast<std::int32_t>(raised);
+  return whole - (raised < static_cast<double>(whole) ? 1 : 0);
+}
 
 // By how many quarter turns a point comes to lie where both coordinates are negative, or the second is 0.
 int quarter_turns(SquarePoint point) {
@@ -30,37 +34,32 @@ SquarePoint turned(SquarePoint point, int quarters) {
 
 }  // namespace
 
+// Every choice is an arithmetic one, so that compilers take several directions at once.
 SquarePoint Octahedron::point(const std::array<float, 3>& direction) const {
-  const auto& [x, y, z] = direction;
-  const double length = std::abs(static_cast<double>(x)) + std::abs(static_cast<double>(y)) + std::abs(static_cast<double>(z));
-  if (!(length > shortest_direction)) return canonical({center_, center_});
-  const double scale = 1.0 / length;
-  const std::int32_t first = rounded(x * scale * center_);
-  std::int32_t second = rounded(y * scale * center_);
-  std::int32_t third = center_ - std::abs(first) - std::abs(second);
-  if (third < 0) {
-    second += second > 0 ? third : -third;
-    third = 0;
-  }
-  if (z * scale < 0) third = -third;
-  if (first >= 0) return canonical({second + center_, third + center_});
+  const double x = direction[0], y = direction[1], z = direction[2];
+  const double length = std::abs(x) + std::abs(y) + std::abs(z);
+  const bool is_direction = length > shortest_direction;
+  const double scale = 1.0 / (is_direction ? length : 1.0);
+  const std::int32_t first = is_direction ? rounded(x * scale * center_) : center_;
+  const std::int32_t second = is_direction ? rounded(y * scale * center_) : 0;
+  const std::int32_t rest = center_ - std::abs(first) - std::abs(second);
+  const std::int32_t excess = std::min(rest, 0);  // rounding up both may go beyond the octahedron
+  const std::int32_t kept = second > 0 ? second + excess : second - excess;
+  const std::int32_t third = z < 0 ? -std::max(rest, 0) : std::max(rest, 0);
   const std::int32_t side = 2 * center_;
-  return canonical({second < 0 ? std::abs(third) : side - std::abs(third),
-                    third < 0 ? std::abs(second) : side - std::abs(second)});
+  const std::int32_t far_s = kept < 0 ? std::abs(third) : side - std::abs(third);
+  const std::int32_t far_t = third < 0 ? std::abs(kept) : side - std::abs(kept);
+  return canonical({first >= 0 ? kept + center_ : far_s, first >= 0 ? third + center_ : far_t});
 }
 
 // The corners are one direction, and along each border points mirrored at its middle are.
 SquarePoint Octahedron::canonical(SquarePoint point) const {
   const std::int32_t side = 2 * center_;
   const auto [s, t] = point;
-  const bool at_end_of_s = s == 0 || s == side;
-  const bool at_end_of_t = t == 0 || t == side;
-  if (at_end_of_s && at_end_of_t) return {side, side};
-  if (s == 0 && t > center_) return {s, side - t};
-  if (s == side && t < center_) return {s, side - t};
-  if (t == side && s < center_) return {side - s, t};
-  if (t == 0 && s > center_) return {side - s, t};
-  return point;
+  const bool is_corner = (s == 0 || s == side) && (t == 0 || t == side);
+  const bool mirror_t = (s == 0 && t > center_) || (s == side && t < center_);
+  const bool mirror_s = (t == side && s < center_) || (t == 0 && s > center_);
+  return {is_corner ? side : mirror_s ? side - s : s, is_corner ? side : mirror_t ? side - t : t};
 }
 
 // At the edge of the inner diamond that is nearest; the far half of the octahedron comes inside.

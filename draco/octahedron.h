@@ -17,6 +17,9 @@ struct SquarePoint {
 /// The square at some number of bits: its points, and the steps between them.
 class Octahedron {
  public:
+  /// Directions shorter than this (the sum of their coordinates) are none.
+  static constexpr double shortest_direction = 1e-6;
+
   /// `bits` in 2..30.
   explicit Octahedron(int bits) : steps_((1 << bits) - 1), center_((1 << (bits - 1)) - 1) {}
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <numeric>
 
 namespace dini {
@@ -91,38 +92,34 @@ class RansCoder {
 };
 
 // Where a stream is written: no symbol takes more than three bytes, and the end four.
-std::string room_for(const RansInput& input) {
-  std::string room;
-  room.resize(3 * input.rows * static_cast<std::size_t>(input.columns) + 8);
-  return room;
+std::unique_ptr<char[]> room_for(const RansInput& input) {
+  return std::make_unique_for_overwrite<char[]>(3 * input.symbols.size() + 8);
 }
 
 template <int columns>
-void put_row(RansCoder& coder, const std::uint32_t* values, std::size_t row) {
-  for (int column = columns - 1; column >= 0; --column) coder.put(values[row * columns + static_cast<std::size_t>(column)]);
+void put_row(RansCoder& coder, const std::uint32_t* row) {
+  for (int column = columns - 1; column >= 0; --column) coder.put(row[column]);
 }
 
 template <int first_columns, int second_columns>
 TwoTexts put_rows(const RansInput& first, const RansInput& second) {
-  TwoTexts result = {room_for(first), room_for(second)};
-  RansCoder one(*first.table, result.first.data());
-  RansCoder two(*second.table, result.second.data());
-  for (std::size_t row = first.rows; row-- > 0;) {
-    put_row<first_columns>(one, first.values, row);
-    put_row<second_columns>(two, second.values, row);
+  const auto first_room = room_for(first);
+  const auto second_room = room_for(second);
+  RansCoder one(*first.table, first_room.get());
+  RansCoder two(*second.table, second_room.get());
+  for (std::size_t row = first.symbols.count; row-- > 0;) {
+    put_row<first_columns>(one, first.symbols.row(row));
+    put_row<second_columns>(two, second.symbols.row(row));
   }
-  result.first.resize(static_cast<std::size_t>(one.end() - result.first.data()));
-  result.second.resize(static_cast<std::size_t>(two.end() - result.second.data()));
-  return result;
+  return {{first_room.get(), one.end()}, {second_room.get(), two.end()}};
 }
 
 template <int columns>
 std::string put_rows(const RansInput& input) {
-  std::string result = room_for(input);
-  RansCoder coder(*input.table, result.data());
-  for (std::size_t row = input.rows; row-- > 0;) put_row<columns>(coder, input.values, row);
-  result.resize(static_cast<std::size_t>(coder.end() - result.data()));
-  return result;
+  const auto room = room_for(input);
+  RansCoder coder(*input.table, room.get());
+  for (std::size_t row = input.symbols.count; row-- > 0;) put_row<columns>(coder, input.symbols.row(row));
+  return {room.get(), coder.end()};
 }
 
 }  // namespace
@@ -163,7 +160,7 @@ void RansTable::write(ByteWriter& bytes) const {
 }
 
 std::string rans_bytes(const RansInput& input) {
-  switch (input.columns) {
+  switch (input.symbols.columns) {
     case 1: return put_rows<1>(input);
     case 2: return put_rows<2>(input);
     case 3: return put_rows<3>(input);
@@ -172,8 +169,12 @@ std::string rans_bytes(const RansInput& input) {
 }
 
 TwoTexts rans_bytes(const RansInput& first, const RansInput& second) {
-  if (first.rows == second.rows && first.columns == 3 && second.columns == 2) return put_rows<3, 2>(first, second);
-  if (first.rows == second.rows && first.columns == 2 && second.columns == 4) return put_rows<2, 4>(first, second);
+  const auto are = [&](int first_columns, int second_columns) {
+    return first.symbols.count == second.symbols.count && first.symbols.columns == first_columns &&
+           second.symbols.columns == second_columns;
+  };
+  if (are(3, 2)) return put_rows<3, 2>(first, second);
+  if (are(2, 4)) return put_rows<2, 4>(first, second);
   return {rans_bytes(first), rans_bytes(second)};
 }
 

@@ -48,18 +48,63 @@ int table_size_of(std::size_t different, TableEffort effort) {
   return std::clamp(static_cast<int>(std::bit_width(different)) + wish, 1, largest_table_size);
 }
 
-// Equal neighbors are the rule, and each would wait for the one before: every other one is counted apart.
-Frequencies frequencies_of(std::span<const std::uint32_t> values, std::uint32_t largest) {
-  Frequencies even(largest + 1, 0);
-  Frequencies odd(largest + 1, 0);
-  std::size_t i = 0;
-  for (; i + 1 < values.size(); i += 2) {
-    ++even[values[i]];
-    ++odd[values[i + 1]];
+/// What choosing needs to know of symbols.
+struct Counts {
+  Frequencies values;   ///< empty when the symbols are too large to be coded directly
+  Frequencies lengths;  ///< of the bits of the largest symbol of each row
+  std::int64_t plain_bits = 0;
+};
+
+template <int columns>
+std::uint32_t bits_of(const std::uint32_t* row) {
+  std::uint32_t bits = 0;
+  for (int column = 0; column < columns; ++column) bits |= row[column];
+  return bits;
+}
+
+// Equal neighbors are the rule, and each would wait for the one before: every other row is counted apart.
+template <int columns>
+Counts counts_of(const SymbolRows& symbols) {
+  std::uint32_t all = 0;
+  for (std::size_t i = 0; i < symbols.count; ++i) all |= bits_of<columns>(symbols.row(i));
+  Counts counts;
+  Frequencies lengths[2] = {Frequencies(length_count, 0), Frequencies(length_count, 0)};
+  Frequencies values[2];
+  const bool directly = bit_length(all) <= largest_table_size;
+  if (directly) values[0] = values[1] = Frequencies(std::size_t{1} << bit_length(all), 0);
+  for (std::size_t i = 0; i < symbols.count; ++i) {
+    const std::uint32_t* const row = symbols.row(i);
+    ++lengths[i % 2][bit_length(bits_of<columns>(row))];
+    if (!directly) continue;
+    for (int column = 0; column < columns; ++column) ++values[i % 2][row[column]];
   }
-  if (i < values.size()) ++even[values[i]];
-  for (std::size_t value = 0; value <= largest; ++value) even[value] += odd[value];
-  return even;
+  const auto sum = [](const Frequencies& a, const Frequencies& b) {
+    Frequencies result(a);
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] += b[i];
+    while (!result.empty() && result.back() == 0) result.pop_back();
+    return result;
+  };
+  counts.values = sum(values[0], values[1]);
+  counts.lengths = sum(lengths[0], lengths[1]);
+  for (std::size_t length = 0; length < counts.lengths.size(); ++length) {
+    counts.plain_bits += columns * static_cast<std::int64_t>(length) * counts.lengths[length];
+  }
+  return counts;
+}
+
+Counts counts_of(const SymbolRows& symbols) {
+  switch (symbols.columns) {
+    case 1: return counts_of<1>(symbols);
+    case 2: return counts_of<2>(symbols);
+    case 3: return counts_of<3>(symbols);
+    default: return counts_of<4>(symbols);
+  }
+}
+
+std::uint32_t length_of(const SymbolRows& symbols, std::size_t row) {
+  std::uint32_t bits = 0;
+  for (int column = 0; column < symbols.columns; ++column) bits |= symbols.row(row)[column];
+  return bit_length(bits);
 }
 
 }  // namespace
@@ -71,35 +116,22 @@ struct SymbolCoding::Choice {
 };
 
 SymbolCoding::Choice SymbolCoding::choose(const SymbolRows& symbols, TableEffort effort) {
-  const auto columns = static_cast<std::size_t>(symbols.columns);
-  std::vector<std::uint32_t> lengths(symbols.rows());
-  Frequencies length_frequencies(length_count, 0);
-  std::uint32_t all = 0;
-  std::int64_t plain_bits = 0;
-  for (std::size_t row = 0; row < lengths.size(); ++row) {
-    std::uint32_t bits = 0;
-    for (std::size_t column = 0; column < columns; ++column) bits |= symbols.values[row * columns + column];
-    lengths[row] = bit_length(bits);
-    ++length_frequencies[lengths[row]];
-    all |= bits;
-    plain_bits += lengths[row];
-  }
-  plain_bits *= symbols.columns;
-  while (length_frequencies.back() == 0) length_frequencies.pop_back();
-  if (bit_length(all) <= largest_table_size) {
-    std::uint32_t largest = *std::max_element(symbols.values.begin(), symbols.values.end());
-    const Frequencies frequencies = frequencies_of(symbols.values, largest);
-    const std::size_t different = count_different(frequencies);
-    const std::size_t different_lengths = count_different(length_frequencies);
-    const std::int64_t by_values = entropy(frequencies, symbols.values.size()) + table_bits(largest, different);
-    const std::int64_t by_lengths = entropy(length_frequencies, lengths.size()) +
-                                    table_bits(different_lengths, different_lengths) + plain_bits;
+  const Counts counts = counts_of(symbols);
+  if (!counts.values.empty()) {
+    const std::size_t different = count_different(counts.values);
+    const std::size_t different_lengths = count_different(counts.lengths);
+    const std::int64_t by_values =
+        entropy(counts.values, symbols.size()) + table_bits(counts.values.size() - 1, different);
+    const std::int64_t by_lengths = entropy(counts.lengths, symbols.count) +
+                                    table_bits(different_lengths, different_lengths) + counts.plain_bits;
     if (by_values <= by_lengths) {
       const int table_size = table_size_of(different, effort);
-      return {{}, table_size, RansTable(frequencies, precision_bits(table_size))};
+      return {{}, table_size, RansTable(counts.values, precision_bits(table_size))};
     }
   }
-  return {std::move(lengths), 0, RansTable(length_frequencies, length_table_bits)};
+  std::vector<std::uint32_t> lengths(symbols.count);
+  for (std::size_t row = 0; row < lengths.size(); ++row) lengths[row] = length_of(symbols, row);
+  return {std::move(lengths), 0, RansTable(counts.lengths, length_table_bits)};
 }
 
 SymbolCoding::SymbolCoding(const SymbolRows& symbols, TableEffort effort)
@@ -112,8 +144,8 @@ SymbolCoding::SymbolCoding(const SymbolRows& symbols, Choice choice)
       table_(std::move(choice.table)) {}
 
 RansInput SymbolCoding::input() const {
-  if (lengths_.empty()) return {&table_, symbols_.values.data(), symbols_.rows(), symbols_.columns};
-  return {&table_, lengths_.data(), lengths_.size(), 1};
+  if (lengths_.empty()) return {&table_, symbols_};
+  return {&table_, {lengths_.data(), lengths_.size(), 1, 1}};
 }
 
 void SymbolCoding::write(const std::string& coded, ByteWriter& bytes) const {
@@ -124,15 +156,16 @@ void SymbolCoding::write(const std::string& coded, ByteWriter& bytes) const {
   bytes.block(coded);
   if (directly) return;
   BitWriter plain;
-  const auto columns = static_cast<std::size_t>(symbols_.columns);
-  for (std::size_t i = 0; i < symbols_.values.size(); ++i) {
-    plain.bits(symbols_.values[i], static_cast<int>(lengths_[i / columns]));
+  for (std::size_t row = 0; row < symbols_.count; ++row) {
+    for (int column = 0; column < symbols_.columns; ++column) {
+      plain.bits(symbols_.row(row)[column], static_cast<int>(lengths_[row]));
+    }
   }
   bytes.text(plain.take());
 }
 
 void write_symbols(const SymbolRows& symbols, TableEffort effort, ByteWriter& bytes) {
-  if (symbols.values.empty()) return;
+  if (symbols.count == 0) return;
   const SymbolCoding coding(symbols, effort);
   coding.write(rans_bytes(coding.input()), bytes);
 }

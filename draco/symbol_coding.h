@@ -9,13 +9,6 @@
 
 namespace dini {
 
-/// Rows of small whole numbers that a stream holds, row after row.
-struct SymbolRows {
-  std::span<const std::uint32_t> values;
-  int columns = 1;  ///< 1 to 4; divides the number of values
-
-  std::size_t rows() const { return values.size() / static_cast<std::size_t>(columns); }
-};
 
 /// How much is spent on a good table of probabilities, as in libdraco: 10 less the speed of the encoder; 7 is usual.
 using TableEffort = int;

@@ -1,5 +1,7 @@
 #include "draco/tile_stream.h"
 
+#include <algorithm>
+
 #include "draco/attribute_symbols.h"
 
 namespace dini {
@@ -19,18 +21,31 @@ struct Attribute {
   StreamGrid grid;  ///< of normals only the bits
 };
 
-// The steps of each value, rounded as decoders expect: in single precision, halves upward. No value is below the origin.
+/// The numbers of all vertices, for as long as they are predicted.
+class Rows {
+ public:
+  explicit Rows(std::size_t count) : rows_(std::make_unique_for_overwrite<kernels::Row[]>(count)), count_(count) {}
+  kernels::Row* get() { return rows_.get(); }
+  operator std::span<const kernels::Row>() const { return {rows_.get(), count_}; }
+
+ private:
+  std::unique_ptr<kernels::Row[]> rows_;
+  std::size_t count_;
+};
+
 template <std::size_t columns>
-std::vector<std::int32_t> on_grid(std::span<const std::array<float, columns>> values, const StreamGrid& grid) {
-  const float steps_per_unit = static_cast<float>((1u << grid.bits) - 1u) / grid.range;
-  std::vector<std::int32_t> steps(values.size() * columns);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    for (std::size_t column = 0; column < columns; ++column) {
-      const float offset = values[i][column] - grid.origin[column];
-      steps[i * columns + column] = static_cast<std::int32_t>(offset * steps_per_unit + 0.5f);
-    }
-  }
-  return steps;
+Rows on_grid(std::span<const std::array<float, columns>> values, const StreamGrid& grid) {
+  kernels::Steps steps = {{}, static_cast<float>((1u << grid.bits) - 1u) / grid.range};
+  std::copy_n(grid.origin.begin(), columns, steps.origin.begin());
+  Rows rows(values.size());
+  kernels::quantize(values, steps, rows.get());
+  return rows;
+}
+
+Rows whole_numbers(std::span<const std::array<std::uint16_t, 4>> values) {
+  Rows rows(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) std::copy(values[i].begin(), values[i].end(), rows.get()[i].begin());
+  return rows;
 }
 
 std::vector<Attribute> attributes_of(const StreamAttributes& given, const VertexOrder& order) {
@@ -48,10 +63,8 @@ std::vector<Attribute> attributes_of(const StreamAttributes& given, const Vertex
                       parallelogram_symbols(on_grid(given.uvs, given.uv_grid), 2, order), given.uv_grid});
   }
   if (!given.colors.empty()) {
-    const std::uint16_t* first = given.colors[0].data();
-    const std::vector<std::int32_t> values(first, first + 4 * given.colors.size());
     result.push_back({AttributeKind::color, NumberKind::uint16, 4, Decoder::integers,
-                      parallelogram_symbols(values, 4, order), {}});
+                      parallelogram_symbols(whole_numbers(given.colors), 4, order), {}});
   }
   return result;
 }

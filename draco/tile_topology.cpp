@@ -44,7 +44,7 @@ void write_contexts(const CornerTable& table, const Edgebreaker& walk, ByteWrite
     bytes.varint(static_cast<std::uint32_t>(context.size()));
     std::vector<std::uint32_t> values(context.size());
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<std::uint32_t>(context[i]);
-    write_symbols({values, 1}, usual_table_effort, bytes);
+    write_symbols({values.data(), values.size(), 1, 1}, usual_table_effort, bytes);
   }
 }
 

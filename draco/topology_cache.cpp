@@ -64,6 +64,13 @@ void TopologyCache::keep(std::uint64_t key, Entry topology) {
   }
 }
 
+void TopologyCache::clear() {
+  const std::lock_guard lock(mutex_);
+  by_key_.clear();
+  recent_.clear();
+  size_ = 0;
+}
+
 std::size_t TopologyCache::size() const {
   const std::lock_guard lock(mutex_);
   return size_;

@@ -21,6 +21,8 @@ class TopologyCache {
   /// `tile_topology` of these triangles; null when they are no manifold.
   std::shared_ptr<const TileTopology> topology(Triangles triangles, std::size_t vertices);
 
+  void clear();
+
   /// Bytes that are held now.
   std::size_t size() const;
 

@@ -13,6 +13,8 @@
 
 namespace dini {
 
+class TopologyCache;  // draco/topology_cache.h
+
 /// How a scene is written. Every format takes from it what it has room for.
 struct FileOptions {
   int position_bits = 14;  ///< 8..20 bits over the largest extent, where coordinates are rounded
@@ -21,6 +23,7 @@ struct FileOptions {
   bool draco = true;       ///< whether a format that can compresses meshes with Draco
   bool normals = true;
   Json about = nullptr;  ///< what the file says about itself
+  TopologyCache* topologies = nullptr;  ///< what is known of tiles from other files, if anything; no byte depends on it
 };
 
 /// Something to say about a file that was written all the same.

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "draco/topology_cache.h"
 #include "geometry/json.h"
 #include "gltf/encode_error.h"
 
@@ -23,6 +24,7 @@ struct EncodeOptions {
   std::string generator = "Dini";  ///< `asset.generator`, with the engine's version if the caller wants it
   Json extras = nullptr;           ///< `asset.extras`; null for none
   GltfContainer container = GltfContainer::binary;
+  TopologyCache* topologies = nullptr;  ///< what is known of tiles from other files, if anything; no byte depends on it
 };
 
 /// The first option out of its range, if any.

@@ -2,8 +2,8 @@
 
 #include <exception>
 
-#include "gltf/draco_encoder.h"
 #include "gltf/scene_encoding.h"
+#include "gltf/tile_encoder.h"
 
 namespace dini {
 
@@ -26,7 +26,7 @@ Scene flat_scene(const std::vector<GlbGroup>& groups) {
 EncodeResult<std::string> encode_unguarded(const std::vector<GlbGroup>& groups, const EncodeOptions& options,
                                            const Cancel& cancel) {
   const Scene scene = flat_scene(groups);
-  const DracoEncoder encoder;
+  const TileEncoder encoder;
   SceneEncoding encoding(scene, options, cancel, encoder);
   if (auto error = encoding.prepare()) return std::move(*error);
   GlbModel model(options.generator, options.extras);

@@ -2,8 +2,8 @@
 
 #include <exception>
 
-#include "gltf/draco_encoder.h"
 #include "gltf/scene_encoding.h"
+#include "gltf/tile_encoder.h"
 
 namespace dini {
 namespace {
@@ -30,7 +30,7 @@ EncodeResult<EncodedScene> encode_unguarded(const Scene& scene, const EncodeOpti
 }  // namespace
 
 EncodeResult<EncodedScene> encode_scene(const Scene& scene, const EncodeOptions& options, const Cancel& cancel) {
-  return encode_scene(scene, options, cancel, DracoEncoder());
+  return encode_scene(scene, options, cancel, TileEncoder());
 }
 
 EncodeResult<EncodedScene> encode_scene(const Scene& scene, const EncodeOptions& options, const Cancel& cancel,

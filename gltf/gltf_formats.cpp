@@ -38,6 +38,7 @@ Expected<WrittenFile, FileError> write(const Scene& scene, const FileOptions& op
   encode.normals = options.normals;
   encode.extras = options.about;
   encode.container = container;
+  encode.topologies = options.topologies;
   EncodeResult<EncodedScene> encoded = encode_scene(scene, encode, cancel);
   if (!encoded) return file_error(encoded.error());
   EncodedScene& written = *encoded;

@@ -30,7 +30,9 @@ EncodeResult<EncodedTile> TileEncoder::encode(const Tile& tile, const TileGrids&
   if (options.speed < slowest_speed || options.speed > fastest_speed || tile.triangles.empty()) {
     return libdraco_.encode(tile, grids, options);
   }
-  const auto topology = topologies_.topology(tile.triangles, tile.positions.size());
+  const auto topology = options.topologies != nullptr
+                            ? options.topologies->topology(tile.triangles, tile.positions.size())
+                            : tile_topology(tile.triangles, tile.positions.size());
   if (topology == nullptr) return libdraco_.encode(tile, grids, options);
   const StreamAttributes attributes = {tile.positions,
                                        tile.normals,

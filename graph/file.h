@@ -32,6 +32,7 @@ struct WantedFile {
   const FileFormat* format = nullptr;  ///< of the engine's, which outlives every plan
   Json about = nullptr;                ///< what the file says about itself
   bool draco = true;                   ///< false: meshes are not compressed, whatever the node says
+  TopologyCache* topologies = nullptr;  ///< the engine's, which outlives every plan too
 };
 
 }  // namespace dini

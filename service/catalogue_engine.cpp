@@ -64,6 +64,9 @@ Json catalogue_of(const Registry& registry, std::span<const FileFormat> formats)
           {"nodes", std::move(nodes)}};
 }
 
+// Of what may be kept in memory, one part in so many is for the topologies of tiles, beside it.
+constexpr std::size_t topology_share = 16;
+
 /// Each engine is given its own kind of requests only.
 const PreparedGraph& own(const Prepared& prepared) { return static_cast<const PreparedGraph&>(prepared); }
 
@@ -88,7 +91,9 @@ std::vector<std::size_t> drawn_nodes(const PreparedGraph& prepared) {
 }  // namespace
 
 CatalogueEngine::CatalogueEngine(const Limits& limits, std::vector<FileFormat> formats)
-    : limits_(limits), formats_(std::move(formats)), cache_(limits.cache_bytes), assets_(limits_) {
+    : limits_(limits), formats_(std::move(formats)), cache_(limits.cache_bytes),
+      topologies_(limits.cache_bytes / topology_share),
+      assets_(limits_) {
   add_all_nodes(registry_);
   catalogue_ = catalogue_of(registry_, formats_);
 }
@@ -197,7 +202,8 @@ Result<SharedFile> CatalogueEngine::preview_file(const PreparedGraph& prepared, 
                                                  const Cancel& cancel) const {
   if (SharedFile known = cache_.find<File>(prepared.preview_digest)) return known;
   const Json about = {{"engine", engine_version}, {"preview", to_hex(prepared.preview_digest)}};
-  Result<std::string> drawn = draw_previews(prepared.plan, evaluation, prepared.previews, about, limits_, cancel);
+  const EncodeOptions options = {.extras = about, .topologies = &topologies_};
+  Result<std::string> drawn = draw_previews(prepared.plan, evaluation, prepared.previews, options, limits_, cancel);
   if (!drawn) return drawn.problems();
   const Digest digest = sha256(*drawn);
   const auto made = std::make_shared<const File>(File{"model/gltf-binary", ".glb", share(*std::move(drawn)), digest});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "draco/topology_cache.h"
 #include "graph/cache.h"
 #include "service/asset_library.h"
 #include "service/engine.h"
@@ -34,6 +35,7 @@ class CatalogueEngine final : public Engine {
   void forget() const override {
     cache_.clear();
     history_.clear();
+    topologies_.clear();
   }
   Result<SharedBytes> inspect(const InspectRequest& request, const Job& job) const override;
 
@@ -41,7 +43,7 @@ class CatalogueEngine final : public Engine {
   AssetFinder asset_finder(const Cancel& cancel) const {
     return [this, &cancel](std::string_view text) { return assets_.find(text, cancel); };
   }
-  Environment environment(const Cancel& cancel) const { return {registry_, limits_, formats_, asset_finder(cancel)}; }
+  Environment environment(const Cancel& cancel) const { return {registry_, limits_, formats_, topologies_, asset_finder(cancel)}; }
 
   /// What has to be evaluated: the targets, and what is drawn unless the drawing is known.
   std::vector<std::size_t> wanted_nodes(const PreparedGraph& prepared) const;
@@ -55,6 +57,7 @@ class CatalogueEngine final : public Engine {
   Registry registry_;
   Json catalogue_;
   mutable Cache cache_;
+  mutable TopologyCache topologies_;
   mutable History history_;
   mutable AssetLibrary assets_;
 };

@@ -125,11 +125,12 @@ std::size_t more_memory(const PlannedNode& exported, const FileFormat& format, b
 }
 
 /// Tells the node that exports what file is wanted, which its result depends on from then on.
-void want_file(PreparedGraph& prepared, const FileFormat& format, const EvaluateRequest& request) {
+void want_file(PreparedGraph& prepared, const FileFormat& format, const EvaluateRequest& request,
+               TopologyCache& topologies) {
   PlannedNode& node = prepared.plan.nodes[*prepared.export_node];
   prepared.fingerprint = node.fingerprint;
   const auto wanted =
-      std::make_shared<const WantedFile>(WantedFile{&format, about_file(prepared, request), request.draco});
+      std::make_shared<const WantedFile>(WantedFile{&format, about_file(prepared, request), request.draco, &topologies});
   const std::string about = wanted->about.dump();
   DigestBuilder digest;
   digest.text("file").digest(node.fingerprint).text(format.name).text(about).integer(request.draco ? 1 : 0);
@@ -255,7 +256,7 @@ Result<std::shared_ptr<const PreparedGraph>> prepare_evaluation(const Environmen
   if (!measures) return measures.problems();
   prepared->measures = *std::move(measures);
   for (const Measure& measure : prepared->measures) prepared->targets.push_back(measure.node);
-  if (prepared->export_node) want_file(*prepared, **format, request);
+  if (prepared->export_node) want_file(*prepared, **format, request, environment.topologies);
   if (!prepared->previews.empty()) {
     prepared->preview_digest = preview_digest(prepared->plan, prepared->previews, environment.limits);
   }

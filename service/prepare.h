@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "draco/topology_cache.h"
 #include "graph/asset_file.h"
 #include "graph/registry.h"
 #include "service/engine.h"
@@ -14,6 +15,7 @@ struct Environment {
   const Registry& registry;
   const Limits& limits;
   std::span<const FileFormat> formats;
+  TopologyCache& topologies;
   AssetFinder find_asset;
 };
 

@@ -179,7 +179,7 @@ Digest preview_digest(const Plan& plan, const std::vector<Preview>& previews, co
 }
 
 Result<std::string> draw_previews(const Plan& plan, const Evaluation& evaluation, const std::vector<Preview>& previews,
-                                  const Json& about, const Limits& limits, const Cancel& cancel) {
+                                  const EncodeOptions& options, const Limits& limits, const Cancel& cancel) {
   std::vector<std::vector<PreviewedOutput>> outputs;
   std::vector<Value> values;
   for (const Preview& preview : previews) {
@@ -201,7 +201,7 @@ Result<std::string> draw_previews(const Plan& plan, const Evaluation& evaluation
         group.children.push_back(std::move(child));
     }
   }
-  EncodeResult<std::string> encoded = encode_groups(groups, {.extras = about}, cancel);
+  EncodeResult<std::string> encoded = encode_groups(groups, options, cancel);
   if (encoded) return *std::move(encoded);
   if (encoded.error().code == EncodeError::Code::canceled) return stopped_problem(cancel.reason());
   return problem_of(encoded.error());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/cancel.h"
+#include "gltf/encode_options.h"
 #include "graph/evaluate.h"
 #include "graph/limits.h"
 #include "graph/registry.h"
@@ -30,9 +31,9 @@ Result<std::vector<Preview>> plan_previews(Plan& plan, const PreviewNames& names
 /// Everything that the bytes of the drawn previews depend on, before they are computed.
 Digest preview_digest(const Plan& plan, const std::vector<Preview>& previews, const Limits& limits);
 
-/// The file, from an evaluation of all previewed nodes: docs/http.md says what is in it. `about` is what it says about
-/// itself.
+/// The file, from an evaluation of all previewed nodes: docs/http.md says what is in it. `options` is how it
+/// is written.
 Result<std::string> draw_previews(const Plan& plan, const Evaluation& evaluation, const std::vector<Preview>& previews,
-                                  const Json& about, const Limits& limits, const Cancel& cancel);
+                                  const EncodeOptions& options, const Limits& limits, const Cancel& cancel);
 
 }  // namespace dini

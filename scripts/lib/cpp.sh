@@ -14,5 +14,5 @@ cpp_build() {
 }
 
 # cpp_sources: every C++ file of the project, NUL-separated.
-cpp_folders=(algebra geometry gltf formats graph golden nodes service store jobs server cli tests bench)
+cpp_folders=(algebra geometry draco gltf formats graph golden nodes service store jobs server cli tests bench)
 cpp_sources() { find "${cpp_folders[@]}" \( -name '*.h' -o -name '*.cpp' \) -print0 | sort -z; }
