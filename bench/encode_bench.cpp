@@ -9,8 +9,12 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 #include <utility>
+#include <vector>
 
+#include "gltf/draco_encoder.h"
 #include "gltf/glb_writer.h"
+#include "gltf/tile_encoder.h"
+#include "gltf/tiles.h"
 #include "tests/gltf/shapes.h"
 
 namespace dini {
@@ -47,6 +51,33 @@ BENCHMARK(encode_million)
     ->ArgsProduct({{2}, {128}, {3, 9, 10}})
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
+
+// One thread, tiles of 128 x 128 quads that are built already: by libdraco (0), by the own writer for triangles that it
+// meets for the first time (1), and for known ones (2).
+void encode_tiles(benchmark::State& state) {
+  const Mesh mesh = million_triangles(128);
+  const EncodeOptions usual;
+  std::vector<Tile> tiles;
+  FloatBox box;
+  std::size_t begin = 0;
+  for (const std::size_t end : plan_tiles(mesh, tile_sizes(usual))) {
+    tiles.push_back(*build_tile(mesh, std::exchange(begin, end), end, usual, Cancel()));
+    box.include(tiles.back().position_box);
+  }
+  const TileGrids grids = {QuantizationGrid(box, usual.position_bits), {}};
+  TopologyCache topologies(std::size_t{1} << 28);
+  EncodeOptions options;
+  if (state.range(0) == 2) options.topologies = &topologies;
+  const DracoEncoder libdraco;
+  const TileEncoder own;
+  const MeshEncoder& encoder = state.range(0) == 0 ? static_cast<const MeshEncoder&>(libdraco) : own;
+  for (auto _ : state) {
+    std::size_t bytes = 0;
+    for (const Tile& tile : tiles) bytes += encoder.encode(tile, grids, options)->bytes.size();
+    state.counters["bytes"] = static_cast<double>(bytes);
+  }
+}
+BENCHMARK(encode_tiles)->ArgName("writer")->Arg(0)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
 
 template <class Value>
 void put(std::ofstream& file, Value value) {

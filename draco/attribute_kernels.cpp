@@ -104,7 +104,8 @@ HWY_INLINE PointLanes<V> point_lanes(V x, V y, V z, double center) {
   const auto third = hn::IfThenElse(z < zero, zero - size, size);
   const auto near = first >= zero;
   const auto s = hn::IfThenElse(near, kept + middle, hn::IfThenElse(kept < zero, size, side - size));
-  const auto t = hn::IfThenElse(near, third + middle, hn::IfThenElse(third < zero, hn::Abs(kept), side - hn::Abs(kept)));
+  const auto t =
+      hn::IfThenElse(near, third + middle, hn::IfThenElse(third < zero, hn::Abs(kept), side - hn::Abs(kept)));
   const auto s_first = s == zero, s_last = s == side, t_first = t == zero, t_last = t == side;
   const auto is_corner = hn::And(hn::Or(s_first, s_last), hn::Or(t_first, t_last));
   const auto mirror_t = hn::Or(hn::And(s_first, t > middle), hn::And(s_last, t < middle));
@@ -118,9 +119,8 @@ void points_lanes(const Octahedron& octahedron, const float* const (&directions)
   const Doubles d;
   const Halves whole;
   const Singles singles;
-  const auto coordinate = [&](std::size_t axis, std::size_t i) HWY_ATTR {
-    return hn::PromoteTo(d, hn::LoadU(singles, directions[axis] + i));
-  };
+  const auto coordinate = [&](std::size_t axis, std::size_t i)
+                              HWY_ATTR { return hn::PromoteTo(d, hn::LoadU(singles, directions[axis] + i)); };
   std::size_t i = 0;
   for (; i + hn::Lanes(d) <= count; i += hn::Lanes(d)) {
     const auto point = point_lanes(coordinate(0, i), coordinate(1, i), coordinate(2, i), octahedron.center());

@@ -26,10 +26,12 @@ struct Steps {
 void quantize(std::span<const std::array<float, 2>> values, const Steps& steps, Row* rows);
 void quantize(std::span<const std::array<float, 3>> values, const Steps& steps, Row* rows);
 
-/// What is left of each row when its parallelogram is taken from it, in the order of decoding: modulo `maximum - minimum
+/// What is left of each row when its parallelogram is taken from it, in the order of decoding: modulo `maximum -
+/// minimum
 /// + 1`, as near to 0 as that goes, then without sign (0, -1, 1, -2, ... become 0, 1, 2, 3, ...). The first row is
 /// predicted as zeros. All numbers lie in `minimum` to `maximum`.
-void predict(const Row* rows, const VertexOrder& order, std::int32_t minimum, std::int32_t maximum, std::uint32_t* left);
+void predict(const Row* rows, const VertexOrder& order, std::int32_t minimum, std::int32_t maximum,
+             std::uint32_t* left);
 
 /// `Octahedron::point` of each direction, the directions and the points by coordinates.
 void octahedron_points(const Octahedron& octahedron, const float* const (&directions)[3], std::size_t count,

@@ -45,7 +45,12 @@ AttributeSymbols octahedron_symbols(std::span<const std::array<float, 3>> direct
   kernels::octahedron_points(octahedron, {axes[0], axes[1], axes[2]}, count, s + 1, t + 1);
   auto values = std::make_unique_for_overwrite<std::uint32_t[]>(2 * count);
   kernels::octahedron_steps(octahedron, s, t, count, values.get());
-  return {Prediction::difference,           Transform::octahedron, 2, 2, count, std::move(values),
+  return {Prediction::difference,
+          Transform::octahedron,
+          2,
+          2,
+          count,
+          std::move(values),
           {octahedron.steps(), octahedron.center()}};
 }
 

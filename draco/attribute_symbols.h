@@ -32,8 +32,8 @@ struct AttributeSymbols {
   SymbolRows rows() const { return {values.get(), count, columns, stride}; }
 };
 
-/// Whole numbers from 0 to 2^20 predicted by parallelograms, `columns` (2 to 4) for each vertex of the mesh. What is left
-/// is counted modulo the range of all, and kept without sign.
+/// Whole numbers from 0 to 2^20 predicted by parallelograms, `columns` (2 to 4) for each vertex of the mesh. What is
+/// left is counted modulo the range of all, and kept without sign.
 AttributeSymbols parallelogram_symbols(std::span<const kernels::Row> rows, int columns, const VertexOrder& order);
 
 /// Directions, one for each vertex of the mesh, as steps on the octahedron from the one decoded before.

@@ -45,7 +45,9 @@ bool CornerTable::pair_corners(std::size_t vertices) {
     for (const Edge& edge : edges_of(begin)) {
       const auto others = edges_of(edge.end);
       const auto other = std::lower_bound(others.begin(), others.end(), Edge{begin, 0});
-      if (other != others.end() && other->end == begin) opposites_[edge.corner] = other->corner;
+      if (other == others.end() || other->end != begin) continue;
+      if (vertex(other->corner) == vertex(edge.corner)) return false;  // two sides of one triangle
+      opposites_[edge.corner] = other->corner;
     }
   }
   return true;

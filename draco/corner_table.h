@@ -21,7 +21,8 @@ inline Corner next(Corner corner) { return corner % 3 == 2 ? corner - 2 : corner
 inline Corner previous(Corner corner) { return corner % 3 == 0 ? corner + 2 : corner - 1; }
 
 /// Which corners of a mesh are opposite to each other across an edge. Only for manifolds: each edge has one triangle on
-/// either side at most, neighbors turn the same way around, and the triangles of a vertex are one fan.
+/// either side at most, neighbors turn the same way around and differ in a vertex, and the triangles of a vertex are
+/// one fan.
 class CornerTable {
  public:
   /// The table of triangles with three different vertices below `vertices`, each of which is used; nothing when they

@@ -21,7 +21,8 @@ class Walk {
   }
 
  private:
-  // A walk begins at a boundary if the first triangle of the piece touches one, else beside a triangle without a symbol.
+  // A walk begins at a boundary if the first triangle of the piece touches one, else beside a triangle without a
+  // symbol.
   void begin_piece(Corner first) {
     for (Corner corner = first; corner < first + 3; ++corner) {
       const Corner start = boundary_gate(corner);
@@ -97,8 +98,7 @@ class Walk {
 
   void note_split(Corner neighbor, bool right) {
     if (neighbor == absent || split_symbol_[neighbor / 3] == absent) return;
-    result_.splits.push_back(
-        {static_cast<std::uint32_t>(result_.symbols.size()), split_symbol_[neighbor / 3], right});
+    result_.splits.push_back({static_cast<std::uint32_t>(result_.symbols.size()), split_symbol_[neighbor / 3], right});
   }
 
   const CornerTable& table_;

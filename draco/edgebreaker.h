@@ -29,11 +29,11 @@ struct SplitEvent {
 /// The walk over all triangles. Decoders rebuild the triangles in the opposite order of `corners`, then add `closing`.
 struct Edgebreaker {
   std::vector<Symbol> symbols;
-  std::vector<Corner> corners;       ///< the tip of each symbol's triangle
-  std::vector<bool> closed;          ///< for each connected piece, whether it began with a triangle without a symbol
-  std::vector<Corner> closing;       ///< the tip of that triangle, toward the walk, for each closed piece
-  std::vector<SplitEvent> splits;    ///< in the order of their sources
-  std::uint32_t split_symbols = 0;   ///< how many symbols are `s`
+  std::vector<Corner> corners;      ///< the tip of each symbol's triangle
+  std::vector<bool> closed;         ///< for each connected piece, whether it began with a triangle without a symbol
+  std::vector<Corner> closing;      ///< the tip of that triangle, toward the walk, for each closed piece
+  std::vector<SplitEvent> splits;   ///< in the order of their sources
+  std::uint32_t split_symbols = 0;  ///< how many symbols are `s`
 };
 
 Edgebreaker edgebreaker(const CornerTable& table);

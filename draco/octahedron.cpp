@@ -25,10 +25,14 @@ int quarter_turns(SquarePoint point) {
 
 SquarePoint turned(SquarePoint point, int quarters) {
   switch (quarters) {
-    case 1: return {point.t, -point.s};
-    case 2: return {-point.s, -point.t};
-    case 3: return {-point.t, point.s};
-    default: return point;
+    case 1:
+      return {point.t, -point.s};
+    case 2:
+      return {-point.s, -point.t};
+    case 3:
+      return {-point.t, point.s};
+    default:
+      return point;
   }
 }
 

@@ -161,10 +161,14 @@ void RansTable::write(ByteWriter& bytes) const {
 
 std::string rans_bytes(const RansInput& input) {
   switch (input.symbols.columns) {
-    case 1: return put_rows<1>(input);
-    case 2: return put_rows<2>(input);
-    case 3: return put_rows<3>(input);
-    default: return put_rows<4>(input);
+    case 1:
+      return put_rows<1>(input);
+    case 2:
+      return put_rows<2>(input);
+    case 3:
+      return put_rows<3>(input);
+    default:
+      return put_rows<4>(input);
   }
 }
 

@@ -41,9 +41,9 @@ class RansTable {
 /// Small whole numbers in rows, as a stream holds them one after another.
 struct SymbolRows {
   const std::uint32_t* values = nullptr;
-  std::size_t count = 0;    ///< of rows
-  int columns = 1;          ///< 1 to 4
-  std::size_t stride = 1;   ///< from row to row
+  std::size_t count = 0;   ///< of rows
+  int columns = 1;         ///< 1 to 4
+  std::size_t stride = 1;  ///< from row to row
 
   const std::uint32_t* row(std::size_t index) const { return values + index * stride; }
   std::size_t size() const { return count * static_cast<std::size_t>(columns); }

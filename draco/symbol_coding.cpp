@@ -94,10 +94,14 @@ Counts counts_of(const SymbolRows& symbols) {
 
 Counts counts_of(const SymbolRows& symbols) {
   switch (symbols.columns) {
-    case 1: return counts_of<1>(symbols);
-    case 2: return counts_of<2>(symbols);
-    case 3: return counts_of<3>(symbols);
-    default: return counts_of<4>(symbols);
+    case 1:
+      return counts_of<1>(symbols);
+    case 2:
+      return counts_of<2>(symbols);
+    case 3:
+      return counts_of<3>(symbols);
+    default:
+      return counts_of<4>(symbols);
   }
 }
 
@@ -122,8 +126,8 @@ SymbolCoding::Choice SymbolCoding::choose(const SymbolRows& symbols, TableEffort
     const std::size_t different_lengths = count_different(counts.lengths);
     const std::int64_t by_values =
         entropy(counts.values, symbols.size()) + table_bits(counts.values.size() - 1, different);
-    const std::int64_t by_lengths = entropy(counts.lengths, symbols.count) +
-                                    table_bits(different_lengths, different_lengths) + counts.plain_bits;
+    const std::int64_t by_lengths =
+        entropy(counts.lengths, symbols.count) + table_bits(different_lengths, different_lengths) + counts.plain_bits;
     if (by_values <= by_lengths) {
       const int table_size = table_size_of(different, effort);
       return {{}, table_size, RansTable(counts.values, precision_bits(table_size))};

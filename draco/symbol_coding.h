@@ -9,13 +9,12 @@
 
 namespace dini {
 
-
 /// How much is spent on a good table of probabilities, as in libdraco: 10 less the speed of the encoder; 7 is usual.
 using TableEffort = int;
 inline constexpr TableEffort usual_table_effort = 7;
 
-/// How some symbols are written: each by its own probability, or, where they are many different ones, each as plain bits
-/// whose number has a probability. Whichever is expected to be shorter (Draco bitstream 2.2, "Symbol Decoding").
+/// How some symbols are written: each by its own probability, or, where they are many different ones, each as plain
+/// bits whose number has a probability. Whichever is expected to be shorter (Draco bitstream 2.2, "Symbol Decoding").
 class SymbolCoding {
  public:
   /// For at least one row.

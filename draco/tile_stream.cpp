@@ -54,7 +54,10 @@ std::vector<Attribute> attributes_of(const StreamAttributes& given, const Vertex
                     parallelogram_symbols(on_grid(given.positions, given.position_grid), 3, order),
                     given.position_grid});
   if (!given.normals.empty()) {
-    result.push_back({AttributeKind::normal, NumberKind::float32, 3, Decoder::normals,
+    result.push_back({AttributeKind::normal,
+                      NumberKind::float32,
+                      3,
+                      Decoder::normals,
                       octahedron_symbols(given.normals, given.normal_bits, order),
                       {{}, 1, given.normal_bits}});
   }
@@ -63,8 +66,12 @@ std::vector<Attribute> attributes_of(const StreamAttributes& given, const Vertex
                       parallelogram_symbols(on_grid(given.uvs, given.uv_grid), 2, order), given.uv_grid});
   }
   if (!given.colors.empty()) {
-    result.push_back({AttributeKind::color, NumberKind::uint16, 4, Decoder::integers,
-                      parallelogram_symbols(whole_numbers(given.colors), 4, order), {}});
+    result.push_back({AttributeKind::color,
+                      NumberKind::uint16,
+                      4,
+                      Decoder::integers,
+                      parallelogram_symbols(whole_numbers(given.colors), 4, order),
+                      {}});
   }
   return result;
 }

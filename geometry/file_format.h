@@ -22,7 +22,7 @@ struct FileOptions {
   int speed = 7;           ///< 0 smallest file .. 10 quickest
   bool draco = true;       ///< whether a format that can compresses meshes with Draco
   bool normals = true;
-  Json about = nullptr;  ///< what the file says about itself
+  Json about = nullptr;                 ///< what the file says about itself
   TopologyCache* topologies = nullptr;  ///< what is known of tiles from other files, if anything; no byte depends on it
 };
 

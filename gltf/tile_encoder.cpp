@@ -34,13 +34,9 @@ EncodeResult<EncodedTile> TileEncoder::encode(const Tile& tile, const TileGrids&
                             ? options.topologies->topology(tile.triangles, tile.positions.size())
                             : tile_topology(tile.triangles, tile.positions.size());
   if (topology == nullptr) return libdraco_.encode(tile, grids, options);
-  const StreamAttributes attributes = {tile.positions,
-                                       tile.normals,
-                                       tile.uvs,
-                                       tile.colors,
-                                       stream_grid(grids.positions),
-                                       stream_grid(grids.uvs),
-                                       options.normal_bits};
+  const StreamAttributes attributes = {
+      tile.positions,         tile.normals,       tile.uvs, tile.colors, stream_grid(grids.positions),
+      stream_grid(grids.uvs), options.normal_bits};
   return described(tile, tile_stream(*topology, attributes, 10 - options.speed));
 }
 

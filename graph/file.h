@@ -29,9 +29,9 @@ using SharedFile = std::shared_ptr<const File>;
 
 /// How the file of an export is wanted: known when a graph is evaluated for an answer, not when it is written.
 struct WantedFile {
-  const FileFormat* format = nullptr;  ///< of the engine's, which outlives every plan
-  Json about = nullptr;                ///< what the file says about itself
-  bool draco = true;                   ///< false: meshes are not compressed, whatever the node says
+  const FileFormat* format = nullptr;   ///< of the engine's, which outlives every plan
+  Json about = nullptr;                 ///< what the file says about itself
+  bool draco = true;                    ///< false: meshes are not compressed, whatever the node says
   TopologyCache* topologies = nullptr;  ///< the engine's, which outlives every plan too
 };
 

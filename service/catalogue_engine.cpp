@@ -91,7 +91,9 @@ std::vector<std::size_t> drawn_nodes(const PreparedGraph& prepared) {
 }  // namespace
 
 CatalogueEngine::CatalogueEngine(const Limits& limits, std::vector<FileFormat> formats)
-    : limits_(limits), formats_(std::move(formats)), cache_(limits.cache_bytes),
+    : limits_(limits),
+      formats_(std::move(formats)),
+      cache_(limits.cache_bytes),
       topologies_(limits.cache_bytes / topology_share),
       assets_(limits_) {
   add_all_nodes(registry_);

@@ -43,7 +43,9 @@ class CatalogueEngine final : public Engine {
   AssetFinder asset_finder(const Cancel& cancel) const {
     return [this, &cancel](std::string_view text) { return assets_.find(text, cancel); };
   }
-  Environment environment(const Cancel& cancel) const { return {registry_, limits_, formats_, topologies_, asset_finder(cancel)}; }
+  Environment environment(const Cancel& cancel) const {
+    return {registry_, limits_, formats_, topologies_, asset_finder(cancel)};
+  }
 
   /// What has to be evaluated: the targets, and what is drawn unless the drawing is known.
   std::vector<std::size_t> wanted_nodes(const PreparedGraph& prepared) const;

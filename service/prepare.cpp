@@ -129,8 +129,8 @@ void want_file(PreparedGraph& prepared, const FileFormat& format, const Evaluate
                TopologyCache& topologies) {
   PlannedNode& node = prepared.plan.nodes[*prepared.export_node];
   prepared.fingerprint = node.fingerprint;
-  const auto wanted =
-      std::make_shared<const WantedFile>(WantedFile{&format, about_file(prepared, request), request.draco, &topologies});
+  const auto wanted = std::make_shared<const WantedFile>(
+      WantedFile{&format, about_file(prepared, request), request.draco, &topologies});
   const std::string about = wanted->about.dump();
   DigestBuilder digest;
   digest.text("file").digest(node.fingerprint).text(format.name).text(about).integer(request.draco ? 1 : 0);
