@@ -28,7 +28,8 @@ Column<Point> warped_grid(double scale) {
   std::uint64_t state = 3;
   for (std::size_t i = 0; i < pairs; ++i) {
     const Point center{uniform(state), uniform(state), 0.6 + 0.4 * uniform(state)};
-    sources.push_back({null_pair(center, {0.05 * uniform(state), 0.05 * uniform(state), 0.05 * uniform(state)}), center});
+    sources.push_back(
+        {null_pair(center, {0.05 * uniform(state), 0.05 * uniform(state), 0.05 * uniform(state)}), center});
   }
   Column<Point> flat(side * side), warped(side * side);
   for (std::size_t i = 0; i < side * side; ++i) {
