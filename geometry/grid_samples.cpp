@@ -111,8 +111,19 @@ std::optional<std::array<std::size_t, 2>> GridSamples::first_clipped() const {
 
 double GridSamples::longest_step() const { return ordinary_step * clip_radius_; }
 
+bool GridSamples::has_short_sides(std::size_t row, std::size_t column) const {
+  const Vector a = position(index(row, column)), b = position(index(rows_.next(row), column));
+  const Vector c = position(index(rows_.next(row), columns_.next(column)));
+  const Vector d = position(index(row, columns_.next(column)));
+  const double limit = longest_step() * longest_step() * (1 - 1e-9);
+  // Sides that are not finite are not short.
+  return squared_length(b - a) <= limit && squared_length(c - b) <= limit && squared_length(d - c) <= limit &&
+         squared_length(a - d) <= limit;
+}
+
 int GridSamples::tears_of(std::size_t row, std::size_t column) const {
   const double least_step = longest_step();
+  if (has_short_sides(row, column)) return 0;
   const auto shape = [&](std::size_t at_row, std::size_t at_column, bool rows) -> QuadShape {
     const std::size_t a = index(at_row, at_column);
     const std::size_t b = index(rows_.next(at_row), at_column);

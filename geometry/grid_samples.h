@@ -84,6 +84,7 @@ class GridSamples {
 
   void read(const PointGrid& grid, const Cancel& cancel);
   void place_samples(const Cancel& cancel);
+  bool has_short_sides(std::size_t row, std::size_t column) const;
   int tears_of(std::size_t row, std::size_t column) const;
   void unite(std::size_t a, std::size_t b);
 

@@ -20,12 +20,14 @@ class TileBuilder {
  public:
   TileBuilder(const GridSamples& samples, const Cancel& cancel) : samples_(samples), cancel_(cancel) {}
 
-  void add_quad(std::size_t row, std::size_t column);
+  void add(const TilePiece& piece);
   IrregularTile take() { return std::move(tile_); }
 
  private:
   using Corners = std::array<std::size_t, 3>;
 
+  void add_plain_quad(std::size_t row, std::size_t column);
+  void add_quad(std::size_t row, std::size_t column);
   void add_triangle(const Corners& corners);
   void emit(std::uint32_t a, std::uint32_t b, std::uint32_t c);
   std::uint32_t sample_vertex(std::size_t sample) const { return static_cast<std::uint32_t>(samples_.label(sample)); }
@@ -36,6 +38,32 @@ class TileBuilder {
   NumberTable vertex_of_cut_;  ///< by samples inside and outside
   IrregularTile tile_;
 };
+
+void TileBuilder::add(const TilePiece& piece) {
+  const std::size_t begin = tile_.triangles.size();
+  for (std::size_t row = piece.block.row_begin; row < piece.block.row_end && !cancel_.stopped(); ++row) {
+    for (std::size_t column = piece.block.column_begin; column < piece.block.column_end; ++column) {
+      if (piece.plain) {
+        add_plain_quad(row, column);
+      } else {
+        add_quad(row, column);
+      }
+    }
+  }
+  if (!piece.plain) tile_.runs.push_back({begin, tile_.triangles.size()});
+}
+
+void TileBuilder::add_plain_quad(std::size_t row, std::size_t column) {
+  const std::size_t next_row = samples_.rows().next(row), next_column = samples_.columns().next(column);
+  const std::size_t a = samples_.index(row, column), b = samples_.index(next_row, column);
+  const std::size_t c = samples_.index(next_row, next_column), d = samples_.index(row, next_column);
+  if (samples_.label(a) != a || samples_.label(b) != b || samples_.label(c) != c || samples_.label(d) != d) {
+    return add_quad(row, column);
+  }
+  const auto corner = [](std::size_t sample) { return static_cast<std::uint32_t>(sample); };
+  tile_.triangles.push_back({corner(a), corner(b), corner(c)});
+  tile_.triangles.push_back({corner(a), corner(c), corner(d)});
+}
 
 void TileBuilder::add_quad(std::size_t row, std::size_t column) {
   const std::size_t next_row = samples_.rows().next(row);
@@ -120,11 +148,9 @@ std::uint32_t TileBuilder::cut_vertex(std::size_t inside, std::size_t outside) {
 
 }  // namespace
 
-IrregularTile irregular_tile(const GridSamples& samples, const QuadBlock& block, const Cancel& cancel) {
+IrregularTile irregular_tile(const GridSamples& samples, const std::vector<TilePiece>& pieces, const Cancel& cancel) {
   TileBuilder builder(samples, cancel);
-  for (std::size_t row = block.row_begin; row < block.row_end && !cancel.stopped(); ++row) {
-    for (std::size_t column = block.column_begin; column < block.column_end; ++column) builder.add_quad(row, column);
-  }
+  for (const TilePiece& piece : pieces) builder.add(piece);
   return builder.take();
 }
 

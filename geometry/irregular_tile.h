@@ -19,15 +19,22 @@ struct CutVertex {
   std::array<double, 2> uv = {};
 };
 
-/// The triangles of a block of quads. Their corners are labels of samples or, from the number of samples on, indices of
-/// `cuts`.
+/// Rows of quads of a tile. In plain ones no quad is torn or cut, and each may be split into a b c and a c d, unless
+/// corners coincide with samples beyond it.
+struct TilePiece {
+  QuadBlock block;
+  bool plain = false;
+};
+
+/// The triangles of a tile. Their corners are labels of samples or, from the number of samples on, indices of `cuts`.
 struct IrregularTile {
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::array<std::size_t, 2>> runs;  ///< begins and ends of the triangles of pieces that are not plain
   std::vector<CutVertex> cuts;
   std::size_t clipped_quads = 0;
 };
 
-IrregularTile irregular_tile(const GridSamples& samples, const QuadBlock& block, const Cancel& cancel);
+IrregularTile irregular_tile(const GridSamples& samples, const std::vector<TilePiece>& pieces, const Cancel& cancel);
 
 /// The position of a corner of a tile.
 inline Vector corner_position(const GridSamples& samples, const IrregularTile& tile, std::uint32_t corner) {

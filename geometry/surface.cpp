@@ -40,10 +40,11 @@ void write_triangles(const GridSamples& samples, const std::vector<SurfaceTile>&
     count += tile.triangles();
     if (count > begins.back()) mesh.tile_ends.push_back(count);
   }
-  mesh.triangles.resize(count);
+  auto& triangles = mesh.triangles.edit();
+  triangles.resize(count);
   for_chunks(cancel, tiles.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      Triangle* out = mesh.triangles.data() + begins[i];
+      Triangle* out = triangles.data() + begins[i];
       if (!tiles[i].irregular) {
         write_quads(samples, tiles[i].block, vertices, out);
         continue;
@@ -61,9 +62,9 @@ void write_triangles(const GridSamples& samples, const std::vector<SurfaceTile>&
 /// Writes positions, normals and texture coordinates of the vertices.
 void write_vertices(const GridSamples& samples, const SurfaceVertices& vertices, Column<Vector> normals, Mesh& mesh,
                     const Cancel& cancel) {
-  mesh.positions = Column<Point>(vertices.size());
-  mesh.normals = vertices.are_samples() ? std::move(normals) : Column<Vector>(vertices.size());
-  mesh.uvs.resize(vertices.size());
+  Column<Point> positions(vertices.size());
+  Column<Vector> kept_normals(vertices.are_samples() ? 0 : vertices.size());
+  NumberList<std::array<double, 2>> uvs(vertices.size());
   std::vector<double> v(samples.columns().size());
   for (std::size_t column = 0; column < v.size(); ++column) v[column] = samples.columns().coordinate(column);
   const std::array<const double*, 3> from = {samples.positions().x, samples.positions().y, samples.positions().z};
@@ -75,24 +76,27 @@ void write_vertices(const GridSamples& samples, const SurfaceVertices& vertices,
       const double u = samples.rows().coordinate(row);
       if (vertices.are_samples()) {
         for (std::size_t k = 0; k < from.size(); ++k) {
-          std::copy_n(from[k] + first, columns, mesh.positions.component(k) + first);
+          std::copy_n(from[k] + first, columns, positions.component(k) + first);
         }
-        for (std::size_t column = 0; column < columns; ++column) mesh.uvs[first + column] = {u, v[column]};
+        for (std::size_t column = 0; column < columns; ++column) uvs[first + column] = {u, v[column]};
         continue;
       }
       for (std::size_t column = 0; column < columns; ++column) {
         if (!vertices.uses(first + column)) continue;
         const std::uint32_t vertex = vertices.of_sample(first + column);
-        mesh.positions.set(vertex, to_point(samples.position(first + column)));
-        mesh.normals.set(vertex, normals[first + column]);
-        mesh.uvs[vertex] = {u, v[column]};
+        positions.set(vertex, to_point(samples.position(first + column)));
+        kept_normals.set(vertex, normals[first + column]);
+        uvs[vertex] = {u, v[column]};
       }
     }
   });
   for (std::size_t i = 0; i < vertices.cuts().size(); ++i) {
-    mesh.positions.set(vertices.sample_count() + i, to_point(vertices.cuts()[i].position));
-    mesh.uvs[vertices.sample_count() + i] = vertices.cuts()[i].uv;
+    positions.set(vertices.sample_count() + i, to_point(vertices.cuts()[i].position));
+    uvs[vertices.sample_count() + i] = vertices.cuts()[i].uv;
   }
+  mesh.positions = std::move(positions);
+  mesh.normals = vertices.are_samples() ? std::move(normals) : std::move(kept_normals);
+  mesh.uvs = std::move(uvs);
 }
 
 }  // namespace

@@ -84,13 +84,14 @@ void settle_normals(const GridSamples& samples, const GridNormals& by_difference
     const Vector area = cross(corners[1] - corners[0], corners[2] - corners[0]);
     for (const std::uint32_t corner : triangle) areas[corner] = areas[corner] + area;
   });
+  Column<Vector>& settled = mesh.normals.edit();
   for_chunks(cancel, doubts.size(), [&](std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) {
       const std::size_t vertex = doubts[i].number;
       const std::optional<Vector> normal = difference_normal(samples, by_differences, doubts[i]);
       if (!normal || dot(*normal, areas[vertex]) <= 0) continue;
       wanted[vertex] = 0;
-      mesh.normals.set(vertex, *normal);
+      settled.set(vertex, *normal);
     }
   });
   Zeroed<Vector> fans(vertices.size());
@@ -102,7 +103,7 @@ void settle_normals(const GridSamples& samples, const GridNormals& by_difference
   for (const DoubtfulVertex& doubt : doubts) {
     if (wanted[doubt.number] == 0) continue;
     const Vector fan = normalized(fans[doubt.number]);
-    mesh.normals.set(doubt.number, fan == Vector{} ? Vector{0, 0, 1} : fan);
+    settled.set(doubt.number, fan == Vector{} ? Vector{0, 0, 1} : fan);
   }
 }
 

@@ -52,13 +52,16 @@ bool any_torn(const GridSamples& samples, const QuadBlock& block) {
 
 void doubt_backs(const GridSamples& samples, const IrregularTile& tile, const Column<Vector>& normals,
                  Zeroed<std::uint8_t>& doubtful) {
-  for (const auto& triangle : tile.triangles) {
-    const Vector a = corner_position(samples, tile, triangle[0]), b = corner_position(samples, tile, triangle[1]);
-    const Vector c = corner_position(samples, tile, triangle[2]);
-    const Vector area = cross(b - a, c - a);
-    for (const std::uint32_t corner : triangle) {
-      if (corner >= samples.size() || dot(normals[corner], area) > 0) continue;
-      std::atomic_ref(doubtful[corner]).store(1, std::memory_order_relaxed);
+  for (const auto& [begin, end] : tile.runs) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto& triangle = tile.triangles[i];
+      const Vector a = corner_position(samples, tile, triangle[0]), b = corner_position(samples, tile, triangle[1]);
+      const Vector c = corner_position(samples, tile, triangle[2]);
+      const Vector area = cross(b - a, c - a);
+      for (const std::uint32_t corner : triangle) {
+        if (corner >= samples.size() || dot(normals[corner], area) > 0) continue;
+        std::atomic_ref(doubtful[corner]).store(1, std::memory_order_relaxed);
+      }
     }
   }
 }
@@ -70,7 +73,7 @@ std::vector<TileFacts> tile_facts(const GridSamples& samples, const Column<Vecto
   std::vector<TileFacts> tiles;
   for_each_tile(samples.rows().steps(), samples.columns().steps(),
                 [&](std::size_t row_begin, std::size_t row_end, std::size_t column_begin, std::size_t column_end) {
-                  tiles.push_back({{row_begin, row_end, column_begin, column_end}, {}});
+                  tiles.push_back({{row_begin, row_end, column_begin, column_end}, {}, {}});
                   return true;
                 });
   struct Piece {
@@ -95,7 +98,10 @@ std::vector<TileFacts> tile_facts(const GridSamples& samples, const Column<Vecto
                         : grid_lanes::QuadFacts{true, true, true};
     }
   });
-  for (const Piece& piece : pieces) tiles[piece.tile].facts |= piece.facts;
+  for (const Piece& piece : pieces) {
+    tiles[piece.tile].facts |= piece.facts;
+    tiles[piece.tile].pieces.push_back({piece.block, piece.facts});
+  }
   return tiles;
 }
 
@@ -107,7 +113,11 @@ std::vector<SurfaceTile> surface_tiles(const GridSamples& samples, const std::ve
     for (std::size_t i = begin; i < end; ++i) {
       tiles[i].block = facts[i].block;
       if (!facts[i].facts.irregular && !any_torn(samples, facts[i].block)) continue;
-      tiles[i].irregular = irregular_tile(samples, facts[i].block, cancel);
+      std::vector<TilePiece> pieces;
+      for (const auto& [block, known] : facts[i].pieces) {
+        pieces.push_back({block, !known.irregular && !any_torn(samples, block)});
+      }
+      tiles[i].irregular = irregular_tile(samples, pieces, cancel);
       doubt_backs(samples, *tiles[i].irregular, normals, doubtful);
     }
   });

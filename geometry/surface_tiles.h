@@ -21,10 +21,11 @@ struct SurfaceTile {
   std::size_t triangles() const { return irregular ? irregular->triangles.size() : 2 * quads(); }
 };
 
-/// A tile, and what its quads are like.
+/// A tile and what its quads are like, all of them and those of a few rows each.
 struct TileFacts {
   QuadBlock block;
   grid_lanes::QuadFacts facts;
+  std::vector<std::pair<QuadBlock, grid_lanes::QuadFacts>> pieces;
 };
 
 /// Looks at all quads of a grid, tile by tile. Samples whose normal does not look to the front of each triangle around

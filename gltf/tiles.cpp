@@ -42,74 +42,149 @@ std::uint16_t color_channel(float value) {
   return static_cast<std::uint16_t>(std::min(step * std::lround(steps * std::min(value, 1.0f)), 65535L));
 }
 
+// Triangles between two looks at the flag.
+constexpr std::size_t run = 4096;
+
+/// Calls body(begin, end) for runs of `size` elements; false when stopped before the last.
+template <class Body>
+bool in_runs(std::size_t size, const Cancel& cancel, Body body) {
+  for (std::size_t begin = 0; begin < size; begin += run) {
+    if (cancel.stopped()) return false;
+    body(begin, std::min(begin + run, size));
+  }
+  return !cancel.stopped();
+}
+
+EncodeError index_out_of_range(const Mesh& mesh, std::size_t begin) {
+  for (std::size_t i = begin;; ++i) {
+    for (const std::uint32_t vertex : mesh.triangles[i]) {
+      if (vertex < mesh.positions.size()) continue;
+      return invalid("Triangle " + std::to_string(i) + " uses vertex " + std::to_string(vertex) + " of " +
+                     std::to_string(mesh.positions.size()) + ".");
+    }
+  }
+}
+
 // Fills `tile.triangles` and returns the vertices of the mesh in the order of first use.
 EncodeResult<std::vector<std::uint32_t>> renumber(const Mesh& mesh, std::size_t begin, std::size_t end,
                                                   const Cancel& cancel, Tile& tile) {
-  CancelEvery steps(cancel);
-  std::uint32_t first = unused;
-  std::uint32_t last = 0;
-  for (std::size_t i = begin; i < end; ++i) {
-    if (steps.stopped()) return canceled();
-    for (const std::uint32_t vertex : mesh.triangles[i]) {
-      if (vertex >= mesh.positions.size()) {
-        return invalid("Triangle " + std::to_string(i) + " uses vertex " + std::to_string(vertex) + " of " +
-                       std::to_string(mesh.positions.size()) + ".");
-      }
-      first = std::min(first, vertex);
-      last = std::max(last, vertex);
-    }
-  }
+  const std::array<std::uint32_t, 3>* const triangles = mesh.triangles.data() + begin;
+  const std::size_t count = end - begin;
   std::vector<std::uint32_t> vertices;
-  if (begin == end) return vertices;
-  std::vector<std::uint32_t> renumbered(last - first + 1, unused);
-  tile.triangles.reserve(end - begin);
-  for (std::size_t i = begin; i < end; ++i) {
-    if (steps.stopped()) return canceled();
-    const auto& triangle = mesh.triangles[i];
-    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
-    auto& target = tile.triangles.emplace_back();
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      std::uint32_t& number = renumbered[triangle[corner] - first];
-      if (number == unused) {
-        number = static_cast<std::uint32_t>(vertices.size());
-        vertices.push_back(triangle[corner]);
+  if (count == 0) return vertices;
+  std::array<std::uint32_t, 3> first = {unused, unused, unused}, last = {0, 0, 0};
+  const bool all_seen = in_runs(count, cancel, [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) {
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        first[corner] = std::min(first[corner], triangles[i][corner]);
+        last[corner] = std::max(last[corner], triangles[i][corner]);
       }
-      target[corner] = number;
     }
-  }
+  });
+  if (!all_seen) return canceled();
+  const std::uint32_t least = std::min({first[0], first[1], first[2]});
+  const std::uint32_t most = std::max({last[0], last[1], last[2]});
+  if (most >= mesh.positions.size()) return index_out_of_range(mesh, begin);
+
+  std::vector<std::uint32_t> numbers(most - least + 1, unused);
+  vertices.resize(std::min(numbers.size(), 3 * count));
+  tile.triangles.resize(count);
+  std::array<std::uint32_t, 3>* out = tile.triangles.data();
+  std::uint32_t known = 0;
+  const bool all_renumbered = in_runs(count, cancel, [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) {
+      const auto [a, b, c] = triangles[i];
+      if (a == b || b == c || c == a) continue;
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        std::uint32_t& number = numbers[triangles[i][corner] - least];
+        if (number == unused) {
+          vertices[known] = triangles[i][corner];
+          number = known++;
+        }
+        (*out)[corner] = number;
+      }
+      ++out;
+    }
+  });
+  if (!all_renumbered) return canceled();
+  tile.triangles.resize(static_cast<std::size_t>(out - tile.triangles.data()));
+  vertices.resize(known);
   return vertices;
+}
+
+// One coordinate of some vertices as floats, `stride` apart, and its bounds. False when any of them cannot be drawn:
+// which one, and why, is found by another look.
+template <class Value>
+bool gather(const std::vector<std::uint32_t>& vertices, std::size_t begin, std::size_t end, const Value& value,
+            float* out, std::size_t stride, float& minimum, float& maximum) {
+  float low = minimum, high = maximum;
+  bool drawable = true;
+  for (std::size_t i = begin; i < end; ++i) {
+    const double coordinate = value(vertices[i]);
+    drawable &= std::abs(coordinate) < largest_coordinate;
+    const auto rounded = static_cast<float>(coordinate);
+    low = std::min(low, rounded);
+    high = std::max(high, rounded);
+    out[i * stride] = rounded;
+  }
+  minimum = low;
+  maximum = high;
+  return drawable;
 }
 
 std::optional<EncodeError> gather_positions(const Mesh& mesh, const std::vector<std::uint32_t>& vertices,
                                             const Cancel& cancel, Tile& tile) {
-  tile.positions.reserve(vertices.size());
-  CancelEvery steps(cancel);
+  const Column<Point>& positions = *mesh.positions;
+  tile.positions.resize(vertices.size());
+  bool drawable = true;
+  const bool all = in_runs(vertices.size(), cancel, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double* const column = positions.component(k);
+      drawable &= gather(vertices, begin, end, [column](std::uint32_t vertex) { return column[vertex]; },
+                         tile.positions[0].data() + k, 3, tile.position_box.minimum[k], tile.position_box.maximum[k]);
+    }
+  });
+  if (!all) return canceled();
+  if (drawable) return std::nullopt;
   for (const std::uint32_t vertex : vertices) {
-    if (steps.stopped()) return canceled();
-    const Vector position = to_vector(mesh.positions[vertex]);
-    for (const double value : {position.x, position.y, position.z}) {
+    const Point p = positions[vertex];
+    for (const double value : {p.x, p.y, p.z}) {
       if (auto error = check_coordinate("position", vertex, value)) return error;
     }
-    tile.positions.push_back(to_float(position));
-    tile.position_box.include(tile.positions.back());
   }
   return std::nullopt;
 }
 
 std::optional<EncodeError> gather_uvs(const Mesh& mesh, const std::vector<std::uint32_t>& vertices,
                                       const Cancel& cancel, Tile& tile) {
-  tile.uvs.reserve(vertices.size());
-  CancelEvery steps(cancel);
+  const auto& uvs = *mesh.uvs;
+  tile.uvs.resize(vertices.size());
+  bool drawable = true;
+  const bool all = in_runs(vertices.size(), cancel, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      drawable &= gather(vertices, begin, end, [&uvs, k](std::uint32_t vertex) { return uvs[vertex][k]; },
+                         tile.uvs[0].data() + k, 2, tile.uv_box.minimum[k], tile.uv_box.maximum[k]);
+    }
+  });
+  if (!all) return canceled();
+  if (!vertices.empty()) tile.uv_box.minimum[2] = tile.uv_box.maximum[2] = 0;
+  if (drawable) return std::nullopt;
   for (const std::uint32_t vertex : vertices) {
-    if (steps.stopped()) return canceled();
-    const auto& [u, v] = mesh.uvs[vertex];
-    for (const double value : {u, v}) {
+    for (const double value : uvs[vertex]) {
       if (auto error = check_coordinate("texture coordinate", vertex, value)) return error;
     }
-    tile.uvs.push_back({static_cast<float>(u), static_cast<float>(v)});
-    tile.uv_box.include(std::array<float, 3>{tile.uvs.back()[0], tile.uvs.back()[1], 0});
   }
   return std::nullopt;
+}
+
+// Fills one attribute of all vertices.
+template <class Attribute, class Value>
+bool gather_all(const std::vector<std::uint32_t>& vertices, const Cancel& cancel, std::vector<Attribute>& out,
+                const Value& value) {
+  out.resize(vertices.size());
+  return in_runs(vertices.size(), cancel, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) out[i] = value(vertices[i]);
+  });
 }
 
 }  // namespace
@@ -162,26 +237,24 @@ EncodeResult<Tile> build_tile(const Mesh& mesh, std::size_t begin, std::size_t e
   auto renumbered = renumber(mesh, begin, end, cancel, tile);
   if (!renumbered) return std::move(renumbered).error();
   const std::vector<std::uint32_t>& vertices = *renumbered;
-  CancelEvery steps(cancel);
+  if (vertices.empty()) return tile;
   if (auto error = gather_positions(mesh, vertices, cancel, tile)) return std::move(*error);
   if (options.uvs && !mesh.uvs.empty()) {
     if (auto error = gather_uvs(mesh, vertices, cancel, tile)) return std::move(*error);
   }
+  bool all = true;
   if (options.normals && !mesh.normals.empty()) {
-    tile.normals.reserve(vertices.size());
-    for (const std::uint32_t vertex : vertices) {
-      if (steps.stopped()) return canceled();
-      tile.normals.push_back(drawable_normal(mesh.normals[vertex]));
-    }
+    const Column<Vector>& normals = *mesh.normals;
+    all = gather_all(vertices, cancel, tile.normals, [&](std::uint32_t vertex) { return drawable_normal(normals[vertex]); });
   }
   if (options.colors && !mesh.colors.empty()) {
-    tile.colors.reserve(vertices.size());
-    for (const std::uint32_t vertex : vertices) {
-      if (steps.stopped()) return canceled();
-      const auto& [red, green, blue, alpha] = mesh.colors[vertex];
-      tile.colors.push_back({color_channel(red), color_channel(green), color_channel(blue), color_channel(alpha)});
-    }
+    const auto& colors = *mesh.colors;
+    all = all && gather_all(vertices, cancel, tile.colors, [&](std::uint32_t vertex) -> std::array<std::uint16_t, 4> {
+      const auto& [red, green, blue, alpha] = colors[vertex];
+      return {color_channel(red), color_channel(green), color_channel(blue), color_channel(alpha)};
+    });
   }
+  if (!all) return canceled();
   return tile;
 }
 
