@@ -6,6 +6,7 @@
 #include <string>
 
 #include "geometry/validate.h"
+#include "gltf/tile_lanes.h"
 
 namespace dini {
 namespace {
@@ -25,10 +26,12 @@ std::array<float, 3> to_float(const Vector& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
+constexpr double least_usual_normal = 1e-3, greatest_usual_normal = 1e3;
+
 // Draco never sees a zero or NaN normal. Unit normals, the rule, pass without a square root.
 std::array<float, 3> drawable_normal(const Vector& normal) {
   const double size = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
-  if (size > 1e-3 && size < 1e3) return to_float(normal);
+  if (size > least_usual_normal && size < greatest_usual_normal) return to_float(normal);
   if (size > 0 && is_finite(normal)) return to_float(normalized(normal));
   return {0, 0, 1};
 }
@@ -72,18 +75,13 @@ EncodeResult<std::vector<std::uint32_t>> renumber(const Mesh& mesh, std::size_t 
   const std::size_t count = end - begin;
   std::vector<std::uint32_t> vertices;
   if (count == 0) return vertices;
-  std::array<std::uint32_t, 3> first = {unused, unused, unused}, last = {0, 0, 0};
+  std::uint32_t least = unused, most = 0;
   const bool all_seen = in_runs(count, cancel, [&](std::size_t from, std::size_t to) {
-    for (std::size_t i = from; i < to; ++i) {
-      for (std::size_t corner = 0; corner < 3; ++corner) {
-        first[corner] = std::min(first[corner], triangles[i][corner]);
-        last[corner] = std::max(last[corner], triangles[i][corner]);
-      }
-    }
+    const tile_lanes::IndexRange range = tile_lanes::range_of(triangles[from].data(), 3 * (to - from));
+    least = std::min(least, range.least);
+    most = std::max(most, range.greatest);
   });
   if (!all_seen) return canceled();
-  const std::uint32_t least = std::min({first[0], first[1], first[2]});
-  const std::uint32_t most = std::max({last[0], last[1], last[2]});
   if (most >= mesh.positions.size()) return index_out_of_range(mesh, begin);
 
   std::vector<std::uint32_t> numbers(most - least + 1, unused);
@@ -112,23 +110,18 @@ EncodeResult<std::vector<std::uint32_t>> renumber(const Mesh& mesh, std::size_t 
   return vertices;
 }
 
-// One coordinate of some vertices as floats, `stride` apart, and its bounds. False when any of them cannot be drawn:
+// One coordinate of a run of vertices, after another in `out`, and its bounds. False when any of them cannot be drawn:
 // which one, and why, is found by another look.
-template <class Value>
-bool gather(const std::vector<std::uint32_t>& vertices, std::size_t begin, std::size_t end, const Value& value,
-            float* out, std::size_t stride, float& minimum, float& maximum) {
-  float low = minimum, high = maximum;
-  bool drawable = true;
-  for (std::size_t i = begin; i < end; ++i) {
-    const double coordinate = value(vertices[i]);
-    drawable &= std::abs(coordinate) < largest_coordinate;
-    const auto rounded = static_cast<float>(coordinate);
-    low = std::min(low, rounded);
-    high = std::max(high, rounded);
-    out[i * stride] = rounded;
-  }
-  minimum = low;
-  maximum = high;
+template <std::size_t N>
+bool gather(const double* values, std::size_t stride, const std::uint32_t* vertices, std::size_t count,
+            std::array<float, N>* out, std::size_t axis, FloatBox& box) {
+  std::array<float, run> rounded;
+  tile_lanes::Bounds bounds = {box.minimum[axis], box.maximum[axis]};
+  const bool drawable =
+      tile_lanes::round_values(values, stride, vertices, count, largest_coordinate, rounded.data(), bounds);
+  box.minimum[axis] = bounds.minimum;
+  box.maximum[axis] = bounds.maximum;
+  for (std::size_t i = 0; i < count; ++i) out[i][axis] = rounded[i];
   return drawable;
 }
 
@@ -138,10 +131,9 @@ std::optional<EncodeError> gather_positions(const Mesh& mesh, const std::vector<
   tile.positions.resize(vertices.size());
   bool drawable = true;
   const bool all = in_runs(vertices.size(), cancel, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double* const column = positions.component(k);
-      drawable &= gather(vertices, begin, end, [column](std::uint32_t vertex) { return column[vertex]; },
-                         tile.positions[0].data() + k, 3, tile.position_box.minimum[k], tile.position_box.maximum[k]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      drawable &= gather(positions.component(axis), 1, vertices.data() + begin, end - begin,
+                         tile.positions.data() + begin, axis, tile.position_box);
     }
   });
   if (!all) return canceled();
@@ -161,13 +153,13 @@ std::optional<EncodeError> gather_uvs(const Mesh& mesh, const std::vector<std::u
   tile.uvs.resize(vertices.size());
   bool drawable = true;
   const bool all = in_runs(vertices.size(), cancel, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = 0; k < 2; ++k) {
-      drawable &= gather(vertices, begin, end, [&uvs, k](std::uint32_t vertex) { return uvs[vertex][k]; },
-                         tile.uvs[0].data() + k, 2, tile.uv_box.minimum[k], tile.uv_box.maximum[k]);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      drawable &= gather(uvs.front().data() + axis, 2, vertices.data() + begin, end - begin, tile.uvs.data() + begin,
+                         axis, tile.uv_box);
     }
   });
   if (!all) return canceled();
-  if (!vertices.empty()) tile.uv_box.minimum[2] = tile.uv_box.maximum[2] = 0;
+  tile.uv_box.minimum[2] = tile.uv_box.maximum[2] = 0;
   if (drawable) return std::nullopt;
   for (const std::uint32_t vertex : vertices) {
     for (const double value : uvs[vertex]) {
@@ -177,13 +169,18 @@ std::optional<EncodeError> gather_uvs(const Mesh& mesh, const std::vector<std::u
   return std::nullopt;
 }
 
-// Fills one attribute of all vertices.
-template <class Attribute, class Value>
-bool gather_all(const std::vector<std::uint32_t>& vertices, const Cancel& cancel, std::vector<Attribute>& out,
-                const Value& value) {
-  out.resize(vertices.size());
+bool gather_normals(const Column<Vector>& normals, const std::vector<std::uint32_t>& vertices, const Cancel& cancel,
+                    Tile& tile) {
+  tile.normals.resize(vertices.size());
   return in_runs(vertices.size(), cancel, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) out[i] = value(vertices[i]);
+    std::array<float, run> x, y, z;
+    const bool usual = tile_lanes::round_vectors(
+        {normals.component(0), normals.component(1), normals.component(2)}, vertices.data() + begin, end - begin,
+        least_usual_normal, greatest_usual_normal, {x.data(), y.data(), z.data()});
+    for (std::size_t i = begin; i < end; ++i) {
+      tile.normals[i] = usual ? std::array<float, 3>{x[i - begin], y[i - begin], z[i - begin]}
+                              : drawable_normal(normals[vertices[i]]);
+    }
   });
 }
 
@@ -244,14 +241,16 @@ EncodeResult<Tile> build_tile(const Mesh& mesh, std::size_t begin, std::size_t e
   }
   bool all = true;
   if (options.normals && !mesh.normals.empty()) {
-    const Column<Vector>& normals = *mesh.normals;
-    all = gather_all(vertices, cancel, tile.normals, [&](std::uint32_t vertex) { return drawable_normal(normals[vertex]); });
+    all = gather_normals(*mesh.normals, vertices, cancel, tile);
   }
   if (options.colors && !mesh.colors.empty()) {
     const auto& colors = *mesh.colors;
-    all = all && gather_all(vertices, cancel, tile.colors, [&](std::uint32_t vertex) -> std::array<std::uint16_t, 4> {
-      const auto& [red, green, blue, alpha] = colors[vertex];
-      return {color_channel(red), color_channel(green), color_channel(blue), color_channel(alpha)};
+    tile.colors.resize(vertices.size());
+    all = all && in_runs(vertices.size(), cancel, [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i) {
+        const auto& [red, green, blue, alpha] = colors[vertices[i]];
+        tile.colors[i] = {color_channel(red), color_channel(green), color_channel(blue), color_channel(alpha)};
+      }
     });
   }
   if (!all) return canceled();
