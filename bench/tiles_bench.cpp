@@ -1,4 +1,5 @@
-// Cutting a surface of a million triangles into tiles that can be compressed: renumbered, checked and rounded to floats.
+// Cutting a surface of a million triangles into tiles that can be compressed: renumbered, checked and rounded to
+// floats.
 
 #include <benchmark/benchmark.h>
 #include <cmath>

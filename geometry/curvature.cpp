@@ -74,8 +74,7 @@ struct Share {
   bool known = false;
 };
 
-Share share_of_triangle(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle,
-                        const Column<Vector>& normals) {
+Share share_of_triangle(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle, const Column<Vector>& normals) {
   const std::array<Vector, 3> corners = corners_of(mesh, triangle);
   Share share;
   share.known =

@@ -185,7 +185,7 @@ void GridNormals::row_of_normals(std::size_t row, kernels::Points normals, std::
     along_rows.rows[along_rows.count] = samples_.index(at_row, 0);
     along_rows.weights[along_rows.count++] = stencil.weights[k];
   }
-  grid_lanes::ColumnDifferences along_columns;
+  grid_lanes::ColumnDifferences along_columns = {};
   for (std::size_t k = 0; k < along_columns.size(); ++k) along_columns[k] = column_weights_[k].data();
   grid_lanes::difference_normals(samples_.positions(), samples_.index(row, 0), along_rows, along_columns, begin, end,
                                  normals, doubtful);

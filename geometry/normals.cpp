@@ -11,8 +11,7 @@ Column<Vector> smooth_normals(const Mesh& mesh, const Cancel& cancel) {
   Zeroed<Vector> sums(mesh.positions.size());
   const auto& triangles = *mesh.triangles;
   compute_in_order<std::array<Vector, 3>>(
-      cancel, triangles.size(),
-      [&](std::size_t i) { return angle_weighted_normals(corners_of(mesh, triangles[i])); },
+      cancel, triangles.size(), [&](std::size_t i) { return angle_weighted_normals(corners_of(mesh, triangles[i])); },
       [&](std::size_t i, const std::array<Vector, 3>& weighted) {
         for (std::size_t corner = 0; corner < 3; ++corner) {
           Vector& sum = sums[labels[triangles[i][corner]]];

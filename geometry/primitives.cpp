@@ -53,12 +53,9 @@ Mesh known_surface(std::size_t rows, std::size_t row_steps, std::size_t columns,
     }
   });
   if (cancel.stopped()) return {};
-  Mesh mesh = whole_surface({.points = points,
-                             .rows = rows,
-                             .columns = columns,
-                             .closed_rows = rows == row_steps,
-                             .closed_columns = true},
-                            cancel);
+  Mesh mesh = whole_surface(
+      {.points = points, .rows = rows, .columns = columns, .closed_rows = rows == row_steps, .closed_columns = true},
+      cancel);
   Column<Vector>& normals = mesh.normals.edit();
   const auto& uvs = *mesh.uvs;
   for_chunks(cancel, normals.size(), [&](std::size_t begin, std::size_t end) {

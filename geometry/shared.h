@@ -16,10 +16,10 @@ class Shared {
   using Item = typename Container::value_type;
 
   Shared() = default;
-  Shared(Container items) : items_(std::make_shared<Container>(std::move(items))) {}  // NOLINT: it is one
+  Shared(Container items) : items_(std::make_shared<Container>(std::move(items))) {}
 
   const Container& operator*() const { return items_ ? *items_ : none(); }
-  operator const Container&() const { return **this; }  // NOLINT: it is one
+  operator const Container&() const { return **this; }
 
   std::size_t size() const { return items_ ? items_->size() : 0; }
   bool empty() const { return size() == 0; }

@@ -49,8 +49,8 @@ struct SurfaceResult {
 /// Neighbors that coincide to round-off (1e-12 of the largest coordinate) become one vertex; so a row or column that is
 /// a single point is a clean fan around a pole. Triangles without area are left out. Quads are split along the diagonal
 /// from (row, column) to (row + 1, column + 1), unless only the other one avoids a fold; so tiles of one size have the
-/// same triangles whatever the points are, as long as nothing in them is cut, folded or coincides (docs/decisions/0047).
-/// Vertices are the samples that triangles use, in the order of the grid, then those of cuts.
+/// same triangles whatever the points are, as long as nothing in them is cut, folded or coincides
+/// (docs/decisions/0047). Vertices are the samples that triangles use, in the order of the grid, then those of cuts.
 /// Normals come from differences of the samples (fourth order, one-sided at borders); where the two tangents vanish or
 /// are parallel, and where they disagree with the triangles, from the triangles around the vertex, weighted by angle.
 /// A triangle budget drops rows and columns evenly; ends stay, closed axes stay closed with three samples or more.

@@ -115,7 +115,7 @@ EncodeResult<std::vector<std::uint32_t>> renumber(const Mesh& mesh, std::size_t 
 template <std::size_t N>
 bool gather(const double* values, std::size_t stride, const std::uint32_t* vertices, std::size_t count,
             std::array<float, N>* out, std::size_t axis, FloatBox& box) {
-  std::array<float, run> rounded;
+  std::array<float, run> rounded = {};
   tile_lanes::Bounds bounds = {box.minimum[axis], box.maximum[axis]};
   const bool drawable =
       tile_lanes::round_values(values, stride, vertices, count, largest_coordinate, rounded.data(), bounds);
@@ -173,10 +173,10 @@ bool gather_normals(const Column<Vector>& normals, const std::vector<std::uint32
                     Tile& tile) {
   tile.normals.resize(vertices.size());
   return in_runs(vertices.size(), cancel, [&](std::size_t begin, std::size_t end) {
-    std::array<float, run> x, y, z;
-    const bool usual = tile_lanes::round_vectors(
-        {normals.component(0), normals.component(1), normals.component(2)}, vertices.data() + begin, end - begin,
-        least_usual_normal, greatest_usual_normal, {x.data(), y.data(), z.data()});
+    std::array<float, run> x = {}, y = {}, z = {};
+    const bool usual = tile_lanes::round_vectors({normals.component(0), normals.component(1), normals.component(2)},
+                                                 vertices.data() + begin, end - begin, least_usual_normal,
+                                                 greatest_usual_normal, {x.data(), y.data(), z.data()});
     for (std::size_t i = begin; i < end; ++i) {
       tile.normals[i] = usual ? std::array<float, 3>{x[i - begin], y[i - begin], z[i - begin]}
                               : drawable_normal(normals[vertices[i]]);
@@ -247,11 +247,11 @@ EncodeResult<Tile> build_tile(const Mesh& mesh, std::size_t begin, std::size_t e
     const auto& colors = *mesh.colors;
     tile.colors.resize(vertices.size());
     all = all && in_runs(vertices.size(), cancel, [&](std::size_t from, std::size_t to) {
-      for (std::size_t i = from; i < to; ++i) {
-        const auto& [red, green, blue, alpha] = colors[vertices[i]];
-        tile.colors[i] = {color_channel(red), color_channel(green), color_channel(blue), color_channel(alpha)};
-      }
-    });
+            for (std::size_t i = from; i < to; ++i) {
+              const auto& [red, green, blue, alpha] = colors[vertices[i]];
+              tile.colors[i] = {color_channel(red), color_channel(green), color_channel(blue), color_channel(alpha)};
+            }
+          });
   }
   if (!all) return canceled();
   return tile;

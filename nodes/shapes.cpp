@@ -123,14 +123,13 @@ std::shared_ptr<Mesh> with_positions(const Context& context, const Mesh& mesh, C
   auto moved = std::make_shared<Mesh>(mesh);
   moved->positions = std::move(positions);
   moved->normals = std::move(normals);
-  CancelEvery steps(context.cancel());
-  for (std::size_t i = 0; i < moved->positions.size() && !steps.stopped(); ++i) {
-    if (within_reach(moved->positions[i])) continue;
+  const Column<Point>& places = *moved->positions;
+  const auto is_far = [&](std::size_t vertex) { return !within_reach(places[vertex]); };
+  if (first_where(context.cancel(), places.size(), is_far)) {
     const std::size_t before = moved->triangles.size();
     leave_out_far_triangles(*moved, context.cancel());
     context.warn({"at-infinity",
                   std::to_string(before - moved->triangles.size()) + " triangles reach infinity and are left out"});
-    break;
   }
   return moved;
 }

@@ -230,7 +230,8 @@ TEST_CASE("Every broken invariant of a mesh is named") {
   CHECK(defect([](Mesh& mesh) { mesh.uvs.edit().pop_back(); }) == "25 uvs for 26 vertices");
   CHECK(defect([](Mesh& mesh) { mesh.colors.resize(1); }) == "1 colors for 26 vertices");
   CHECK(defect([](Mesh& mesh) { mesh.triangles.edit()[5][1] = 26; }) == "triangle 5 uses a vertex that is not there");
-  CHECK(defect([](Mesh& mesh) { mesh.triangles.edit()[5][1] = mesh.triangles[5][0]; }) == "triangle 5 uses a vertex twice");
+  CHECK(defect([](Mesh& mesh) { mesh.triangles.edit()[5][1] = mesh.triangles[5][0]; }) ==
+        "triangle 5 uses a vertex twice");
   CHECK(defect([](Mesh& mesh) { mesh.positions.set(2, Point::at_infinity()); }) ==
         "position 2 is not finite or too large");
   CHECK(defect([](Mesh& mesh) { mesh.positions.set(2, {0, 1e18, 0}); }) == "position 2 is not finite or too large");

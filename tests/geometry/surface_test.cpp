@@ -231,11 +231,13 @@ TEST_CASE("The same grid gives the same mesh") {
 TEST_CASE("Tiles of one shape have the same triangles whatever the points are") {
   const bool closed = GENERATE(false, true);
   const auto bent = [&](double bend) {
-    return surface_of(Grid(150, 140, closed, closed, [&](double u, double v) {
-             const Point p = closed ? torus_point(u, v) : Point{u, 2 * v, 0};
-             const double wave = bend * sine_cosine(3 * u).sine * sine_cosine(2 * v).cosine;
-             return Point{p.x * (1 + wave), p.y, p.z + wave};
-           })).mesh;
+    return surface_of(Grid(150, 140, closed, closed,
+                           [&](double u, double v) {
+                             const Point p = closed ? torus_point(u, v) : Point{u, 2 * v, 0};
+                             const double wave = bend * sine_cosine(3 * u).sine * sine_cosine(2 * v).cosine;
+                             return Point{p.x * (1 + wave), p.y, p.z + wave};
+                           }))
+        .mesh;
   };
   const Mesh plain = bent(0);
   for (const double bend : {0.02, 0.05, -0.1}) {
@@ -272,10 +274,9 @@ TEST_CASE("What is cut out of a surface changes nothing elsewhere") {
 }
 
 TEST_CASE("Neither threads nor instruction sets change a surface") {
-  const Grid grid = GENERATE(true, false) ? sphere_grid(200, 170)
-                                           : Grid(190, 210, false, true, [](double u, double v) {
-                                               return Point{u / (0.503 - v), v, sine_cosine(u * v).sine};
-                                             });
+  const Grid grid = GENERATE(true, false) ? sphere_grid(200, 170) : Grid(190, 210, false, true, [](double u, double v) {
+    return Point{u / (0.503 - v), v, sine_cosine(u * v).sine};
+  });
   const auto made = [&](int threads) {
     tbb::task_arena arena(threads);
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
