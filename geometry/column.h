@@ -89,6 +89,7 @@ struct Components<Sphere> {
 template <class T>
 class Column {
  public:
+  using value_type = T;
   static constexpr bool numeric = Components<T>::width > 0;
   static constexpr std::size_t width = Components<T>::width;
 

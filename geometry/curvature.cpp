@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "geometry/corner.h"
+#include "geometry/in_order.h"
 #include "geometry/normals.h"
 
 namespace dini {
@@ -66,30 +67,44 @@ bool shape_of_triangle(const std::array<Vector, 3>& corners, const std::array<Ve
   return true;
 }
 
+/// What a triangle adds to its corners.
+struct Share {
+  Tensor shape;
+  double area = 0;
+  bool known = false;
+};
+
+Share share_of_triangle(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle, const Column<Vector>& normals) {
+  const std::array<Vector, 3> corners = corners_of(mesh, triangle);
+  Share share;
+  share.known =
+      shape_of_triangle(corners, {normals[triangle[0]], normals[triangle[1]], normals[triangle[2]]}, share.shape);
+  if (share.known) share.area = 0.5 * length(cross(corners[1] - corners[0], corners[2] - corners[0]));
+  return share;
+}
+
 }  // namespace
 
 Curvatures estimate_curvatures(const Mesh& mesh, const Cancel& cancel) {
   const std::size_t size = mesh.positions.size();
   Curvatures result{Zeroed<double>(size), Zeroed<double>(size)};
   const Column<Vector> computed = mesh.normals.empty() ? smooth_normals(mesh, cancel) : Column<Vector>();
-  const Column<Vector>& normals = mesh.normals.empty() ? computed : mesh.normals;
+  const Column<Vector>& normals = mesh.normals.empty() ? computed : *mesh.normals;
   Zeroed<Tensor> shapes(size);
   Zeroed<double> areas(size);
-  CancelEvery steps(cancel);
-  for (const auto& triangle : mesh.triangles) {
-    if (steps.stopped()) return result;
-    const std::array<Vector, 3> corners = corners_of(mesh, triangle);
-    Tensor shape;
-    if (!shape_of_triangle(corners, {normals[triangle[0]], normals[triangle[1]], normals[triangle[2]]}, shape))
-      continue;
-    const double area = 0.5 * length(cross(corners[1] - corners[0], corners[2] - corners[0]));
-    for (const std::uint32_t vertex : triangle) {
-      shapes[vertex].add(area, shape);
-      areas[vertex] += area;
-    }
-  }
-  for (std::size_t i = 0; i < size && !steps.stopped(); ++i) {
-    if (!(areas[i] > 0)) continue;
+  const auto& triangles = *mesh.triangles;
+  compute_in_order<Share>(
+      cancel, triangles.size(), [&](std::size_t i) { return share_of_triangle(mesh, triangles[i], normals); },
+      [&](std::size_t i, const Share& share) {
+        if (!share.known) return;
+        for (const std::uint32_t vertex : triangles[i]) {
+          shapes[vertex].add(share.area, share.shape);
+          areas[vertex] += share.area;
+        }
+      });
+  if (cancel.stopped()) return result;
+  const auto finish = [&](std::size_t i) {
+    if (!(areas[i] > 0)) return;
     // Seen along the normal of the vertex: P S P with P = 1 - n n.
     const Vector normal = normals[i];
     const Vector tilted = shapes[i].times(normal);
@@ -99,7 +114,10 @@ Curvatures estimate_curvatures(const Mesh& mesh, const Cancel& cancel) {
         (shapes[i].squared_norm() - 2 * squared_length(tilted) + height * height) / (areas[i] * areas[i]);
     result.mean[i] = 0.5 * trace;
     result.gauss[i] = 0.5 * (trace * trace - square);
-  }
+  };
+  for_chunks(cancel, size, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) finish(i);
+  });
   return result;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/copied.h"
 #include "geometry/number_table.h"
 #include "geometry/zeroed.h"
 
@@ -85,8 +84,8 @@ class Clustering {
         target[k] = vertex;
       }
     }
-    coarse.positions = of_kept(mesh_.positions, kept);
-    coarse.normals = of_kept(mesh_.normals, kept);
+    coarse.positions = of_kept(*mesh_.positions, kept);
+    coarse.normals = of_kept(*mesh_.normals, kept);
     for (const std::uint32_t vertex : kept) {
       if (!mesh_.uvs.empty()) coarse.uvs.push_back(mesh_.uvs[vertex]);
       if (!mesh_.colors.empty()) coarse.colors.push_back(mesh_.colors[vertex]);
@@ -111,7 +110,7 @@ class Clustering {
 }  // namespace
 
 Mesh decimate(const Mesh& mesh, std::size_t triangles, const Cancel& cancel) {
-  if (mesh.triangles.size() <= triangles) return copied(mesh, cancel);
+  if (mesh.triangles.size() <= triangles) return mesh;
   CancelEvery steps(cancel);
   const Cube cube(mesh.positions, steps);
   const auto count = [&](std::size_t cells) { return Clustering(mesh, cube, cells, cancel).triangles(); };

@@ -1,18 +1,16 @@
 #include "geometry/grid_normals.h"
 
+#include <algorithm>
+
+#include "geometry/chunks.h"
 #include "geometry/corner.h"
+#include "geometry/grid_lanes.h"
 
 namespace dini {
 
 namespace {
 
 constexpr std::size_t reach = 4;
-
-/// A tangent this small against the steps around it is what cancellation left of a turning point.
-constexpr double vanishing = 1e-3;
-
-/// Tangents whose angle has a smaller sine are parallel.
-constexpr double parallel = 1e-6;
 
 /// The stencil at a sample with `before` and `after` samples in reach: at most five, as centered as can be. Weights are
 /// those of the interpolating polynomial, exact for uneven steps of a thinned axis.
@@ -117,7 +115,15 @@ class GridLine {
 GridNormals::GridNormals(const GridSamples& samples, const Cancel& cancel)
     : samples_(samples),
       row_stencils_(stencils_of(samples.rows(), cancel)),
-      column_stencils_(stencils_of(samples.columns(), cancel)) {}
+      column_stencils_(stencils_of(samples.columns(), cancel)) {
+  const std::size_t columns = samples.columns().size();
+  for (std::size_t k = 0; k < column_weights_.size(); ++k) {
+    column_weights_[k] = Zeroed<double>(columns);
+    for (std::size_t column = 2; column + 2 < columns; ++column) {
+      column_weights_[k][column] = column_stencils_[column].weights[k < 2 ? k : k + 1];
+    }
+  }
+}
 
 Vector GridNormals::derivative(std::size_t sample, bool along_rows) const {
   const GridLine line(samples_, sample, along_rows);
@@ -142,7 +148,7 @@ Vector GridNormals::derivative(std::size_t sample, bool along_rows) const {
     largest = std::max(largest, squared_length(term));
     index = axis.next(index);
   }
-  return squared_length(sum) > vanishing * vanishing * largest ? sum : Vector{};
+  return squared_length(sum) > vanishing_tangent * vanishing_tangent * largest ? sum : Vector{};
 }
 
 std::optional<Vector> GridNormals::at(std::size_t sample) const {
@@ -150,8 +156,86 @@ std::optional<Vector> GridNormals::at(std::size_t sample) const {
   const Vector along_row = quick_unit(derivative(sample, true));
   const Vector along_column = quick_unit(derivative(sample, false));
   const Vector normal = cross(along_row, along_column);
-  if (squared_length(normal) <= parallel * parallel) return {};
+  if (squared_length(normal) <= parallel_tangents * parallel_tangents) return {};
   return quick_unit(normal);
+}
+
+void GridNormals::row_of_normals(std::size_t row, kernels::Points normals, std::uint8_t* doubtful) const {
+  const std::size_t columns = samples_.columns().size();
+  const std::size_t begin = std::min<std::size_t>(2, columns), end = columns < 5 ? begin : columns - 2;
+  const auto one_by_one = [&](std::size_t from, std::size_t to) {
+    for (std::size_t sample = samples_.index(row, from); sample < samples_.index(row, to); ++sample) {
+      const bool known = samples_.place(sample) == Place::inside;
+      const std::optional<Vector> normal = known ? at(sample) : std::nullopt;
+      if (!normal) doubtful[sample] = 1;
+      normals.x[sample] = normal ? normal->x : 0;
+      normals.y[sample] = normal ? normal->y : 0;
+      normals.z[sample] = normal ? normal->z : 0;
+    }
+  };
+  one_by_one(0, begin);
+  one_by_one(end, columns);
+  const GridAxis& axis = samples_.rows();
+  const Stencil& stencil = row_stencils_[row];
+  grid_lanes::RowDifferences along_rows;
+  std::size_t at_row = row;
+  for (std::size_t k = 0; k < stencil.first; ++k) at_row = axis.previous(at_row);
+  for (std::size_t k = 0; k < stencil.count; ++k, at_row = axis.next(at_row)) {
+    if (at_row == row) continue;
+    along_rows.rows[along_rows.count] = samples_.index(at_row, 0);
+    along_rows.weights[along_rows.count++] = stencil.weights[k];
+  }
+  grid_lanes::ColumnDifferences along_columns = {};
+  for (std::size_t k = 0; k < along_columns.size(); ++k) along_columns[k] = column_weights_[k].data();
+  grid_lanes::difference_normals(samples_.positions(), samples_.index(row, 0), along_rows, along_columns, begin, end,
+                                 normals, doubtful);
+}
+
+Column<Vector> GridNormals::all(Zeroed<std::uint8_t>& doubtful, const Cancel& cancel) const {
+  Column<Vector> normals(samples_.size());
+  const kernels::Points out = {normals.component(0), normals.component(1), normals.component(2)};
+  const std::size_t rows_at_once = std::max<std::size_t>(1, usual_chunk / samples_.columns().size());
+  for_chunks(cancel, samples_.rows().size(), rows_at_once, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) row_of_normals(row, out, doubtful.data());
+  });
+  return normals;
+}
+
+void GridNormals::doubt_obstructed(Zeroed<std::uint8_t>& doubtful, const Cancel& cancel) const {
+  const std::size_t rows = samples_.rows().size(), columns = samples_.columns().size();
+  for_chunks(cancel, samples_.merged() ? samples_.size() : 0, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t sample = begin; sample < end; ++sample) {
+      if (samples_.merged(sample)) doubtful[sample] = 1;
+    }
+  });
+  if (samples_.whole()) return;
+  Zeroed<std::uint8_t> obstacles(samples_.size());
+  CancelEvery steps(cancel);
+  for (std::size_t sample = 0; sample < samples_.size() && !steps.stopped(); ++sample) {
+    if (samples_.place(sample) != Place::inside) obstacles[sample] = 1;
+    if (!samples_.torn(sample)) continue;
+    const std::size_t row = samples_.row_of(sample), column = samples_.column_of(sample);
+    const std::size_t next_row = samples_.rows().next(row), next_column = samples_.columns().next(column);
+    for (const std::size_t r : {row, next_row}) {
+      for (const std::size_t c : {column, next_column}) obstacles[samples_.index(r, c)] = 1;
+    }
+  }
+  // No stencil reaches further than this along either axis. Around an open axis some are doubted without need.
+  const std::size_t rows_at_once = std::max<std::size_t>(1, usual_chunk / columns);
+  for_chunks(cancel, rows, rows_at_once, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      std::uint8_t* const line = doubtful.data() + samples_.index(row, 0);
+      for (std::size_t k = 0; k <= 2 * reach; ++k) {
+        const std::uint8_t* other = obstacles.data() + samples_.index((row + reach * rows - reach + k) % rows, 0);
+        for (std::size_t column = 0; column < columns; ++column) line[column] |= other[column];
+      }
+      const std::uint8_t* const own = obstacles.data() + samples_.index(row, 0);
+      for (std::size_t column = 0; column < columns; ++column) {
+        if (own[column] == 0) continue;
+        for (std::size_t k = 0; k <= 2 * reach; ++k) line[(column + reach * columns - reach + k) % columns] = 1;
+      }
+    }
+  });
 }
 
 }  // namespace dini

@@ -1,9 +1,11 @@
 #include "geometry/measure.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 
 #include "geometry/corner.h"
+#include "geometry/in_order.h"
 #include "geometry/weld.h"
 
 namespace dini {
@@ -59,16 +61,20 @@ void measure_bounds(const Mesh& mesh, const std::vector<Triangle>& triangles, Me
   measures.diagonal = length(to_vector(high) - to_vector(low));
 }
 
-void measure_sums(const Mesh& mesh, const std::vector<Triangle>& triangles, Measures& measures, CancelEvery& steps) {
+void measure_sums(const Mesh& mesh, const std::vector<Triangle>& triangles, Measures& measures, const Cancel& cancel) {
   const Vector middle = to_vector(measures.minimum) + 0.5 * (to_vector(measures.maximum) - to_vector(measures.minimum));
   Sum area, volume;
-  for (const Triangle& triangle : triangles) {
-    if (steps.stopped()) return;
-    const std::array<Vector, 3> corners = corners_of(mesh, triangle);
-    const Vector normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
-    area.add(std::sqrt(squared_length(normal)) / 2);
-    volume.add(dot(corners[0] - middle, normal) / 6);
-  }
+  compute_in_order<std::array<double, 2>>(
+      cancel, triangles.size(),
+      [&](std::size_t i) -> std::array<double, 2> {
+        const std::array<Vector, 3> corners = corners_of(mesh, triangles[i]);
+        const Vector normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+        return {std::sqrt(squared_length(normal)) / 2, dot(corners[0] - middle, normal) / 6};
+      },
+      [&](std::size_t, const std::array<double, 2>& terms) {
+        area.add(terms[0]);
+        volume.add(terms[1]);
+      });
   measures.area = area.value();
   measures.volume = volume.value();
 }
@@ -114,21 +120,29 @@ void measure_edges(const std::vector<Triangle>& triangles, std::size_t vertices,
       sides[run_ends[lower]++] = 2 * std::uint64_t{higher} + (upward ? 1 : 0);
     });
   }
-  bool paired = true;
-  std::size_t begin = 0;
-  for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
-    if (steps.stopped()) return;
-    const std::size_t end = run_ends[vertex];  // filling moved every run's start to its end
-    sort_sides(sides.data() + begin, sides.data() + end, cancel);
-    while (begin < end) {
-      const std::size_t first = begin;
-      while (begin < end && sides[begin] / 2 == sides[first] / 2) ++begin;
-      ++measures.edges;
-      if (begin - first == 1) ++measures.boundary_edges;
-      paired = paired && begin - first == 2 && sides[first] != sides[first + 1];
+  std::atomic<std::size_t> edges = 0, boundary_edges = 0, unpaired = 0;
+  for_chunks(cancel, vertices, [&](std::size_t first_vertex, std::size_t last_vertex) {
+    std::size_t found = 0, alone = 0, wrong = 0;
+    for (std::size_t vertex = first_vertex; vertex < last_vertex; ++vertex) {
+      // Filling moved every run's start to its end.
+      std::size_t begin = vertex == 0 ? 0 : run_ends[vertex - 1];
+      const std::size_t end = run_ends[vertex];
+      sort_sides(sides.data() + begin, sides.data() + end, cancel);
+      while (begin < end) {
+        const std::size_t first = begin;
+        while (begin < end && sides[begin] / 2 == sides[first] / 2) ++begin;
+        ++found;
+        if (begin - first == 1) ++alone;
+        if (begin - first != 2 || sides[first] == sides[first + 1]) ++wrong;
+      }
     }
-  }
-  measures.closed = paired;
+    edges += found;
+    boundary_edges += alone;
+    unpaired += wrong;
+  });
+  measures.edges = edges;
+  measures.boundary_edges = boundary_edges;
+  measures.closed = unpaired == 0;
 }
 
 }  // namespace
@@ -140,7 +154,7 @@ Measures measure(const Mesh& mesh, const Cancel& cancel) {
   if (triangles.empty()) return measures;
   measures.triangles = triangles.size();
   measure_bounds(mesh, triangles, measures, steps);
-  measure_sums(mesh, triangles, measures, steps);
+  measure_sums(mesh, triangles, measures, cancel);
   measure_edges(triangles, mesh.positions.size(), measures, cancel);
   measures.euler = static_cast<long long>(measures.vertices) - static_cast<long long>(measures.edges) +
                    static_cast<long long>(measures.triangles);

@@ -40,31 +40,34 @@ void place(const Column<T>& items, Column<T>& whole, std::size_t base, const Can
 
 void append_attributes(const Mesh& mesh, const Outline& outline, Mesh& merged, std::size_t base, const Cancel& cancel) {
   const std::size_t count = mesh.positions.size();
-  place(mesh.positions, merged.positions, base, cancel);
+  place(*mesh.positions, merged.positions.edit(), base, cancel);
   if (outline.normals) {
     const Column<Vector> computed = mesh.normals.empty() ? smooth_normals(mesh, cancel) : Column<Vector>();
-    const Column<Vector>& normals = mesh.normals.empty() ? computed : mesh.normals;
-    place(normals, merged.normals, base, cancel);
+    const Column<Vector>& normals = mesh.normals.empty() ? computed : *mesh.normals;
+    place(normals, merged.normals.edit(), base, cancel);
   }
   if (outline.uvs) {
-    merged.uvs.insert(merged.uvs.end(), mesh.uvs.begin(), mesh.uvs.end());
-    merged.uvs.resize(base + count);
+    auto& uvs = merged.uvs.edit();
+    uvs.insert(uvs.end(), mesh.uvs.begin(), mesh.uvs.end());
+    uvs.resize(base + count, {0, 0});
   }
   if (outline.colors) {
     std::array<float, 4> fill{};
     std::transform(mesh.color.begin(), mesh.color.end(), fill.begin(), [](double c) { return static_cast<float>(c); });
-    merged.colors.insert(merged.colors.end(), mesh.colors.begin(), mesh.colors.end());
-    merged.colors.resize(base + count, fill);
+    auto& colors = merged.colors.edit();
+    colors.insert(colors.end(), mesh.colors.begin(), mesh.colors.end());
+    colors.resize(base + count, fill);
   }
 }
 
 void append_triangles(const Mesh& mesh, Mesh& merged, std::size_t base, const Cancel& cancel) {
   const auto shift = static_cast<std::uint32_t>(base);
   const std::size_t first = merged.triangles.size();
+  auto& triangles = merged.triangles.edit();
   CancelEvery steps(cancel);
   for (const auto& [a, b, c] : mesh.triangles) {
     if (steps.stopped()) return;
-    merged.triangles.push_back({a + shift, b + shift, c + shift});
+    triangles.push_back({a + shift, b + shift, c + shift});
   }
   for (const std::size_t end : mesh.tile_ends) merged.tile_ends.push_back(first + end);
   if (mesh.tile_ends.empty() && !mesh.triangles.empty()) merged.tile_ends.push_back(merged.triangles.size());

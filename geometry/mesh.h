@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "geometry/column.h"
+#include "geometry/shared.h"
+#include "geometry/untouched.h"
 
 namespace dini {
 
@@ -28,19 +30,19 @@ struct Finish {
 /// An indexed triangle mesh in meters, Z up, counter-clockwise front faces.
 /// `normals` (unit), `uvs` and `colors` are either empty or one per vertex. Every index is below `positions.size()`.
 /// `tile_ends` cuts the triangle list into compact runs for encoding: ascending ends, the last equal to
-/// `triangles.size()`; empty means one run.
+/// `triangles.size()`; empty means one run. A copy shares all of these until it changes them.
 struct Mesh {
-  Column<Point> positions;
-  Column<Vector> normals;
-  std::vector<std::array<double, 2>> uvs;
-  std::vector<std::array<float, 4>> colors;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::size_t> tile_ends;
+  Shared<Column<Point>> positions;
+  Shared<Column<Vector>> normals;
+  Shared<NumberList<std::array<double, 2>>> uvs;
+  Shared<NumberList<std::array<float, 4>>> colors;
+  Shared<NumberList<std::array<std::uint32_t, 3>>> triangles;
+  Shared<std::vector<std::size_t>> tile_ends;
   Color color = {0.75, 0.78, 0.82, 1};
   Finish finish = {};
 
   std::size_t bytes() const {
-    return positions.bytes() + normals.bytes() + uvs.size() * sizeof(uvs[0]) + colors.size() * sizeof(colors[0]) +
+    return (*positions).bytes() + (*normals).bytes() + uvs.size() * sizeof(uvs[0]) + colors.size() * sizeof(colors[0]) +
            triangles.size() * sizeof(triangles[0]) + tile_ends.size() * sizeof(std::size_t);
   }
 };

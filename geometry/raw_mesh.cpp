@@ -52,10 +52,11 @@ std::vector<std::uint32_t> used_vertices(RawMesh& raw) {
 void set_uvs(RawMesh& raw, const std::vector<std::uint32_t>& used, Mesh& mesh) {
   if (raw.uvs.empty()) return;
   std::size_t lost = 0;
+  auto& uvs = mesh.uvs.edit();
   for (const std::uint32_t vertex : used) {
-    mesh.uvs.push_back(raw.uvs[vertex]);
-    if (is_usable(mesh.uvs.back())) continue;
-    mesh.uvs.back() = {0, 0};
+    const bool usable = is_usable(raw.uvs[vertex]);
+    uvs.push_back(usable ? raw.uvs[vertex] : std::array<double, 2>{0, 0});
+    if (usable) continue;
     ++lost;
   }
   warn(raw, lost, "texture coordinate is not finite or beyond 1e18 and becomes 0",
@@ -65,13 +66,14 @@ void set_uvs(RawMesh& raw, const std::vector<std::uint32_t>& used, Mesh& mesh) {
 void set_colors(RawMesh& raw, const std::vector<std::uint32_t>& used, Mesh& mesh) {
   if (raw.colors.empty()) return;
   std::size_t lost = 0;
+  auto& colors = mesh.colors.edit();
   for (const std::uint32_t vertex : used) {
-    mesh.colors.push_back(raw.colors[vertex]);
-    if (!is_usable(mesh.colors.back())) {
-      mesh.colors.back() = {1, 1, 1, 1};
+    colors.push_back(raw.colors[vertex]);
+    if (!is_usable(colors.back())) {
+      colors.back() = {1, 1, 1, 1};
       ++lost;
     }
-    for (float& channel : mesh.colors.back()) channel = std::clamp(channel, 0.0f, 1.0f);
+    for (float& channel : colors.back()) channel = std::clamp(channel, 0.0f, 1.0f);
   }
   warn(raw, lost, "color is not finite and becomes white", "colors are not finite and become white");
 }

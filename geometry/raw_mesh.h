@@ -16,7 +16,7 @@ struct RawMesh {
   std::vector<Vector> normals;  ///< zero where the file gives none; see `given_normal`
   std::vector<std::array<double, 2>> uvs;
   std::vector<std::array<float, 4>> colors;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  NumberList<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::string> warnings;  ///< what was left out so far
 };
 

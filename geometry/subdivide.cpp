@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/copied.h"
+#include "geometry/chunks.h"
 #include "geometry/number_table.h"
 
 namespace dini {
@@ -27,42 +27,44 @@ class Middles {
 
   /// The old vertices followed by the middles.
   void write(Mesh& finer) const {
-    finer.positions = extended(mesh_.positions, [](const Point& a, const Point& b) {
+    finer.positions = extended(*mesh_.positions, [](const Point& a, const Point& b) {
       return to_point(0.5 * to_vector(a) + 0.5 * to_vector(b));
     });
     if (!mesh_.normals.empty()) {
-      finer.normals = extended(mesh_.normals, [](const Vector& a, const Vector& b) {
+      finer.normals = extended(*mesh_.normals, [](const Vector& a, const Vector& b) {
         const Vector middle = normalized(a + b);
         return middle == Vector{} ? a : middle;
       });
     }
-    finer.uvs = extended(mesh_.uvs);
-    finer.colors = extended(mesh_.colors);
+    finer.uvs = extended(*mesh_.uvs);
+    finer.colors = extended(*mesh_.colors);
   }
 
  private:
   template <class T, class Middle>
   Column<T> extended(const Column<T>& items, Middle middle) const {
     Column<T> all(items.size() + edges_.size());
-    CancelEvery steps(cancel_);
-    for (std::size_t i = 0; i < items.size() && !steps.stopped(); ++i) all.set(i, items[i]);
-    for (std::size_t i = 0; i < edges_.size() && !steps.stopped(); ++i) {
-      all.set(items.size() + i, middle(items[edges_[i][0]], items[edges_[i][1]]));
-    }
+    for_chunks(cancel_, all.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < std::min(end, items.size()); ++i) all.set(i, items[i]);
+      for (std::size_t i = std::max(begin, items.size()); i < end; ++i) {
+        const auto& [a, b] = edges_[i - items.size()];
+        all.set(i, middle(items[a], items[b]));
+      }
+    });
     return all;
   }
 
   template <class Number, std::size_t N>
-  std::vector<std::array<Number, N>> extended(const std::vector<std::array<Number, N>>& items) const {
+  NumberList<std::array<Number, N>> extended(const NumberList<std::array<Number, N>>& items) const {
     if (items.empty()) return {};
-    std::vector<std::array<Number, N>> all = copied(items, cancel_, edges_.size());
-    CancelEvery steps(cancel_);
-    for (const auto& [a, b] : edges_) {
-      if (steps.stopped()) break;
-      std::array<Number, N> middle{};
-      for (std::size_t k = 0; k < N; ++k) middle[k] = (items[a][k] + items[b][k]) / 2;
-      all.push_back(middle);
-    }
+    NumberList<std::array<Number, N>> all(items.size() + edges_.size());
+    for_chunks(cancel_, all.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < std::min(end, items.size()); ++i) all[i] = items[i];
+      for (std::size_t i = std::max(begin, items.size()); i < end; ++i) {
+        const auto& [a, b] = edges_[i - items.size()];
+        for (std::size_t k = 0; k < N; ++k) all[i][k] = (items[a][k] + items[b][k]) / 2;
+      }
+    });
     return all;
   }
 
@@ -78,16 +80,18 @@ Mesh finer_by_one(const Mesh& mesh, const Cancel& cancel) {
   Mesh finer;
   finer.color = mesh.color;
   finer.finish = mesh.finish;
-  finer.triangles.reserve(4 * mesh.triangles.size());
+  NumberList<std::array<std::uint32_t, 3>> triangles;
+  triangles.reserve(4 * mesh.triangles.size());
   CancelEvery steps(cancel);
   for (const auto& [a, b, c] : mesh.triangles) {
     if (steps.stopped()) return {};
     const std::uint32_t ab = middles.between(a, b), bc = middles.between(b, c), ca = middles.between(c, a);
-    finer.triangles.push_back({a, ab, ca});
-    finer.triangles.push_back({ab, b, bc});
-    finer.triangles.push_back({ca, bc, c});
-    finer.triangles.push_back({ab, bc, ca});
+    triangles.push_back({a, ab, ca});
+    triangles.push_back({ab, b, bc});
+    triangles.push_back({ca, bc, c});
+    triangles.push_back({ab, bc, ca});
   }
+  finer.triangles = std::move(triangles);
   for (const std::size_t end : mesh.tile_ends) finer.tile_ends.push_back(4 * end);
   middles.write(finer);
   return finer;
@@ -96,7 +100,7 @@ Mesh finer_by_one(const Mesh& mesh, const Cancel& cancel) {
 }  // namespace
 
 Mesh subdivide(const Mesh& mesh, std::size_t levels, const Cancel& cancel) {
-  if (levels == 0) return copied(mesh, cancel);
+  if (levels == 0) return mesh;
   Mesh result = finer_by_one(mesh, cancel);
   for (std::size_t level = 1; level < levels && !cancel.stopped(); ++level) result = finer_by_one(result, cancel);
   return result;

@@ -47,8 +47,10 @@ struct SurfaceResult {
 /// Texture coordinates: u along rows, v along columns; index/size on closed axes, index/(size-1) on open ones. A welded
 /// seam has no second copy of its vertices, so there the coordinates run back from (size-1)/size to 0 within one quad.
 /// Neighbors that coincide to round-off (1e-12 of the largest coordinate) become one vertex; so a row or column that is
-/// a single point is a clean fan around a pole. Triangles without area are left out. Quads are split along the shorter
-/// diagonal, unless only the other one avoids a fold.
+/// a single point is a clean fan around a pole. Triangles without area are left out. Quads are split along the diagonal
+/// from (row, column) to (row + 1, column + 1), unless only the other one avoids a fold; so tiles of one size have the
+/// same triangles whatever the points are, as long as nothing in them is cut, folded or coincides
+/// (docs/decisions/0047). Vertices are the samples that triangles use, in the order of the grid, then those of cuts.
 /// Normals come from differences of the samples (fourth order, one-sided at borders); where the two tangents vanish or
 /// are parallel, and where they disagree with the triangles, from the triangles around the vertex, weighted by angle.
 /// A triangle budget drops rows and columns evenly; ends stay, closed axes stay closed with three samples or more.
@@ -59,7 +61,7 @@ struct SurfaceResult {
 /// With `fail` any of these gives an empty mesh and `first_clipped`.
 ///
 /// Grids of one row or one column, of coinciding or of collinear points, or all at infinity give an empty mesh.
-/// At most 2^32 - 1 samples remain after the budget. Triangles come in tiles of at most 128 x 128 quads (`tile_ends`).
+/// At most 2^31 samples remain after the budget. Triangles come in tiles of at most 128 x 128 quads (`tile_ends`).
 /// Stopped early: no mesh, or part of one.
 SurfaceResult surface(const PointGrid& grid, const SurfaceOptions& options, const Cancel& cancel);
 

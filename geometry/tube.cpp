@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/angle.h"
+#include "geometry/chunks.h"
 #include "geometry/clip.h"
 #include "geometry/frames.h"
 #include "geometry/tiles.h"
@@ -15,11 +16,14 @@ namespace {
 class TubeWriter {
  public:
   TubeWriter(const TubeOptions& options, std::size_t sides, std::size_t vertices, const Cancel& cancel)
-      : radius_(options.radius), sides_(sides), capped_(options.capped), cancel_(cancel) {
-    mesh_.positions = Column<Point>(vertices);
-    mesh_.normals = Column<Vector>(vertices);
-    mesh_.uvs.reserve(vertices);
-    mesh_.triangles.reserve(2 * vertices);
+      : radius_(options.radius),
+        sides_(sides),
+        capped_(options.capped),
+        cancel_(cancel),
+        positions_(vertices),
+        normals_(vertices),
+        uvs_(vertices) {
+    triangles_.reserve(2 * vertices);
     for (std::size_t side = 0; side < sides; ++side) {
       around_.push_back(sine_cosine(static_cast<double>(side) / static_cast<double>(sides)));
     }
@@ -33,37 +37,40 @@ class TubeWriter {
     double total = 0;
     const std::vector<Frame> frames = frames_along(piece, total, cancel_);
     if (cancel_.stopped()) return;
-    const std::size_t base = mesh_.uvs.size();
-    CancelEvery looks(cancel_);
-    for (const Frame& frame : frames) {
-      for (std::size_t side = 0; side < sides_; ++side) {
-        if (looks.stopped()) return;
-        const Vector normal = direction(frame, side);
-        add_vertex(frame.position + radius_ * normal, normal, frame.along / total, coordinate(side));
+    const std::size_t stations = frames.size(), base = next_vertex_;
+    const std::size_t at_once = std::max<std::size_t>(1, usual_chunk / sides_);
+    for_chunks(cancel_, stations, at_once, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t station = begin; station < end; ++station) {
+        const Frame& frame = frames[station];
+        for (std::size_t side = 0; side < sides_; ++side) {
+          const Vector normal = direction(frame, side);
+          set_vertex(base + station * sides_ + side, frame.position + radius_ * normal, normal, frame.along / total,
+                     coordinate(side));
+        }
       }
-    }
+    });
+    next_vertex_ += stations * sides_;
     const bool capped = capped_ && !piece.closed;
-    const std::size_t stations = frames.size();
     const std::size_t steps = piece.closed ? stations : stations - 1;
     for_each_tile(steps, sides_,
                   [&](std::size_t row_begin, std::size_t row_end, std::size_t side_begin, std::size_t side_end) {
                     if (capped && row_begin == 0 && side_begin == 0) add_cap(frames.front(), 0);
-                    for (std::size_t row = row_begin; row < row_end; ++row) {
-                      for (std::size_t side = side_begin; side < side_end; ++side) {
-                        const std::size_t next = (side + 1) % sides_;
-                        const std::size_t here = base + row * sides_;
-                        const std::size_t there = base + (row + 1) % stations * sides_;
-                        add_triangle(here + side, here + next, there + next);
-                        add_triangle(here + side, there + next, there + side);
-                      }
-                    }
+                    add_quads({row_begin, row_end, side_begin, side_end}, base, stations);
                     if (capped && row_end == steps && side_end == sides_) add_cap(frames.back(), 1);
-                    mesh_.tile_ends.push_back(mesh_.triangles.size());
+                    tile_ends_.push_back(triangles_.size());
                     return !cancel_.stopped();
                   });
   }
 
-  Mesh take() { return std::move(mesh_); }
+  Mesh take() {
+    Mesh mesh;
+    mesh.positions = std::move(positions_);
+    mesh.normals = std::move(normals_);
+    mesh.uvs = std::move(uvs_);
+    mesh.triangles = std::move(triangles_);
+    mesh.tile_ends = std::move(tile_ends_);
+    return mesh;
+  }
 
  private:
   Vector direction(const Frame& frame, std::size_t side) const {
@@ -75,28 +82,46 @@ class TubeWriter {
   /// A flat fan at the start (u = 0) or the end (u = 1) of a piece.
   void add_cap(const Frame& frame, double u) {
     const Vector normal = u == 0 ? -frame.tangent : frame.tangent;
-    const std::size_t center = mesh_.uvs.size();
-    add_vertex(frame.position, normal, u, 0.5);
+    const std::size_t center = next_vertex_;
+    next_vertex_ += sides_ + 1;
+    set_vertex(center, frame.position, normal, u, 0.5);
     for (std::size_t side = 0; side < sides_; ++side) {
-      add_vertex(frame.position + radius_ * direction(frame, side), normal, u, coordinate(side));
+      set_vertex(center + 1 + side, frame.position + radius_ * direction(frame, side), normal, u, coordinate(side));
     }
     for (std::size_t side = 0; side < sides_; ++side) {
       const std::size_t a = center + 1 + side;
       const std::size_t b = center + 1 + (side + 1) % sides_;
-      add_triangle(center, u == 0 ? b : a, u == 0 ? a : b);
+      triangles_.push_back(triangle(center, u == 0 ? b : a, u == 0 ? a : b));
     }
   }
 
-  void add_vertex(const Vector& position, const Vector& normal, double u, double v) {
-    const std::size_t index = mesh_.uvs.size();
-    mesh_.positions.set(index, to_point(position));
-    mesh_.normals.set(index, normal);
-    mesh_.uvs.push_back({u, v});
+  struct Quads {
+    std::size_t row_begin, row_end, side_begin, side_end;
+  };
+
+  void add_quads(const Quads& quads, std::size_t base, std::size_t stations) {
+    const std::size_t first = triangles_.size(), across = quads.side_end - quads.side_begin;
+    triangles_.resize(first + 2 * across * (quads.row_end - quads.row_begin));
+    std::array<std::uint32_t, 3>* out = triangles_.data() + first;
+    for (std::size_t row = quads.row_begin; row < quads.row_end; ++row) {
+      const std::size_t here = base + row * sides_;
+      const std::size_t there = base + (row + 1) % stations * sides_;
+      for (std::size_t side = quads.side_begin; side < quads.side_end; ++side) {
+        const std::size_t next = side + 1 < sides_ ? side + 1 : 0;
+        *out++ = triangle(here + side, here + next, there + next);
+        *out++ = triangle(here + side, there + next, there + side);
+      }
+    }
   }
 
-  void add_triangle(std::size_t a, std::size_t b, std::size_t c) {
-    mesh_.triangles.push_back(
-        {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
+  void set_vertex(std::size_t index, const Vector& position, const Vector& normal, double u, double v) {
+    positions_.set(index, to_point(position));
+    normals_.set(index, normal);
+    uvs_[index] = {u, v};
+  }
+
+  static std::array<std::uint32_t, 3> triangle(std::size_t a, std::size_t b, std::size_t c) {
+    return {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)};
   }
 
   double radius_;
@@ -104,7 +129,12 @@ class TubeWriter {
   bool capped_;
   const Cancel& cancel_;
   std::vector<SineCosine> around_;
-  Mesh mesh_;
+  std::size_t next_vertex_ = 0;
+  Column<Point> positions_;
+  Column<Vector> normals_;
+  NumberList<std::array<double, 2>> uvs_;
+  NumberList<std::array<std::uint32_t, 3>> triangles_;
+  std::vector<std::size_t> tile_ends_;
 };
 
 }  // namespace

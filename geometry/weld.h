@@ -10,7 +10,7 @@ namespace dini {
 
 /// For every position the smallest index that holds exactly the same coordinates (0 and -0 count as the same).
 /// Meshes that double vertices along texture seams or sharp edges become connected again through these labels.
-/// Stopped early: 0 for the positions that it did not come to.
+/// At most 2^31 positions. Stopped early: zeros.
 std::vector<std::uint32_t> position_labels(const Column<Point>& positions, const Cancel& cancel);
 
 }  // namespace dini

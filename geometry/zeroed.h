@@ -4,10 +4,11 @@
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
-#include <memory>
 #include <new>
 #include <type_traits>
 #include <utility>
+
+#include "geometry/large_memory.h"
 
 namespace dini {
 
@@ -24,18 +25,25 @@ class Zeroed {
   Zeroed(const Zeroed& other) : Zeroed(other.size_) {
     if (size_ > 0) std::memcpy(static_cast<void*>(data()), other.data(), size_ * sizeof(T));
   }
-  Zeroed(Zeroed&& other) noexcept : size_(std::exchange(other.size_, 0)), elements_(std::move(other.elements_)) {}
+  Zeroed(Zeroed&& other) noexcept
+      : size_(std::exchange(other.size_, 0)), elements_(std::exchange(other.elements_, nullptr)) {}
   Zeroed& operator=(Zeroed other) noexcept {
     std::swap(size_, other.size_);
     std::swap(elements_, other.elements_);
     return *this;
   }
-  ~Zeroed() = default;
+  ~Zeroed() {
+    if (is_large_memory(size_ * sizeof(T))) {
+      unmap_large_memory(elements_, size_ * sizeof(T));
+    } else {
+      std::free(elements_);
+    }
+  }
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
-  T* data() { return elements_.get(); }
-  const T* data() const { return elements_.get(); }
+  T* data() { return elements_; }
+  const T* data() const { return elements_; }
   const T* begin() const { return data(); }
   const T* end() const { return data() + size_; }
   T& operator[](std::size_t index) { return elements_[index]; }
@@ -46,18 +54,16 @@ class Zeroed {
   }
 
  private:
-  struct Free {
-    void operator()(T* elements) const { std::free(elements); }
-  };
-
   static T* allocate(std::size_t size) {
+    if (size > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_alloc();
+    if (is_large_memory(size * sizeof(T))) return static_cast<T*>(map_large_memory(size * sizeof(T)));
     void* elements = std::calloc(size, sizeof(T));
     if (elements == nullptr) throw std::bad_alloc();
     return static_cast<T*>(elements);
   }
 
   std::size_t size_ = 0;
-  std::unique_ptr<T[], Free> elements_;
+  T* elements_ = nullptr;
 };
 
 }  // namespace dini

@@ -88,8 +88,8 @@ class Reader {
     const draco::Mesh& tile = *decoded.value();
     const Json& ids = extension.at("attributes");
     const auto base = static_cast<std::uint32_t>(mesh.positions.size());
-    append_column(mesh.positions, attribute_rows<float, 3>(tile, ids, "POSITION"));
-    append_column(mesh.normals, attribute_rows<float, 3>(tile, ids, "NORMAL"));
+    append_column(mesh.positions.edit(), attribute_rows<float, 3>(tile, ids, "POSITION"));
+    append_column(mesh.normals.edit(), attribute_rows<float, 3>(tile, ids, "NORMAL"));
     for (const auto& [u, v] : attribute_rows<float, 2>(tile, ids, "TEXCOORD_0")) mesh.uvs.push_back({u, v});
     for (const auto& color : attribute_rows<std::uint16_t, 4>(tile, ids, "COLOR_0")) {
       auto& target = mesh.colors.emplace_back();

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "geometry/validate.h"
+#include "gltf/tile_lanes.h"
 
 namespace dini {
 namespace {
@@ -25,10 +26,12 @@ std::array<float, 3> to_float(const Vector& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
+constexpr double least_usual_normal = 1e-3, greatest_usual_normal = 1e3;
+
 // Draco never sees a zero or NaN normal. Unit normals, the rule, pass without a square root.
 std::array<float, 3> drawable_normal(const Vector& normal) {
   const double size = std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z);
-  if (size > 1e-3 && size < 1e3) return to_float(normal);
+  if (size > least_usual_normal && size < greatest_usual_normal) return to_float(normal);
   if (size > 0 && is_finite(normal)) return to_float(normalized(normal));
   return {0, 0, 1};
 }
@@ -42,74 +45,143 @@ std::uint16_t color_channel(float value) {
   return static_cast<std::uint16_t>(std::min(step * std::lround(steps * std::min(value, 1.0f)), 65535L));
 }
 
+// Triangles between two looks at the flag.
+constexpr std::size_t run = 4096;
+
+/// Calls body(begin, end) for runs of `size` elements; false when stopped before the last.
+template <class Body>
+bool in_runs(std::size_t size, const Cancel& cancel, Body body) {
+  for (std::size_t begin = 0; begin < size; begin += run) {
+    if (cancel.stopped()) return false;
+    body(begin, std::min(begin + run, size));
+  }
+  return !cancel.stopped();
+}
+
+EncodeError index_out_of_range(const Mesh& mesh, std::size_t begin) {
+  for (std::size_t i = begin;; ++i) {
+    for (const std::uint32_t vertex : mesh.triangles[i]) {
+      if (vertex < mesh.positions.size()) continue;
+      return invalid("Triangle " + std::to_string(i) + " uses vertex " + std::to_string(vertex) + " of " +
+                     std::to_string(mesh.positions.size()) + ".");
+    }
+  }
+}
+
 // Fills `tile.triangles` and returns the vertices of the mesh in the order of first use.
 EncodeResult<std::vector<std::uint32_t>> renumber(const Mesh& mesh, std::size_t begin, std::size_t end,
                                                   const Cancel& cancel, Tile& tile) {
-  CancelEvery steps(cancel);
-  std::uint32_t first = unused;
-  std::uint32_t last = 0;
-  for (std::size_t i = begin; i < end; ++i) {
-    if (steps.stopped()) return canceled();
-    for (const std::uint32_t vertex : mesh.triangles[i]) {
-      if (vertex >= mesh.positions.size()) {
-        return invalid("Triangle " + std::to_string(i) + " uses vertex " + std::to_string(vertex) + " of " +
-                       std::to_string(mesh.positions.size()) + ".");
-      }
-      first = std::min(first, vertex);
-      last = std::max(last, vertex);
-    }
-  }
+  const std::array<std::uint32_t, 3>* const triangles = mesh.triangles.data() + begin;
+  const std::size_t count = end - begin;
   std::vector<std::uint32_t> vertices;
-  if (begin == end) return vertices;
-  std::vector<std::uint32_t> renumbered(last - first + 1, unused);
-  tile.triangles.reserve(end - begin);
-  for (std::size_t i = begin; i < end; ++i) {
-    if (steps.stopped()) return canceled();
-    const auto& triangle = mesh.triangles[i];
-    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
-    auto& target = tile.triangles.emplace_back();
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      std::uint32_t& number = renumbered[triangle[corner] - first];
-      if (number == unused) {
-        number = static_cast<std::uint32_t>(vertices.size());
-        vertices.push_back(triangle[corner]);
+  if (count == 0) return vertices;
+  std::uint32_t least = unused, most = 0;
+  const bool all_seen = in_runs(count, cancel, [&](std::size_t from, std::size_t to) {
+    const tile_lanes::IndexRange range = tile_lanes::range_of(triangles[from].data(), 3 * (to - from));
+    least = std::min(least, range.least);
+    most = std::max(most, range.greatest);
+  });
+  if (!all_seen) return canceled();
+  if (most >= mesh.positions.size()) return index_out_of_range(mesh, begin);
+
+  std::vector<std::uint32_t> numbers(most - least + 1, unused);
+  vertices.resize(std::min(numbers.size(), 3 * count));
+  tile.triangles.resize(count);
+  std::array<std::uint32_t, 3>* out = tile.triangles.data();
+  std::uint32_t known = 0;
+  const bool all_renumbered = in_runs(count, cancel, [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) {
+      const auto [a, b, c] = triangles[i];
+      if (a == b || b == c || c == a) continue;
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        std::uint32_t& number = numbers[triangles[i][corner] - least];
+        if (number == unused) {
+          vertices[known] = triangles[i][corner];
+          number = known++;
+        }
+        (*out)[corner] = number;
       }
-      target[corner] = number;
+      ++out;
     }
-  }
+  });
+  if (!all_renumbered) return canceled();
+  tile.triangles.resize(static_cast<std::size_t>(out - tile.triangles.data()));
+  vertices.resize(known);
   return vertices;
+}
+
+// One coordinate of a run of vertices, after another in `out`, and its bounds. False when any of them cannot be drawn:
+// which one, and why, is found by another look.
+template <std::size_t N>
+bool gather(const double* values, std::size_t stride, const std::uint32_t* vertices, std::size_t count,
+            std::array<float, N>* out, std::size_t axis, FloatBox& box) {
+  std::array<float, run> rounded = {};
+  tile_lanes::Bounds bounds = {box.minimum[axis], box.maximum[axis]};
+  const bool drawable =
+      tile_lanes::round_values(values, stride, vertices, count, largest_coordinate, rounded.data(), bounds);
+  box.minimum[axis] = bounds.minimum;
+  box.maximum[axis] = bounds.maximum;
+  for (std::size_t i = 0; i < count; ++i) out[i][axis] = rounded[i];
+  return drawable;
 }
 
 std::optional<EncodeError> gather_positions(const Mesh& mesh, const std::vector<std::uint32_t>& vertices,
                                             const Cancel& cancel, Tile& tile) {
-  tile.positions.reserve(vertices.size());
-  CancelEvery steps(cancel);
+  const Column<Point>& positions = *mesh.positions;
+  tile.positions.resize(vertices.size());
+  bool drawable = true;
+  const bool all = in_runs(vertices.size(), cancel, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      drawable &= gather(positions.component(axis), 1, vertices.data() + begin, end - begin,
+                         tile.positions.data() + begin, axis, tile.position_box);
+    }
+  });
+  if (!all) return canceled();
+  if (drawable) return std::nullopt;
   for (const std::uint32_t vertex : vertices) {
-    if (steps.stopped()) return canceled();
-    const Vector position = to_vector(mesh.positions[vertex]);
-    for (const double value : {position.x, position.y, position.z}) {
+    const Point p = positions[vertex];
+    for (const double value : {p.x, p.y, p.z}) {
       if (auto error = check_coordinate("position", vertex, value)) return error;
     }
-    tile.positions.push_back(to_float(position));
-    tile.position_box.include(tile.positions.back());
   }
   return std::nullopt;
 }
 
 std::optional<EncodeError> gather_uvs(const Mesh& mesh, const std::vector<std::uint32_t>& vertices,
                                       const Cancel& cancel, Tile& tile) {
-  tile.uvs.reserve(vertices.size());
-  CancelEvery steps(cancel);
+  const auto& uvs = *mesh.uvs;
+  tile.uvs.resize(vertices.size());
+  bool drawable = true;
+  const bool all = in_runs(vertices.size(), cancel, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      drawable &= gather(uvs.front().data() + axis, 2, vertices.data() + begin, end - begin, tile.uvs.data() + begin,
+                         axis, tile.uv_box);
+    }
+  });
+  if (!all) return canceled();
+  tile.uv_box.minimum[2] = tile.uv_box.maximum[2] = 0;
+  if (drawable) return std::nullopt;
   for (const std::uint32_t vertex : vertices) {
-    if (steps.stopped()) return canceled();
-    const auto& [u, v] = mesh.uvs[vertex];
-    for (const double value : {u, v}) {
+    for (const double value : uvs[vertex]) {
       if (auto error = check_coordinate("texture coordinate", vertex, value)) return error;
     }
-    tile.uvs.push_back({static_cast<float>(u), static_cast<float>(v)});
-    tile.uv_box.include(std::array<float, 3>{tile.uvs.back()[0], tile.uvs.back()[1], 0});
   }
   return std::nullopt;
+}
+
+bool gather_normals(const Column<Vector>& normals, const std::vector<std::uint32_t>& vertices, const Cancel& cancel,
+                    Tile& tile) {
+  tile.normals.resize(vertices.size());
+  return in_runs(vertices.size(), cancel, [&](std::size_t begin, std::size_t end) {
+    std::array<float, run> x = {}, y = {}, z = {};
+    const bool usual = tile_lanes::round_vectors({normals.component(0), normals.component(1), normals.component(2)},
+                                                 vertices.data() + begin, end - begin, least_usual_normal,
+                                                 greatest_usual_normal, {x.data(), y.data(), z.data()});
+    for (std::size_t i = begin; i < end; ++i) {
+      tile.normals[i] = usual ? std::array<float, 3>{x[i - begin], y[i - begin], z[i - begin]}
+                              : drawable_normal(normals[vertices[i]]);
+    }
+  });
 }
 
 }  // namespace
@@ -162,26 +234,26 @@ EncodeResult<Tile> build_tile(const Mesh& mesh, std::size_t begin, std::size_t e
   auto renumbered = renumber(mesh, begin, end, cancel, tile);
   if (!renumbered) return std::move(renumbered).error();
   const std::vector<std::uint32_t>& vertices = *renumbered;
-  CancelEvery steps(cancel);
+  if (vertices.empty()) return tile;
   if (auto error = gather_positions(mesh, vertices, cancel, tile)) return std::move(*error);
   if (options.uvs && !mesh.uvs.empty()) {
     if (auto error = gather_uvs(mesh, vertices, cancel, tile)) return std::move(*error);
   }
+  bool all = true;
   if (options.normals && !mesh.normals.empty()) {
-    tile.normals.reserve(vertices.size());
-    for (const std::uint32_t vertex : vertices) {
-      if (steps.stopped()) return canceled();
-      tile.normals.push_back(drawable_normal(mesh.normals[vertex]));
-    }
+    all = gather_normals(*mesh.normals, vertices, cancel, tile);
   }
   if (options.colors && !mesh.colors.empty()) {
-    tile.colors.reserve(vertices.size());
-    for (const std::uint32_t vertex : vertices) {
-      if (steps.stopped()) return canceled();
-      const auto& [red, green, blue, alpha] = mesh.colors[vertex];
-      tile.colors.push_back({color_channel(red), color_channel(green), color_channel(blue), color_channel(alpha)});
-    }
+    const auto& colors = *mesh.colors;
+    tile.colors.resize(vertices.size());
+    all = all && in_runs(vertices.size(), cancel, [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = from; i < to; ++i) {
+              const auto& [red, green, blue, alpha] = colors[vertices[i]];
+              tile.colors[i] = {color_channel(red), color_channel(green), color_channel(blue), color_channel(alpha)};
+            }
+          });
   }
+  if (!all) return canceled();
   return tile;
 }
 

@@ -70,6 +70,11 @@ class Block {
     return (*column_)[base_ + i * strides_[0] + j * strides_[1]];
   }
 
+  /// Where the values lie: (i, j) is column()[base() + i * stride(0) + j * stride(1)].
+  const Column<T>& column() const { return *column_; }
+  std::size_t base() const { return base_; }
+  std::size_t stride(int k) const { return strides_[static_cast<std::size_t>(k)]; }
+
  private:
   const Column<T>* column_ = nullptr;
   std::size_t base_ = 0;

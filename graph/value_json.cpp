@@ -77,7 +77,7 @@ class TextWriter {
         text_ += (i > 0 ? "," : "") + Json(mesh.triangles[i]).dump();
       }
       text_ += "],\"positions\":[";
-      write(mesh.positions);
+      write(*mesh.positions);
       text_ += ']';
     }
     text_ += ",\"triangles\":" + std::to_string(mesh.triangles.size()) +

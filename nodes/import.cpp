@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/copied.h"
 #include "geometry/decimate.h"
 #include "geometry/validate.h"
 #include "graph/node_builder.h"
@@ -49,7 +48,8 @@ Attempt<SharedMesh> imported(const Context& context, const SharedAssetFile& asse
   const bool y_up = in.up == UpAxis::y || (in.up == UpAxis::format && asset->content.format == MeshFormat::glb);
   // The same memory: most graphs take the file as it is.
   if (!thin && !y_up && in.scale == 1 && !in.center) return SharedMesh(asset, &mesh);
-  auto copy = std::make_shared<Mesh>(copied(mesh, context.cancel()));
+  Column<Point> positions(mesh.positions.size());
+  Column<Vector> normals(mesh.normals.size());
   const Vector middle = in.center ? middle_of(whole) : Vector{};
   CancelEvery steps(context.cancel());
   for (std::size_t i = 0; i < mesh.positions.size() && !steps.stopped(); ++i) {
@@ -57,11 +57,14 @@ Attempt<SharedMesh> imported(const Context& context, const SharedAssetFile& asse
     if (!is_within_reach(to_point(place))) {
       return Failure{"out-of-range", "scaled like this, the mesh has coordinates of 1e18 and more", "scale"};
     }
-    copy->positions.set(i, to_point(place));
+    positions.set(i, to_point(place));
   }
   for (std::size_t i = 0; i < mesh.normals.size() && !steps.stopped(); ++i) {
-    copy->normals.set(i, turned_upright(mesh.normals[i], y_up));
+    normals.set(i, turned_upright(mesh.normals[i], y_up));
   }
+  auto copy = std::make_shared<Mesh>(mesh);
+  copy->positions = std::move(positions);
+  copy->normals = std::move(normals);
   return SharedMesh(std::move(copy));
 }
 

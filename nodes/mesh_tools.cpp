@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "geometry/box.h"
-#include "geometry/copied.h"
 #include "geometry/curvature.h"
 #include "geometry/palette.h"
 #include "geometry/subdivide.h"
@@ -84,7 +83,8 @@ std::tuple<SharedMesh, double, double> colored_by_curvature(const Context& conte
     if (value >= most) most = value;
   }
   const double bound = in.range > 0 ? in.range : std::max(-least, most);
-  auto copy = std::make_shared<Mesh>(copied_without_colors(*shape, context.cancel()));
+  auto copy = std::make_shared<Mesh>(*shape);
+  copy->colors.clear();
   copy->colors.reserve(values.size());
   for (const double value : values) {
     if (steps.stopped()) break;
@@ -105,7 +105,8 @@ SharedMesh colored_by_number(const Context& context, const SharedMesh& shape, co
   // Differences of numbers near the largest overflow; those of their quarters do not.
   if (!std::isfinite(place)) place = (value / 4 - minimum / 4) / (maximum / 4 - minimum / 4);
   const std::array<float, 4> color = palette_color(palette, place);
-  auto copy = std::make_shared<Mesh>(copied_without_colors(*shape, context.cancel()));
+  auto copy = std::make_shared<Mesh>(*shape);
+  copy->colors.clear();
   std::copy(color.begin(), color.end(), copy->color.begin());
   return copy;
 }

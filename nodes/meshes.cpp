@@ -1,4 +1,3 @@
-#include "geometry/copied.h"
 #include "geometry/merge.h"
 #include "geometry/primitives.h"
 #include "graph/node_builder.h"
@@ -49,7 +48,8 @@ struct ColorInputs {
 };
 
 SharedMesh colored(const Context& context, const SharedMesh& shape, const ColorInputs& in) {
-  auto copy = std::make_shared<Mesh>(copied_without_colors(*shape, context.cancel()));
+  auto copy = std::make_shared<Mesh>(*shape);
+  copy->colors.clear();
   copy->color = in.color;
   return copy;
 }
@@ -61,7 +61,8 @@ struct MaterialInputs {
 };
 
 SharedMesh with_material(const Context& context, const SharedMesh& shape, const MaterialInputs& in) {
-  auto copy = std::make_shared<Mesh>(copied_without_colors(*shape, context.cancel()));
+  auto copy = std::make_shared<Mesh>(*shape);
+  copy->colors.clear();
   copy->color = in.color;
   copy->color[3] *= in.opacity;
   copy->finish = {in.metallic, in.roughness, in.double_sided};

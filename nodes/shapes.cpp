@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "geometry/chunks.h"
-#include "geometry/copied.h"
 
 namespace dini {
 
@@ -20,9 +19,9 @@ bool within_reach(const Point& p) {
 
 /// The items of the vertices that are kept; attributes of vertices may be absent.
 template <class T>
-void keep_used(std::vector<T>& items, const std::vector<std::uint32_t>& used, CancelEvery& steps) {
+void keep_used(Shared<NumberList<T>>& items, const std::vector<std::uint32_t>& used, CancelEvery& steps) {
   if (items.empty()) return;
-  std::vector<T> kept;
+  NumberList<T> kept;
   kept.reserve(used.size());
   for (const std::uint32_t vertex : used) {
     if (steps.stopped()) break;
@@ -32,7 +31,7 @@ void keep_used(std::vector<T>& items, const std::vector<std::uint32_t>& used, Ca
 }
 
 template <class T>
-void keep_used(Column<T>& items, const std::vector<std::uint32_t>& used, CancelEvery& steps) {
+void keep_used(Shared<Column<T>>& items, const std::vector<std::uint32_t>& used, CancelEvery& steps) {
   if (items.empty()) return;
   Column<T> kept(used.size());
   for (std::size_t i = 0; i < used.size() && !steps.stopped(); ++i) kept.set(i, items[used[i]]);
@@ -46,13 +45,14 @@ void leave_out_far_triangles(Mesh& mesh, const Cancel& cancel) {
   std::vector<std::uint32_t> place(mesh.positions.size(), unused);
   std::vector<std::uint32_t> used;
   std::vector<std::size_t> tile_ends;
-  std::size_t tile = 0, kept = 0;
+  NumberList<std::array<std::uint32_t, 3>> triangles;
+  std::size_t tile = 0;
   CancelEvery steps(cancel);
   for (std::size_t t = 0; t < mesh.triangles.size() && !steps.stopped(); ++t) {
     const auto triangle = mesh.triangles[t];
     if (std::all_of(triangle.begin(), triangle.end(),
                     [&](std::uint32_t v) { return within_reach(mesh.positions[v]); })) {
-      std::array<std::uint32_t, 3>& moved = mesh.triangles[kept++];
+      std::array<std::uint32_t, 3>& moved = triangles.emplace_back();
       for (std::size_t corner = 0; corner < 3; ++corner) {
         std::uint32_t& to = place[triangle[corner]];
         if (to == unused) {
@@ -64,11 +64,11 @@ void leave_out_far_triangles(Mesh& mesh, const Cancel& cancel) {
     }
     while (tile < mesh.tile_ends.size() && mesh.tile_ends[tile] == t + 1) {
       // A tile of which nothing is left is none.
-      if (kept > (tile_ends.empty() ? 0 : tile_ends.back())) tile_ends.push_back(kept);
+      if (triangles.size() > (tile_ends.empty() ? 0 : tile_ends.back())) tile_ends.push_back(triangles.size());
       ++tile;
     }
   }
-  mesh.triangles.resize(kept);
+  mesh.triangles = std::move(triangles);
   mesh.tile_ends = std::move(tile_ends);
   keep_used(mesh.positions, used, steps);
   keep_used(mesh.normals, used, steps);
@@ -120,18 +120,16 @@ SharedMesh apply_to_mesh(const Context& context, const Versor& versor, const Sha
 
 std::shared_ptr<Mesh> with_positions(const Context& context, const Mesh& mesh, Column<Point> positions,
                                      Column<Vector> normals) {
-  auto moved = std::make_shared<Mesh>(copied_frame(mesh, context.cancel()));
-  moved->colors = copied(mesh.colors, context.cancel());
+  auto moved = std::make_shared<Mesh>(mesh);
   moved->positions = std::move(positions);
   moved->normals = std::move(normals);
-  CancelEvery steps(context.cancel());
-  for (std::size_t i = 0; i < moved->positions.size() && !steps.stopped(); ++i) {
-    if (within_reach(moved->positions[i])) continue;
+  const Column<Point>& places = *moved->positions;
+  const auto is_far = [&](std::size_t vertex) { return !within_reach(places[vertex]); };
+  if (first_where(context.cancel(), places.size(), is_far)) {
     const std::size_t before = moved->triangles.size();
     leave_out_far_triangles(*moved, context.cancel());
     context.warn({"at-infinity",
                   std::to_string(before - moved->triangles.size()) + " triangles reach infinity and are left out"});
-    break;
   }
   return moved;
 }

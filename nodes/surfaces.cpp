@@ -26,13 +26,8 @@ struct SurfaceInputs {
 };
 
 Attempt<SharedMesh> surface_of_points(const Context& context, const Block<Point, 2>& shape, const SurfaceInputs& in) {
-  const std::size_t rows = shape.size(0);
-  const std::size_t columns = shape.size(1);
-  Column<Point> points(rows * columns);
-  for_chunks(context.cancel(), points.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) points.set(k, shape(k / columns, k % columns));
-  });
-  const PointGrid grid{points, rows, columns, shape.axis(0).closed, shape.axis(1).closed};
+  const PointGrid grid{shape.column(),       shape.size(0), shape.size(1),   shape.axis(0).closed,
+                       shape.axis(1).closed, shape.base(),  shape.stride(0), shape.stride(1)};
   return finish_surface(context, grid, in.at_infinity, in.clip_radius, &shape.axis(0));
 }
 

@@ -2,7 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "geometry/copied.h"
 #include "geometry/file_colors.h"
 #include "geometry/obj_reader.h"
 #include "geometry/ply_reader.h"
@@ -61,7 +60,7 @@ Mesh original(const std::string& part = "all") {
   asked.erase("out");
   asked["all"] = make("merge", {{"meshes", {from("shell"), from("box")}}});
   CatalogueGraph graph = graph_of(asked);
-  Mesh mesh = copied(*graph.one<SharedMesh>(part), Cancel());
+  Mesh mesh = *graph.one<SharedMesh>(part);
   std::array<float, 4> color{};
   std::copy(mesh.color.begin(), mesh.color.end(), color.begin());
   mesh.colors.resize(mesh.positions.size(), color);
@@ -220,7 +219,7 @@ TEST_CASE("What was written is read again at the same place by the readers of im
     written(folder, format_called(name));
     const ImportResult result = read(folder.read("model." + name), ImportLimits(), Cancel());
     if (!result) FAIL(result.error().detail);
-    Mesh mesh = copied(result->mesh, Cancel());
+    Mesh mesh = result->mesh;
     if (name == "glb") turn_upright(mesh);
     CHECK(mesh.triangles.size() == expected.triangles.size());
     CHECK(distance_to(expected, mesh, alike_in(attributes, expected, mesh)) < deviation);

@@ -129,11 +129,11 @@ TEST_CASE("A tetrahedron measures right, whole or torn apart") {
 
 TEST_CASE("Open, flipped and crowded edges are not closed") {
   Mesh open = tetrahedron();
-  open.triangles.pop_back();
+  open.triangles.edit().pop_back();
   CHECK(!measured(open).closed);
   CHECK(measured(open).boundary_edges == 3);
   Mesh flipped = tetrahedron();
-  std::swap(flipped.triangles[0][0], flipped.triangles[0][1]);
+  std::swap(flipped.triangles.edit()[0][0], flipped.triangles.edit()[0][1]);
   CHECK(!measured(flipped).closed);
   CHECK(measured(flipped).boundary_edges == 0);
   const Mesh book =
@@ -227,15 +227,16 @@ TEST_CASE("Every broken invariant of a mesh is named") {
   };
   CHECK(defect([](Mesh&) {}) == "none");
   CHECK(defect([](Mesh& mesh) { mesh.normals = Column<Vector>(3); }) == "3 normals for 26 vertices");
-  CHECK(defect([](Mesh& mesh) { mesh.uvs.pop_back(); }) == "25 uvs for 26 vertices");
+  CHECK(defect([](Mesh& mesh) { mesh.uvs.edit().pop_back(); }) == "25 uvs for 26 vertices");
   CHECK(defect([](Mesh& mesh) { mesh.colors.resize(1); }) == "1 colors for 26 vertices");
-  CHECK(defect([](Mesh& mesh) { mesh.triangles[5][1] = 26; }) == "triangle 5 uses a vertex that is not there");
-  CHECK(defect([](Mesh& mesh) { mesh.triangles[5][1] = mesh.triangles[5][0]; }) == "triangle 5 uses a vertex twice");
+  CHECK(defect([](Mesh& mesh) { mesh.triangles.edit()[5][1] = 26; }) == "triangle 5 uses a vertex that is not there");
+  CHECK(defect([](Mesh& mesh) { mesh.triangles.edit()[5][1] = mesh.triangles[5][0]; }) ==
+        "triangle 5 uses a vertex twice");
   CHECK(defect([](Mesh& mesh) { mesh.positions.set(2, Point::at_infinity()); }) ==
         "position 2 is not finite or too large");
   CHECK(defect([](Mesh& mesh) { mesh.positions.set(2, {0, 1e18, 0}); }) == "position 2 is not finite or too large");
   CHECK(defect([](Mesh& mesh) { mesh.normals.set(1, {0, 0, 0.9}); }) == "normal 1 is not of unit length");
-  CHECK(defect([](Mesh& mesh) { mesh.uvs[4][1] = NAN; }) == "uv 4 is not finite");
+  CHECK(defect([](Mesh& mesh) { mesh.uvs.edit()[4][1] = NAN; }) == "uv 4 is not finite");
   CHECK(defect([](Mesh& mesh) { mesh.colors.resize(26, {0, 0, 2, 1}); }) == "color 0 is outside [0, 1]");
   CHECK(defect([](Mesh& mesh) { mesh.tile_ends = {4, 4, 48}; }) == "tile 1 is empty or out of order");
   CHECK(defect([](Mesh& mesh) { mesh.tile_ends = {4}; }) == "the last tile does not end at the last triangle");

@@ -1,5 +1,9 @@
 #include "geometry/surface.h"
 
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include "algebra/kernels.h"
 #include "tests/geometry/grids.h"
 
 using namespace dini;
@@ -126,14 +130,14 @@ TEST_CASE("Area and volume of a torus grid converge to the closed forms") {
   CHECK(std::abs(fine.volume - volume) < std::abs(coarse.volume - volume) / 3.5);
 }
 
-TEST_CASE("Quads are split along the shorter diagonal unless that folds them") {
+TEST_CASE("Quads are split along one diagonal unless that folds them") {
   Column<Point> points(4);
   points.set(1, {0, 1, 0});
   points.set(2, {1, 0, 0});
   SECTION("a stretched corner") {
     points.set(3, {3, 3, 0});
     const Mesh mesh = surface({.points = points, .rows = 2, .columns = 2}, {}, never_stopped).mesh;
-    CHECK(mesh.triangles.size() == 2);
+    CHECK(mesh.triangles == std::vector<std::array<std::uint32_t, 3>>{{0, 2, 3}, {0, 3, 1}});
     CHECK(measured(mesh).area == Approx(3));
   }
   SECTION("a corner pulled in past the shorter diagonal") {
@@ -222,4 +226,88 @@ TEST_CASE("The same grid gives the same mesh") {
   CHECK(a.positions == b.positions);
   CHECK(a.normals == b.normals);
   CHECK(a.triangles == b.triangles);
+}
+
+TEST_CASE("Tiles of one shape have the same triangles whatever the points are") {
+  const bool closed = GENERATE(false, true);
+  const auto bent = [&](double bend) {
+    return surface_of(Grid(150, 140, closed, closed,
+                           [&](double u, double v) {
+                             const Point p = closed ? torus_point(u, v) : Point{u, 2 * v, 0};
+                             const double wave = bend * sine_cosine(3 * u).sine * sine_cosine(2 * v).cosine;
+                             return Point{p.x * (1 + wave), p.y, p.z + wave};
+                           }))
+        .mesh;
+  };
+  const Mesh plain = bent(0);
+  for (const double bend : {0.02, 0.05, -0.1}) {
+    const Mesh mesh = bent(bend);
+    CHECK(mesh.triangles == plain.triangles);
+    CHECK(mesh.tile_ends == plain.tile_ends);
+  }
+}
+
+TEST_CASE("What is cut out of a surface changes nothing elsewhere") {
+  Grid grid(160, 150, false, false, [](double u, double v) {
+    return Point{2 * u, 2 * v, 0.2 * sine_cosine(u + 0.3 * v).sine * sine_cosine(v).cosine};
+  });
+  const Mesh whole = surface_of(grid).mesh;
+  const std::size_t row = GENERATE(0u, 70u, 128u), column = GENERATE(149u, 127u, 3u);
+  grid.points.set(row * grid.columns + column, Point::at_infinity());
+  const SurfaceResult cut = surface_of(grid);
+  CHECK(cut.first_clipped == std::array<std::size_t, 2>{row, column});
+  const auto near = [&](const Point& p) {
+    return std::abs(p.x - 2.0 * static_cast<double>(row) / 159) < 0.1 &&
+           std::abs(p.y - 2.0 * static_cast<double>(column) / 149) < 0.1;
+  };
+  std::size_t compared = 0;
+  for (std::size_t i = 0, k = 0; i < cut.mesh.positions.size() && k < whole.positions.size(); ++i, ++k) {
+    while (k < whole.positions.size() && whole.positions[k] != cut.mesh.positions[i]) ++k;
+    REQUIRE(k < whole.positions.size());
+    if (near(whole.positions[k])) continue;
+    CHECK(length(whole.normals[k] - cut.mesh.normals[i]) < 1e-14);
+    CHECK(whole.uvs[k] == cut.mesh.uvs[i]);
+    ++compared;
+  }
+  CHECK(compared > 23'000);
+  CHECK(cut.mesh.triangles.size() >= whole.triangles.size() - 8);
+}
+
+TEST_CASE("Neither threads nor instruction sets change a surface") {
+  const Grid grid = GENERATE(true, false) ? sphere_grid(200, 170) : Grid(190, 210, false, true, [](double u, double v) {
+    return Point{u / (0.503 - v), v, sine_cosine(u * v).sine};
+  });
+  const auto made = [&](int threads) {
+    tbb::task_arena arena(threads);
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+    return arena.execute([&] { return surface(grid.view(), {}, never_stopped); });
+  };
+  const SurfaceResult one = made(1);
+  const auto same = [&](const SurfaceResult& other) {
+    return other.mesh.positions == one.mesh.positions && other.mesh.normals == one.mesh.normals &&
+           other.mesh.uvs == one.mesh.uvs && other.mesh.triangles == one.mesh.triangles &&
+           other.clipped_quads == one.clipped_quads && other.first_clipped == one.first_clipped;
+  };
+  CHECK(!one.mesh.triangles.empty());
+  for (const int threads : {2, 5, 8}) CHECK(same(made(threads)));
+  for (const char* name : kernels::instruction_sets()) {
+    REQUIRE(kernels::force_instruction_set(name));
+    const SurfaceResult other = made(2);
+    kernels::force_instruction_set("");
+    INFO(name);
+    CHECK(same(other));
+  }
+}
+
+TEST_CASE("A copy of a mesh shares what it does not change") {
+  const Mesh mesh = surface_of(torus_grid(20, 10)).mesh;
+  Mesh copy = mesh;
+  copy.color = {1, 0, 0, 1};
+  CHECK(copy.positions.component(0) == mesh.positions.component(0));
+  CHECK(copy.triangles.data() == mesh.triangles.data());
+  const Point first = mesh.positions[0];
+  copy.positions.set(0, {7, 8, 9});
+  CHECK(copy.positions[0] == Point{7, 8, 9});
+  CHECK(mesh.positions[0] == first);
+  CHECK(copy.normals.component(0) == mesh.normals.component(0));
 }

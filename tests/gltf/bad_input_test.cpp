@@ -71,9 +71,9 @@ TEST_CASE("Vertices that no triangle uses neither fail nor widen the grid") {
 
 TEST_CASE("An index out of range is refused") {
   Mesh mesh = shapes::torus(20, 10);
-  mesh.triangles[8][1] = 200;
+  mesh.triangles.edit()[8][1] = 200;
   CHECK(failure(shapes::scene_of(mesh)).code == Code::invalid_input);
-  mesh.triangles[8][1] = std::numeric_limits<std::uint32_t>::max();
+  mesh.triangles.edit()[8][1] = std::numeric_limits<std::uint32_t>::max();
   CHECK(failure(shapes::scene_of(mesh)).code == Code::invalid_input);
 }
 
@@ -130,7 +130,7 @@ TEST_CASE("Normals without a direction become a unit vector") {
 
 TEST_CASE("Texture coordinates that are not finite are refused, colors are clamped") {
   Mesh mesh = shapes::random_soup(5, 30, 60, 1, 0);
-  for (auto& color : mesh.colors) color = {-5, std::numeric_limits<float>::quiet_NaN(), 1e30f, 1};
+  for (auto& color : mesh.colors.edit()) color = {-5, std::numeric_limits<float>::quiet_NaN(), 1e30f, 1};
   const Scene decoded = decode(encode(shapes::scene_of(mesh)).file);
   CHECK(mesh_of(decoded).colors[0] == std::array<float, 4>{0, 0, 1, 1});
   mesh.uvs[mesh.triangles[0][0]] = {not_a_number, 0};

@@ -148,7 +148,7 @@ TEST_CASE("Every color of a picture comes back, the darkest ones too") {
 TEST_CASE("Texture coordinates that reach far are reported with what rounding costs them") {
   Mesh mesh = shapes::wavy_field(20, 30);
   CHECK(encode(shapes::scene_of(mesh), {}).rough_uvs.empty());
-  mesh.uvs[5] = {-1000, 2};
+  mesh.uvs.edit()[5] = {-1000, 2};
   const EncodedScene encoded = encode(shapes::scene_of(mesh), {});
   REQUIRE(encoded.rough_uvs.size() == 1);
   const RoughUvs& rough = encoded.rough_uvs[0];

@@ -53,7 +53,7 @@ TEST_CASE("Small neighboring runs are joined and long ones cut") {
 
 TEST_CASE("A tile keeps its triangles, in a numbering by first use, without unused vertices") {
   Mesh mesh = shapes::wavy_field(5, 5);
-  mesh.triangles[9] = {3, 3, 4};
+  mesh.triangles.edit()[9] = {3, 3, 4};
   const auto built = build_tile(mesh, 8, 12, {}, Cancel());
   REQUIRE(built);
   const Tile& tile = *built;

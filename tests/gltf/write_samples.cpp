@@ -39,7 +39,7 @@ Part mesh_part(const char* name, Mesh mesh) { return {name, std::make_shared<con
 Mesh clipped_torus() {
   Mesh mesh = shapes::torus(60, 40);
   const auto is_cut = [&](std::uint32_t vertex) { return !(mesh.positions[vertex].z < 0.2); };
-  std::erase_if(mesh.triangles, [&](const auto& t) { return is_cut(t[0]) || is_cut(t[1]) || is_cut(t[2]); });
+  std::erase_if(mesh.triangles.edit(), [&](const auto& t) { return is_cut(t[0]) || is_cut(t[1]) || is_cut(t[2]); });
   for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
     if (is_cut(i)) mesh.positions.set(i, Point::at_infinity());
   }

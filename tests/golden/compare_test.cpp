@@ -121,7 +121,7 @@ TEST_CASE("Colors and the sides of triangles are compared where the shape is the
   CHECK(red.verdict == Comparison::Verdict::changed);
   CHECK(has(said(red), ": 0.8 0.5 0.5 1, was 0.5 0.5 0.5 1"));
   Mesh inside_out = ball(1);
-  for (auto& triangle : inside_out.triangles) std::swap(triangle[0], triangle[1]);
+  for (auto& triangle : inside_out.triangles.edit()) std::swap(triangle[0], triangle[1]);
   const std::string turned = said(compare(golden, model_of_mesh(inside_out), tolerance));
   CHECK(has(turned, "normals: 256 of 256 points face another way"));
   CHECK(has(turned, "volume: -"));

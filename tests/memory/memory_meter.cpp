@@ -4,6 +4,9 @@
 #include <cerrno>
 #include <cstdint>
 #include <malloc.h>
+#include <sys/mman.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define DINI_SANITIZER_ALLOCATES
@@ -96,6 +99,19 @@ int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexc
 void free(void* memory) noexcept {
   take_away(malloc_usable_size(memory));
   __libc_free(memory);
+}
+
+// Large arrays come from the system directly. What malloc maps does not pass here.
+void* mmap(void* at, std::size_t size, int protection, int flags, int file, off_t offset) noexcept {
+  const long place = syscall(SYS_mmap, at, size, protection, flags, file, offset);
+  if (place != -1 && (flags & MAP_ANONYMOUS) != 0) add(size);
+  return reinterpret_cast<void*>(place);
+}
+
+int munmap(void* memory, std::size_t size) noexcept {
+  const auto result = static_cast<int>(syscall(SYS_munmap, memory, size));
+  if (result == 0) take_away(size);
+  return result;
 }
 
 }  // extern "C"

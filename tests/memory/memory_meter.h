@@ -4,7 +4,8 @@
 
 namespace dini::support {
 
-/// Starts to count anew what the program asks for, on all threads, by whichever way: `new`, `malloc` and `calloc`.
+/// Starts to count anew what the program asks for, on all threads, by whichever way: `new`, `malloc`,
+/// `calloc` and `mmap`.
 void restart_memory_meter();
 
 /// The most bytes that were held at once since the restart, beyond those that were held then.
