@@ -180,7 +180,12 @@ int run(Options& options, const EngineMaker& make_engine) {
   files.push_back(report);
   if (options.console.json()) files.push_back({"--json", "-"});
   if (const Problems unfit = unwritable(files, inputs); !unfit.empty()) return refused(unfit);
-  if (const Problems wrong = options.assets.give_to(*engine, options.running.job().cancel); !wrong.empty()) {
+  std::vector<const Json*> documents;
+  for (const EvalGraph& graph : *graphs) {
+    if (graph.document) documents.push_back(&*graph.document);
+  }
+  const Job reading = options.running.job();
+  if (const Problems wrong = options.assets.give_to(*engine, documents, reading.cancel); !wrong.empty()) {
     return finish_early(options, wrong);
   }
   return finish(options, make_all(options, *engine, *parameters, works));

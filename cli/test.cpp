@@ -176,11 +176,15 @@ int run(Options& options, const EngineMaker& make_engine) {
   const auto found = find_graphs(options.paths);
   if (!found) return finish_early(options, begun, found.problems());
   const std::unique_ptr<Engine> engine = make_engine({});
-  if (const Problems wrong = options.assets.give_to(*engine, Cancel()); !wrong.empty()) {
-    return finish_early(options, begun, wrong);
-  }
   std::vector<TestGraph> graphs;
   for (const FoundGraph& graph : *found) graphs.push_back(read_test_graph(graph, engine->limits()));
+  std::vector<const Json*> documents;
+  for (const TestGraph& graph : graphs) {
+    if (graph.document) documents.push_back(&*graph.document);
+  }
+  if (const Problems wrong = options.assets.give_to(*engine, documents, Cancel()); !wrong.empty()) {
+    return finish_early(options, begun, wrong);
+  }
   std::vector<CaseResult> results = all_results(options, *engine, works_of(graphs));
   add_stale(options, stale_golden(options.golden, graphs, options.paths), results);
   if (options.has_table() && !options.quiet) std::cout << text_of(tally_of(results)) << "\n";
