@@ -1,5 +1,6 @@
 #include "cli/assets.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -22,6 +23,16 @@ Result<std::string> read_bounded(const std::string& path, std::size_t most) {
   return read_input(path, most);
 }
 
+/// Whether a document has a node that is given a file.
+bool names_files(const Json& document) {
+  const auto nodes = document.is_object() ? document.find("nodes") : document.end();
+  if (nodes == document.end() || !nodes->is_object()) return false;
+  return std::ranges::any_of(*nodes, [](const Json& node) {
+    const auto inputs = node.find("inputs");  // of what is no object there is none
+    return inputs != node.end() && inputs->contains("asset");
+  });
+}
+
 }  // namespace
 
 void Assets::add_option(CLI::App& command) {
@@ -33,8 +44,9 @@ void Assets::add_option(CLI::App& command) {
       ->allow_extra_args(false);
 }
 
-Problems Assets::give_to(const Engine& engine, const Cancel& cancel) const {
-  const std::filesystem::path examples = find_examples("");
+Problems Assets::give_to(const Engine& engine, const std::vector<const Json*>& documents, const Cancel& cancel) const {
+  const bool are_named = std::ranges::any_of(documents, [](const Json* document) { return names_files(*document); });
+  const std::filesystem::path examples = are_named ? find_examples("") : std::filesystem::path();
   if (!examples.empty()) {
     if (Problems problems = server::load_assets(examples / "assets", engine); !problems.empty()) return problems;
   }

@@ -28,7 +28,8 @@ Where one call does several things, one that fails does not stop the others, and
 
 A problem is one line on standard error, `file:line:column: error: node.port: what is wrong [code]`, as far as these are known.
 Lines and columns count from 1, columns count characters. With `--json` problems are JSON instead, with `file`, `line`, `column` and a
-`pointer` (RFC 6901) into that file. What is wrong with an option has no file. The codes are those of [http.md](http.md).
+`pointer` (RFC 6901) into that file. What is wrong with an option has no file, and what is wrong with the words of a call (exit code 2) is always
+a line. The codes are those of [http.md](http.md).
 
 ## What is written
 

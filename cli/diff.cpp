@@ -7,6 +7,7 @@
 #include "cli/exit_codes.h"
 #include "cli/output_files.h"
 #include "cli/terminal.h"
+#include "golden/any_model.h"
 #include "golden/compare.h"
 #include "service/graph_difference.h"
 
@@ -16,7 +17,6 @@ namespace {
 struct Options {
   std::string before, after;
   double tolerance = 1e-6;
-  bool json = false;
   Console console;
 };
 
@@ -54,7 +54,7 @@ bool is_empty(const Json& differences) {
 int compare_graphs(const Options& options, const Json& before, const Json& after) {
   const Json difference = graph_difference(before, after);
   const bool same = is_empty(difference["nodes"]) && is_empty(difference["parameters"]);
-  if (options.json) {
+  if (options.console.json()) {
     std::cout << written(difference);
   } else {
     Lines lines;
@@ -64,26 +64,37 @@ int compare_graphs(const Options& options, const Json& before, const Json& after
   return same ? exit_ok : exit_check_failed;
 }
 
-Result<Model> read_model(const SourceText& source) {
-  std::optional<Model> model = model_of_bytes(source.text);
-  if (model) return *std::move(model);
-  return Problem{.code = "invalid-asset",
-                 .detail = source.name + ": this is no GLB that dini wrote with Draco; no others are compared"};
+Result<AnyModel> read_model(const SourceText& source) {
+  Expected<AnyModel, std::string> read = read_any_model(source.text);
+  if (!read) return Problem{.code = "invalid-asset", .detail = source.name + ": " + read.error()};
+  return *std::move(read);
+}
+
+/// What of a model is not compared.
+Json warnings_of(const AnyModel& model) {
+  Json warnings = Json::array();
+  for (const std::string& sentence : model.left_out) warnings.push_back({{"code", "left-out"}, {"detail", sentence}});
+  return warnings;
 }
 
 int compare_models(const Options& options, const SourceText& before, const SourceText& after) {
-  const Result<Model> first = read_model(before), second = read_model(after);
-  for (const Result<Model>* model : {&first, &second}) {
+  const Result<AnyModel> first = read_model(before), second = read_model(after);
+  for (const Result<AnyModel>* model : {&first, &second}) {
     if (!*model) return options.console.fail(model->problems(), exit_invalid_graph);
   }
-  const Comparison comparison = compare(first->facts, *second, options.tolerance);
+  const Comparison comparison = compare(first->model.facts, second->model, options.tolerance);
   const bool changed = comparison.verdict == Comparison::Verdict::changed;
-  if (options.json) {
+  if (options.console.json()) {
     const bool same_bytes = comparison.verdict == Comparison::Verdict::same;
-    std::cout
-        << Json{{"same_bytes", same_bytes}, {"same_shape", !changed}, {"differences", comparison.differences}}.dump(2)
-        << "\n";
+    std::cout << Json{{"same_bytes", same_bytes},
+                      {"same_shape", !changed},
+                      {"differences", comparison.differences},
+                      {"left_out", {{"before", first->left_out}, {"after", second->left_out}}}}
+                     .dump(2)
+              << "\n";
   } else {
+    options.console.warnings({{"warnings", warnings_of(*first)}}, before);
+    options.console.warnings({{"warnings", warnings_of(*second)}}, after);
     for (const std::string& difference : comparison.differences) std::cout << difference << "\n";
   }
   return changed ? exit_check_failed : exit_ok;
@@ -125,15 +136,14 @@ void add_diff(CLI::App& program, Command& chosen) {
       "dini diff before.json after.json\n"
       "dini diff before.glb after.glb --tolerance 1e-4");
   const auto options = std::make_shared<Options>();
-  command->add_option("before", options->before, "A graph document or a GLB of dini, or - for standard input")
-      ->required();
+  command->add_option("before", options->before, "A graph document or a GLB, or - for standard input")->required();
   command->add_option("after", options->after, "Another one of the same kind")->required();
   command
       ->add_option("--tolerance", options->tolerance,
                    "How far models may be from each other, as a share of the largest extent, beside what files round "
                    "positions by (default: 1e-6)")
       ->check(CLI::Range(0.0, 1.0));
-  command->add_flag("--json", options->json, "Answer as JSON");
+  options->console.add_json_option(*command, "Answer as JSON");
   options->console.add_options(*command);
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

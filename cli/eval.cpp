@@ -1,11 +1,9 @@
-#include <atomic>
 #include <iostream>
 #include <memory>
 #include <optional>
 
 #include "cli/assets.h"
 #include "cli/commands.h"
-#include "cli/computing.h"
 #include "cli/documents.h"
 #include "cli/eval_targets.h"
 #include "cli/evaluation.h"
@@ -13,6 +11,7 @@
 #include "cli/in_order.h"
 #include "cli/output_files.h"
 #include "cli/quality_option.h"
+#include "cli/run_options.h"
 #include "cli/terminal.h"
 
 namespace dini::cli {
@@ -31,15 +30,10 @@ struct Options {
   QualityOption quality;
   std::optional<std::int64_t> triangle_budget;
   std::vector<std::string> preview;
-  std::size_t deadline_ms = 0;
-  std::size_t jobs = 0;
-  bool fail_fast = false;
-  bool keep_going = false;
+  RunOptions running;
   bool quiet = false;
   bool verbose = false;
-  bool json = false;
   Assets assets;
-  Computing computing;
   Console console;
 };
 
@@ -65,7 +59,7 @@ EvaluateRequest request_of(const Options& options, const Engine& engine, const J
 /// Evaluates and writes the file, so that no finished file waits in memory for those before it.
 Outcome made(const Options& options, const Engine& engine, const Json& parameters, const Work& work) {
   if (!work.graph->problems.empty()) return failed(work.graph->problems, work.graph->code);
-  Outcome outcome = evaluated(engine, request_of(options, engine, parameters, work), job_within(options.deadline_ms));
+  Outcome outcome = evaluated(engine, request_of(options, engine, parameters, work), options.running.job());
   if (outcome.code != exit_ok || !work.target->path) return outcome;
   if (Problems wrong = write_output(*work.target->path, *outcome.file->bytes); !wrong.empty()) {
     outcome.code = exit_io;
@@ -83,13 +77,14 @@ struct Told {
 
 /// Whether lines about what succeeded have a place on standard output.
 bool says_success(const Options& options, const std::vector<Work>& works) {
-  const bool is_taken = options.json || options.report == "-" || options.outputs == std::vector<std::string>{"-"};
+  const bool is_taken =
+      options.console.json() || options.report == "-" || options.outputs == std::vector<std::string>{"-"};
   return !options.quiet && !is_taken && (works.size() > 1 || options.outputs.empty());
 }
 
 void tell(const Options& options, const Work& work, const Outcome& outcome, bool is_alone, bool says) {
   const SourceText* source = work.graph->source ? &*work.graph->source : nullptr;
-  if (!options.json) {
+  if (!options.console.json()) {
     // A file that cannot be read or written is no fault in the document.
     const bool is_io = outcome.code == exit_io;
     options.console.problems(outcome.problems, is_io ? nullptr : source);
@@ -105,15 +100,14 @@ void tell(const Options& options, const Work& work, const Outcome& outcome, bool
 
 Told make_all(const Options& options, const Engine& engine, const Json& parameters, const std::vector<Work>& works) {
   Told told;
-  std::atomic<bool> stopped = false;
+  FailFast fail_fast(options.running);
   const bool says = says_success(options, works);
-  const std::size_t at_once = options.jobs > 0 ? options.jobs : options.computing.threads();
   do_in_order<std::optional<Outcome>>(
-      works.size(), at_once,
+      works.size(), options.running.at_once(),
       [&](std::size_t index) -> std::optional<Outcome> {
-        if (stopped) return std::nullopt;
+        if (fail_fast.stopped()) return std::nullopt;
         Outcome outcome = made(options, engine, parameters, works[index]);
-        if (outcome.code != exit_ok && options.fail_fast) stopped = true;
+        fail_fast.after(outcome.code == exit_ok);
         return outcome;
       },
       [&](std::size_t index, std::optional<Outcome> outcome) {
@@ -133,7 +127,7 @@ int finish(const Options& options, const Told& told) {
   Json report =
       told.runs.size() == 1 ? told.runs.front() : Json{{"succeeded", told.code == exit_ok}, {"runs", told.runs}};
   const std::string text = written(report);
-  if (options.json) std::cout << text;
+  if (options.console.json()) std::cout << text;
   if (!options.report) return told.code;
   const Problems wrong = write_output(*options.report, text);
   if (wrong.empty()) return told.code;
@@ -141,7 +135,7 @@ int finish(const Options& options, const Told& told) {
 }
 
 int finish_early(const Options& options, const Problems& problems) {
-  if (!options.json) options.console.problems(problems);
+  if (!options.console.json()) options.console.problems(problems);
   const Outcome outcome = failed(problems, exit_code_for(problems, Stage::checking));
   return finish(options, Told{.code = outcome.code, .runs = Json::array({report_of(outcome, nullptr)})});
 }
@@ -150,7 +144,7 @@ int run(Options& options, const EngineMaker& make_engine) {
   const auto refused = [&](const Problems& problems) {
     return options.console.fail(problems, exit_code_for(problems, Stage::checking));
   };
-  if (const Problems wrong = options.computing.apply(); !wrong.empty()) return refused(wrong);
+  if (const Problems wrong = options.running.apply(); !wrong.empty()) return refused(wrong);
   std::vector<std::string> inputs = options.assets.paths();
   inputs.insert(inputs.end(), options.graphs.begin(), options.graphs.end());
   if (const Problems wrong = read_twice("", inputs); !wrong.empty()) return refused(wrong);
@@ -184,9 +178,14 @@ int run(Options& options, const EngineMaker& make_engine) {
     if (const Problems wrong = make_folders(files); !wrong.empty()) return finish_early(options, wrong);
   }
   files.push_back(report);
-  if (options.json) files.push_back({"--json", "-"});
+  if (options.console.json()) files.push_back({"--json", "-"});
   if (const Problems unfit = unwritable(files, inputs); !unfit.empty()) return refused(unfit);
-  if (const Problems wrong = options.assets.give_to(*engine, job_within(options.deadline_ms).cancel); !wrong.empty()) {
+  std::vector<const Json*> documents;
+  for (const EvalGraph& graph : *graphs) {
+    if (graph.document) documents.push_back(&*graph.document);
+  }
+  const Job reading = options.running.job();
+  if (const Problems wrong = options.assets.give_to(*engine, documents, reading.cancel); !wrong.empty()) {
     return finish_early(options, wrong);
   }
   return finish(options, make_all(options, *engine, *parameters, works));
@@ -225,19 +224,12 @@ void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine
       ->excludes(no_draco);
   options->quality.add_option(*command);
   command->add_option("--triangle-budget", options->triangle_budget, "About how many triangles a draft has");
-  command->add_option("--deadline-ms", options->deadline_ms, "Give up on a model after this many milliseconds")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{86'400'000}));
-  command->add_option("--jobs", options->jobs, "How many models are made at once (default: one per thread)")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1024}));
-  auto* fail_fast = command->add_flag("--fail-fast", options->fail_fast, "Begin no further model after one has failed");
-  command->add_flag("--keep-going", options->keep_going, "Make all models whatever comes of others (default)")
-      ->excludes(fail_fast);
   auto* quiet = command->add_flag("--quiet", options->quiet, "Tell errors only");
   command->add_flag("-v,--verbose", options->verbose, "Tell the time that each node took, on standard error")
       ->excludes(quiet);
-  command->add_flag("--json", options->json, "Answer with the report instead of lines, also when something is wrong");
+  options->console.add_json_option(*command, "Answer with the report instead of lines, also when something is wrong");
+  options->running.add_options(*command, "model", "models");
   options->assets.add_option(*command);
-  options->computing.add_options(*command);
   options->console.add_options(*command);
   command->callback(
       [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });

@@ -16,7 +16,6 @@ struct Options {
   std::string output;
   std::vector<std::string> preview;
   QualityOption quality;
-  bool json = false;
 };
 
 std::string padded(std::string text, std::size_t width) {
@@ -63,7 +62,7 @@ int run(const Options& options, const EngineMaker& make_engine) {
                                         &given->source);
   }
   const Json explained = given->engine->explain(**prepared);
-  if (options.json) {
+  if (options.graph.console().json()) {
     std::cout << explained.dump(2) << "\n";
   } else {
     print(explained);
@@ -83,7 +82,7 @@ void add_explain(CLI::App& program, Command& chosen, const EngineMaker& make_eng
       ->allow_extra_args(false)
       ->excludes(output);
   options->quality.add_option(*command);
-  command->add_flag("--json", options->json, "Answer as JSON, the schema `Explanation` of docs/http.md");
+  options->graph.add_json_option(*command, "Answer as JSON, the schema `Explanation` of docs/http.md");
   command->callback(
       [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });
 }

@@ -3,6 +3,8 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/document_results.h"
+#include "cli/documents.h"
 #include "cli/exit_codes.h"
 #include "cli/layout.h"
 #include "cli/output_files.h"
@@ -26,27 +28,41 @@ Problems other_kind(const Json& document) {
            .pointer = ""}};
 }
 
-int format(const Options& options, const std::string& path) {
+void format(const Options& options, const std::string& path, DocumentResults& results) {
   const auto source = read_source(path);
-  if (!source) return options.console.fail(source.problems(), exit_code_for(source.problems(), Stage::checking));
+  if (!source) {
+    return results.add_failure(path, source.problems(), exit_code_for(source.problems(), Stage::checking));
+  }
   const auto document = parse_source(*source, Limits());
   const Problems wrong = document ? other_kind(*document) : document.problems();
-  if (!wrong.empty()) return options.console.fail(wrong, exit_code_for(wrong, Stage::checking), &*source);
-  const std::string laid_out = canonical_layout(source->text);
-  const bool same = laid_out == source->text;
-  if (options.check) {
-    if (!same) std::cout << printable(source->name) << " would be laid out anew\n";
-    return same ? exit_ok : exit_check_failed;
+  if (!wrong.empty()) {
+    return results.add_failure(source->name, wrong, exit_code_for(wrong, Stage::checking), &*source);
   }
-  if (same && path != "-") return exit_ok;
-  const Problems unwritten = write_output(path, laid_out);
-  return unwritten.empty() ? exit_ok : options.console.fail(unwritten, exit_io);
+  const std::string laid_out = canonical_layout(source->text);
+  const bool changes = laid_out != source->text;
+  if (options.check) {
+    if (changes && !options.console.json()) std::cout << printable(source->name) << " would be laid out anew\n";
+  } else if (changes || path == "-") {
+    if (const Problems unwritten = write_output(path, laid_out); !unwritten.empty()) {
+      return results.add_failure(source->name, unwritten, exit_io);
+    }
+  }
+  results.add(source->name, {{"changed", changes}}, options.check && changes ? exit_check_failed : exit_ok);
 }
 
 int run(const Options& options) {
-  int worst = exit_ok;
-  for (const std::string& path : options.files) worst = std::max(worst, format(options, path));
-  return worst;
+  if (const Problems wrong = read_twice("", options.files); !wrong.empty()) {
+    return options.console.fail(wrong, exit_usage);
+  }
+  const bool writes_document = !options.check && std::ranges::find(options.files, "-") != options.files.end();
+  if (writes_document && options.console.json()) {
+    return options.console.fail(
+        {{.code = "usage", .detail = "standard output takes the document of - or the answer of --json, not both"}},
+        exit_usage);
+  }
+  DocumentResults results(options.console);
+  for (const std::string& path : options.files) format(options, path, results);
+  return results.finish();
 }
 
 }  // namespace
@@ -64,6 +80,7 @@ void add_fmt(CLI::App& program, Command& chosen) {
       ->required();
   command->add_flag("--check", options->check,
                     "Only name the files that would change, and end with 1 if there are any");
+  options->console.add_json_option(*command, "Answer as JSON: which files change, and what is wrong with others");
   options->console.add_options(*command);
   command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }

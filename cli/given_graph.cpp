@@ -25,7 +25,7 @@ Expected<GivenGraph, int> GraphArguments::load(const EngineMaker& make_engine) c
   Result<Json> document = parse_source(*source, limits);
   if (!document) return failed(document.problems(), &*source);
   std::unique_ptr<Engine> engine = make_engine(limits);
-  if (const Problems wrong = assets_.give_to(*engine, Cancel()); !wrong.empty()) return failed(wrong);
+  if (const Problems wrong = assets_.give_to(*engine, {&*document}, Cancel()); !wrong.empty()) return failed(wrong);
   SharedGraph graph = engine->read(*document);
   return GivenGraph{*std::move(source), *std::move(document), *std::move(parameters), std::move(engine),
                     std::move(graph)};

@@ -26,6 +26,11 @@ class GraphArguments {
  public:
   void add_options(CLI::App& command);
 
+  /// `Console::add_json_option`.
+  void add_json_option(CLI::App& command, const std::string& description) {
+    console_.add_json_option(command, description);
+  }
+
   const std::string& path() const { return path_; }
   const Console& console() const { return console_; }
 

@@ -15,7 +15,6 @@ struct Options {
   std::string output;
   std::string format;
   QualityOption quality;
-  bool json = false;
 };
 
 /// The outputs whose tags are told: the one asked for, else all.
@@ -54,7 +53,7 @@ int run(const Options& options, const EngineMaker& make_engine) {
     tags[(*prepared)->output] = (*prepared)->model_tag;
   }
   const Json told = {{"engine", engine_version}, {"graph", to_hex(given->graph->hash)}, {"outputs", std::move(tags)}};
-  if (options.json) {
+  if (options.graph.console().json()) {
     std::cout << told.dump(2) << "\n";
   } else {
     print(told);
@@ -74,7 +73,7 @@ void add_hash(CLI::App& program, Command& chosen, const EngineMaker& make_engine
   command->add_option("--output", options->output, "The export node (default: all)");
   command->add_option("--format", options->format, "The format of the files (default: glb)");
   options->quality.add_option(*command);
-  command->add_flag("--json", options->json, "Answer as JSON");
+  options->graph.add_json_option(*command, "Answer as JSON");
   command->callback(
       [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });
 }

@@ -52,6 +52,7 @@ void add_inspect(CLI::App& program, Command& chosen, const EngineMaker& make_eng
   options->graph.add_options(*command);
   command->add_option("place", options->place, "NODE or NODE.OUTPUT")->required();
   command->add_flag("--full", options->full, "Meshes with all positions and indices");
+  options->graph.add_json_option(*command, "Answer as JSON also when something is wrong");
   options->computing.add_options(*command);
   command->callback(
       [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });

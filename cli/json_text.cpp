@@ -111,17 +111,6 @@ std::size_t offset_of(const TextValue& root, std::string_view pointer) {
   return offset;
 }
 
-std::optional<std::size_t> offset_of_fault(std::string_view text) {
-  try {
-    const auto parsed = Json::parse(text);
-  } catch (const nlohmann::detail::parse_error& error) {
-    return error.byte == 0 ? 0 : std::min(error.byte - 1, text.size());
-  } catch (const nlohmann::detail::exception&) {
-    return std::nullopt;  // a number that no double holds
-  }
-  return std::nullopt;
-}
-
 TextPlace place_at(std::string_view text, std::size_t offset) {
   if (text.starts_with(byte_order_mark) && offset >= byte_order_mark.size()) {
     text.remove_prefix(byte_order_mark.size());

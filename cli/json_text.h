@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,9 +37,6 @@ TextValue read_json_text(std::string_view text);
 
 /// Where the member that a JSON pointer leads to begins; the innermost one around it when the text has none there.
 std::size_t offset_of(const TextValue& root, std::string_view pointer);
-
-/// The first byte that keeps a text from being JSON; nothing when its syntax is well or the byte is not known.
-std::optional<std::size_t> offset_of_fault(std::string_view text);
 
 TextPlace place_at(std::string_view text, std::size_t offset);
 

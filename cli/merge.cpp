@@ -3,6 +3,7 @@
 
 #include "cli/commands.h"
 #include "cli/documents.h"
+#include "cli/evaluation.h"
 #include "cli/exit_codes.h"
 #include "cli/layout.h"
 #include "cli/output_files.h"
@@ -18,19 +19,26 @@ struct Options {
   Console console;
 };
 
-/// Reads strictly, as all documents are read, and keeps the order of members.
-Expected<OrderedJson, int> read_ordered(const Options& options, const std::string& path, const Limits& limits) {
+/// A document with the order of its members.
+struct Side {
+  SourceText source;
+  OrderedJson document;
+};
+
+/// Reads strictly, as all documents are read.
+Expected<Side, int> read_side(const Options& options, const std::string& path, const Limits& limits) {
   const auto failed = [&](const Problems& problems, const SourceText* source) {
     return options.console.fail(problems, exit_code_for(problems, Stage::checking), source);
   };
-  const auto source = read_source(path);
+  auto source = read_source(path);
   if (!source) return failed(source.problems(), nullptr);
   const auto document = parse_source(*source, limits);
   if (!document) return failed(document.problems(), &*source);
   if (!looks_like_graph(*document)) {
     return failed({{.code = "required-member-missing", .detail = "this is no graph document"}}, &*source);
   }
-  return OrderedJson::parse(source->text);
+  OrderedJson ordered = OrderedJson::parse(source->text);
+  return Side{*std::move(source), std::move(ordered)};
 }
 
 /// What each side did alone can be wrong together: a link to a node that the other side took away, or a cycle.
@@ -44,26 +52,36 @@ Problems broken_links(const Engine& engine, const Json& merged) {
 }
 
 int run(const Options& options, const EngineMaker& make_engine) {
-  const std::unique_ptr<Engine> engine = make_engine({});
-  const auto base = read_ordered(options, options.base, engine->limits());
-  if (!base) return base.error();
-  const auto ours = read_ordered(options, options.ours, engine->limits());
-  if (!ours) return ours.error();
-  const auto theirs = read_ordered(options, options.theirs, engine->limits());
-  if (!theirs) return theirs.error();
-  const GraphMerge merge = merge_graphs(*base, *ours, *theirs);
-  Problems problems;
-  for (const std::string& place : merge.conflicts) {
-    problems.push_back({.code = "merge-conflict", .detail = place + ": both sides changed it"});
+  const std::string out = options.out.value_or(options.ours);
+  if (const Problems wrong = read_twice(options.base, {options.ours, options.theirs}); !wrong.empty()) {
+    return options.console.fail(wrong, exit_usage);
   }
+  if (out == "-" && options.console.json()) {
+    return options.console.fail(
+        {{.code = "usage", .detail = "standard output takes the merged document or the answer of --json, not both"}},
+        exit_usage);
+  }
+  const std::unique_ptr<Engine> engine = make_engine({});
+  const auto base = read_side(options, options.base, engine->limits());
+  if (!base) return base.error();
+  const auto ours = read_side(options, options.ours, engine->limits());
+  if (!ours) return ours.error();
+  const auto theirs = read_side(options, options.theirs, engine->limits());
+  if (!theirs) return theirs.error();
+  const GraphMerge merge = merge_graphs(base->document, ours->document, theirs->document);
+  Problems problems = merge.conflicts;
   const SourceText merged{options.ours, canonical_layout(merge.merged.dump())};
   if (problems.empty()) {
     const auto document = parse_source(merged, engine->limits());
     problems = document ? broken_links(*engine, *document) : document.problems();
   }
-  if (!problems.empty()) return options.console.fail(problems, exit_check_failed, &merged);
-  const Problems wrong = write_output(options.out.value_or(options.ours), merged.text);
-  return wrong.empty() ? exit_ok : options.console.fail(wrong, exit_io);
+  // Their places are those in our side: the merged document is written nowhere.
+  if (!problems.empty()) return options.console.fail(problems, exit_check_failed, &ours->source);
+  if (const Problems wrong = write_output(out, merged.text); !wrong.empty()) {
+    return options.console.fail(wrong, exit_io);
+  }
+  if (options.console.json()) std::cout << written({{"succeeded", true}, {"errors", Json::array()}});
+  return exit_ok;
 }
 
 }  // namespace
@@ -79,6 +97,7 @@ void add_merge(CLI::App& program, Command& chosen, const EngineMaker& make_engin
   command->add_option("ours", options->ours, "Our side, which the merged document replaces")->required();
   command->add_option("theirs", options->theirs, "The other side")->required();
   command->add_option("-o,--out", options->out, "Where the merged document goes instead, or - for standard output");
+  options->console.add_json_option(*command, "Answer as JSON: whether it merged, or what is in the way");
   options->console.add_options(*command);
   command->callback(
       [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });

@@ -26,7 +26,7 @@ Result<Json> parse_source(const SourceText& source, const Limits& limits) { retu
 std::optional<TextPlace> place_of(const SourceText& source, const Problem& problem) {
   if (problem.in_request) return std::nullopt;
   if (problem.code == "not-json") {
-    const auto offset = offset_of_fault(source.text);
+    const auto offset = offset_of_fault(source.text, Limits());
     if (!offset) return std::nullopt;
     return place_at(source.text, *offset);
   }

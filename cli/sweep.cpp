@@ -1,18 +1,17 @@
 #include "jobs/sweep.h"
 
-#include <atomic>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "cli/commands.h"
-#include "cli/computing.h"
 #include "cli/exit_codes.h"
 #include "cli/given_graph.h"
 #include "cli/in_order.h"
 #include "cli/output_files.h"
 #include "cli/output_names.h"
 #include "cli/quality_option.h"
+#include "cli/run_options.h"
 #include "cli/sweeping/axes.h"
 #include "cli/sweeping/ledger.h"
 #include "cli/sweeping/progress.h"
@@ -28,9 +27,9 @@ struct Options {
   std::vector<std::string> measures;
   std::string output, format;
   QualityOption quality;
-  std::size_t index = 0, count = 1, jobs = 0, deadline_ms = 0;
-  bool make_folders = false, fail_fast = false, quiet = false;
-  Computing computing;
+  std::size_t index = 0, count = 1;
+  bool make_folders = false, quiet = false;
+  RunOptions running;
 };
 
 /// A variant before it is made.
@@ -112,7 +111,7 @@ SweptVariant swept(const Sweeping& sweeping, const Wanted& wanted) {
   const Engine& engine = *sweeping.given.engine;
   SweptVariant variant{.index = wanted.index, .setting = wanted.setting, .file = wanted.file.value_or("")};
   const EvaluateRequest request = sweeping.request.with(wanted.setting);
-  const Job job = job_within(options.deadline_ms);
+  const Job job = options.running.job();
   const auto prepared = engine.prepare(request, job.cancel);
   const std::string tag = prepared ? (*prepared)->report_tag : "";
   if (wanted.file && prepared) {
@@ -156,14 +155,14 @@ void tell(const Options& options, const SourceText& source, const SweptVariant& 
 std::vector<SweptVariant> sweep(const Sweeping& sweeping) {
   const Options& options = sweeping.options;
   std::vector<SweptVariant> variants;
-  std::atomic<bool> stopped = false;
+  FailFast fail_fast(options.running);
   Progress progress(sweeping.wanted.size(), !options.quiet);
   do_in_order<std::optional<SweptVariant>>(
-      sweeping.wanted.size(), options.jobs > 0 ? options.jobs : options.computing.threads(),
+      sweeping.wanted.size(), options.running.at_once(),
       [&](std::size_t place) -> std::optional<SweptVariant> {
-        if (stopped) return std::nullopt;
+        if (fail_fast.stopped()) return std::nullopt;
         SweptVariant variant = swept(sweeping, sweeping.wanted[place]);
-        if (variant.outcome.code != exit_ok && options.fail_fast) stopped = true;
+        fail_fast.after(variant.outcome.code == exit_ok);
         return variant;
       },
       [&](std::size_t, std::optional<SweptVariant> variant) {
@@ -219,7 +218,7 @@ int run(Options& options, const EngineMaker& make_engine) {
   const auto refused = [&](const Problems& problems) {
     return console.fail(problems, exit_code_for(problems, Stage::checking));
   };
-  if (const Problems wrong = options.computing.apply(); !wrong.empty()) return refused(wrong);
+  if (const Problems wrong = options.running.apply(); !wrong.empty()) return refused(wrong);
   if (options.index >= options.count) {
     return refused({{.code = "usage", .detail = "--index counts from 0 and stays below --count"}});
   }
@@ -289,14 +288,9 @@ void add_sweep(CLI::App& program, Command& chosen, const EngineMaker& make_engin
   command->add_option("--index", options->index, "Of --count processes that share the work, which this is, from 0");
   command->add_option("--count", options->count, "How many processes share the work: each makes every COUNTth variant")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}));
-  command->add_option("--jobs", options->jobs, "How many variants are evaluated at once (default: one per thread)")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1024}));
-  command->add_option("--deadline-ms", options->deadline_ms, "Give up on a variant after this many milliseconds")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{86'400'000}));
-  command->add_flag("--fail-fast", options->fail_fast, "Begin no further variant after one has failed");
+  options->running.add_options(*command, "variant", "variants");
   command->add_flag("--mkdir", options->make_folders, "Make the folders of what is written");
   command->add_flag("--quiet", options->quiet, "Tell errors only");
-  options->computing.add_options(*command);
   command->callback(
       [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });
 }

@@ -4,6 +4,8 @@
 #include <iostream>
 #include <unistd.h>
 
+#include "cli/evaluation.h"
+#include "cli/exit_codes.h"
 #include "service/engine.h"
 
 namespace dini::cli {
@@ -61,9 +63,28 @@ std::string problem_line(const Problem& problem, const SourceText* source) {
   return line_of(problems_json({problem}, source).front(), problem.in_request, "error");
 }
 
+std::vector<std::string> warning_lines(const Json& report, const SourceText& source, const std::string& kind) {
+  std::vector<std::string> lines;
+  for (const Json& warning : report.value("warnings", Json::array())) {
+    const Problem located{.node = warning.value("node", ""), .port = warning.value("port", "")};
+    Json told = warning;
+    told["file"] = source.name;
+    if (const auto place = place_of(source, located)) {
+      told["line"] = place->line;
+      told["column"] = place->column;
+    }
+    lines.push_back(line_of(told, false, kind));
+  }
+  return lines;
+}
+
 void Console::add_options(CLI::App& command) {
   command.add_option("--color", color_, "auto (default: on a terminal, without NO_COLOR), always or never")
       ->check(CLI::IsMember({"auto", "always", "never"}));
+}
+
+void Console::add_json_option(CLI::App& command, const std::string& description) {
+  command.add_flag("--json", json_, description);
 }
 
 bool Console::colors(int descriptor) const {
@@ -88,20 +109,15 @@ void Console::problems(const Problems& problems, const SourceText* source) const
 
 void Console::warnings(const Json& report, const SourceText& source) const {
   const std::string kind = colors_errors() ? "\x1b[1;33mwarning\x1b[0m" : "warning";
-  for (const Json& warning : report.value("warnings", Json::array())) {
-    const Problem located{.node = warning.value("node", ""), .port = warning.value("port", "")};
-    Json told = warning;
-    told["file"] = source.name;
-    if (const auto place = place_of(source, located)) {
-      told["line"] = place->line;
-      told["column"] = place->column;
-    }
-    std::cerr << line_of(told, false, kind) << "\n";
-  }
+  for (const std::string& line : warning_lines(report, source, kind)) std::cerr << line << "\n";
 }
 
 int Console::fail(const Problems& told, int code, const SourceText* source) const {
-  problems(told, source);
+  if (json_ && code != exit_usage) {
+    std::cout << written({{"succeeded", false}, {"errors", problems_json(told, source)}});
+  } else {
+    problems(told, source);
+  }
   return code;
 }
 

@@ -1,19 +1,19 @@
-#include <atomic>
 #include <iostream>
 #include <memory>
 
 #include "cli/assets.h"
 #include "cli/commands.h"
-#include "cli/computing.h"
 #include "cli/documents.h"
 #include "cli/evaluation.h"
 #include "cli/exit_codes.h"
 #include "cli/in_order.h"
 #include "cli/output_files.h"
+#include "cli/run_options.h"
 #include "cli/terminal.h"
 #include "cli/testing/junit.h"
 #include "cli/testing/run_case.h"
 #include "cli/testing/sarif.h"
+#include "cli/testing/stale_golden.h"
 #include "cli/testing/summaries.h"
 
 namespace dini::cli {
@@ -24,21 +24,16 @@ struct Options {
   GoldenOptions golden;
   std::optional<std::string> report, junit, sarif, markdown;
   bool make_folders = false;
-  std::size_t deadline_ms = 0;
-  std::size_t jobs = 0;
-  bool fail_fast = false;
-  bool keep_going = false;
+  RunOptions running;
   bool quiet = false;
   bool verbose = false;
-  bool json = false;
   Assets assets;
-  Computing computing;
   Console console;
 
   /// Whether lines for people have a place on standard output.
   bool has_table() const {
     const auto is_output = [](const std::optional<std::string>& path) { return path == "-"; };
-    return !json && !is_output(report) && !is_output(junit) && !is_output(sarif) && !is_output(markdown);
+    return !console.json() && !is_output(report) && !is_output(junit) && !is_output(sarif) && !is_output(markdown);
   }
 };
 
@@ -67,7 +62,7 @@ std::vector<Work> works_of(const std::vector<TestGraph>& graphs) {
 
 CaseResult done(const Options& options, const Engine& engine, const Work& work) {
   if (work.asked == nullptr) return work.graph->failure;
-  return run_case(engine, *work.graph, *work.asked, options.golden, options.deadline_ms);
+  return run_case(engine, *work.graph, *work.asked, options.golden, options.running);
 }
 
 std::size_t title_width(const std::vector<Work>& works) {
@@ -80,7 +75,7 @@ std::size_t title_width(const std::vector<Work>& works) {
 }
 
 void tell(const Options& options, const CaseResult& result, std::size_t width) {
-  if (options.json) return;
+  if (options.console.json()) return;
   if (options.has_table() && (!options.quiet || !result.passed())) {
     std::cout << table_line(result, width, options.console.colors_output()) << std::endl;
   }
@@ -94,20 +89,39 @@ void tell(const Options& options, const CaseResult& result, std::size_t width) {
   for (const auto& [output, made] : result.outputs) std::cerr << times_of(made.report);
 }
 
+/// What is left of cases that are no more goes, or fails: golden results and cases are held against each other both
+/// ways.
+void add_stale(const Options& options, const std::vector<CaseResult>& stale, std::vector<CaseResult>& results) {
+  for (const CaseResult& left : stale) {
+    const bool says = options.has_table() && !options.quiet;
+    if (!options.golden.update) {
+      tell(options, left, left.title().size());
+      const auto same_graph = [&](const CaseResult& result) { return result.graph == left.graph; };
+      const auto last = std::find_if(results.rbegin(), results.rend(), same_graph);
+      results.insert(last == results.rend() ? results.end() : last.base(), left);
+      continue;
+    }
+    for (const auto& path : left.stale) {
+      remove_file(path);
+      if (says) std::cout << "removed  " << printable(path) << "\n";
+    }
+  }
+}
+
 std::vector<CaseResult> all_results(const Options& options, const Engine& engine, const std::vector<Work>& works) {
   std::vector<CaseResult> results;
-  std::atomic<bool> stopped = false;
+  FailFast fail_fast(options.running);
   const std::size_t width = title_width(works);
   do_in_order<CaseResult>(
-      works.size(), options.jobs > 0 ? options.jobs : options.computing.threads(),
+      works.size(), options.running.at_once(),
       [&](std::size_t index) {
         const Work& work = works[index];
-        if (stopped) {
+        if (fail_fast.stopped()) {
           return CaseResult{
               .graph = work.graph->found.path, .name = work.asked != nullptr ? work.asked->name : "", .skipped = true};
         }
         CaseResult result = done(options, engine, work);
-        if (!result.passed() && options.fail_fast) stopped = true;
+        fail_fast.after(result.passed());
         return result;
       },
       [&](std::size_t, CaseResult result) {
@@ -118,7 +132,7 @@ std::vector<CaseResult> all_results(const Options& options, const Engine& engine
 }
 
 /// Writes everything that is asked for; the last word of each call.
-int finish(const Options& options, const std::vector<CaseResult>& results, int code) {
+int finish(const Options& options, const TestRun& begun, const std::vector<CaseResult>& results, int code) {
   const auto write = [&](const std::optional<std::string>& path, const auto& make) {
     if (!path) return;
     const Problems wrong = write_output(*path, make());
@@ -126,31 +140,31 @@ int finish(const Options& options, const std::vector<CaseResult>& results, int c
   };
   Json report = test_report_of(results);
   report["succeeded"] = code == exit_ok;
-  if (options.json) std::cout << written(report);
+  if (options.console.json()) std::cout << written(report);
   write(options.report, [&] { return written(report); });
-  write(options.junit, [&] { return junit_of(results); });
+  write(options.junit, [&] { return junit_of(results, begun); });
   write(options.sarif, [&] { return written(sarif_of(results)); });
   write(options.markdown, [&] { return test_page_of(results); });
   return code;
 }
 
 /// What keeps everything from being tested is reported as the failure of one case.
-int finish_early(const Options& options, const Problems& problems) {
+int finish_early(const Options& options, const TestRun& begun, const Problems& problems) {
   const int code = exit_code_for(problems, Stage::checking);
-  if (!options.json) options.console.problems(problems);
-  return finish(options, {{.graph = options.paths.front(), .code = code, .problems = problems}}, code);
+  if (!options.console.json()) options.console.problems(problems);
+  return finish(options, begun, {{.graph = options.paths.front(), .code = code, .problems = problems}}, code);
 }
 
 int run(Options& options, const EngineMaker& make_engine) {
   const auto refused = [&](const Problems& problems) {
     return options.console.fail(problems, exit_code_for(problems, Stage::checking));
   };
-  if (const Problems wrong = options.computing.apply(); !wrong.empty()) return refused(wrong);
+  if (const Problems wrong = options.running.apply(); !wrong.empty()) return refused(wrong);
   std::vector<std::string> inputs = options.assets.paths();
   if (const Problems wrong = read_twice("", inputs); !wrong.empty()) return refused(wrong);
   inputs.insert(inputs.end(), options.paths.begin(), options.paths.end());
   std::vector<OutputPath> outputs = outputs_of(options);
-  if (options.json) outputs.push_back({"--json", "-"});
+  if (options.console.json()) outputs.push_back({"--json", "-"});
   if (options.make_folders) {
     if (const Problems wrong = make_folders(outputs); !wrong.empty()) return refused(wrong);
   }
@@ -158,19 +172,25 @@ int run(Options& options, const EngineMaker& make_engine) {
   for (const OutputPath& output : outputs) {
     if (output.path) remove_file(*output.path);
   }
+  const TestRun begun = test_run_of_now();
   const auto found = find_graphs(options.paths);
-  if (!found) return finish_early(options, found.problems());
+  if (!found) return finish_early(options, begun, found.problems());
   const std::unique_ptr<Engine> engine = make_engine({});
-  if (const Problems wrong = options.assets.give_to(*engine, Cancel()); !wrong.empty()) {
-    return finish_early(options, wrong);
-  }
   std::vector<TestGraph> graphs;
   for (const FoundGraph& graph : *found) graphs.push_back(read_test_graph(graph, engine->limits()));
-  const std::vector<CaseResult> results = all_results(options, *engine, works_of(graphs));
+  std::vector<const Json*> documents;
+  for (const TestGraph& graph : graphs) {
+    if (graph.document) documents.push_back(&*graph.document);
+  }
+  if (const Problems wrong = options.assets.give_to(*engine, documents, Cancel()); !wrong.empty()) {
+    return finish_early(options, begun, wrong);
+  }
+  std::vector<CaseResult> results = all_results(options, *engine, works_of(graphs));
+  add_stale(options, stale_golden(options.golden, graphs, options.paths), results);
   if (options.has_table() && !options.quiet) std::cout << text_of(tally_of(results)) << "\n";
   int code = exit_ok;
   for (const CaseResult& result : results) code = std::max(code, result.code);
-  return finish(options, results, code);
+  return finish(options, begun, results, code);
 }
 
 void add_golden_options(CLI::App& command, GoldenOptions& golden) {
@@ -202,19 +222,12 @@ void add_test(CLI::App& program, Command& chosen, const EngineMaker& make_engine
   command->add_option("--sarif", options->sarif, "Where problems and warnings go as SARIF 2.1.0");
   command->add_option("--markdown", options->markdown, "Where the results go as a page for the summary of a job");
   command->add_flag("--mkdir", options->make_folders, "Make the folders of what is written");
-  command->add_option("--deadline-ms", options->deadline_ms, "Give up on a model after this many milliseconds")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{86'400'000}));
-  command->add_option("--jobs", options->jobs, "How many cases are evaluated at once (default: one per thread)")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1024}));
-  auto* fail_fast = command->add_flag("--fail-fast", options->fail_fast, "Begin no further case after one has failed");
-  command->add_flag("--keep-going", options->keep_going, "Evaluate all cases whatever comes of others (default)")
-      ->excludes(fail_fast);
   auto* quiet = command->add_flag("--quiet", options->quiet, "Tell what failed only");
   command->add_flag("-v,--verbose", options->verbose, "Tell the time that each node took, on standard error")
       ->excludes(quiet);
-  command->add_flag("--json", options->json, "Answer with the report instead of the table");
+  options->console.add_json_option(*command, "Answer with the report instead of the table");
+  options->running.add_options(*command, "case", "cases");
   options->assets.add_option(*command);
-  options->computing.add_options(*command);
   options->console.add_options(*command);
   command->callback(
       [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });

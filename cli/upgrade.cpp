@@ -1,8 +1,9 @@
-#include <algorithm>
 #include <iostream>
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/document_results.h"
+#include "cli/documents.h"
 #include "cli/exit_codes.h"
 #include "cli/terminal.h"
 
@@ -17,24 +18,33 @@ struct Options {
   Console console;
 };
 
-int upgrade(const Options& options, const std::string& path, const Engine& engine) {
+void upgrade(const std::string& path, const Engine& engine, bool says, DocumentResults& results) {
   const auto source = read_source(path);
-  if (!source) return options.console.fail(source.problems(), exit_code_for(source.problems(), Stage::checking));
+  if (!source) {
+    return results.add_failure(path, source.problems(), exit_code_for(source.problems(), Stage::checking));
+  }
   const auto document = parse_source(*source, engine.limits());
-  const Problems wrong = document ? Problems{} : document.problems();
-  if (!wrong.empty()) return options.console.fail(wrong, exit_code_for(wrong, Stage::checking), &*source);
+  if (!document) {
+    const int code = exit_code_for(document.problems(), Stage::checking);
+    return results.add_failure(source->name, document.problems(), code, &*source);
+  }
   // The engine reads the newest format only and says what is wrong with any other.
   const auto read = engine.interface(*engine.read(*document));
-  if (!read) return options.console.fail(read.problems(), exit_invalid_graph, &*source);
-  std::cout << printable(source->name) << ": format " << newest_format << " is the newest, nothing to do\n";
-  return exit_ok;
+  if (!read) return results.add_failure(source->name, read.problems(), exit_invalid_graph, &*source);
+  if (says) {
+    std::cout << printable(source->name) << ": format " << newest_format << " is the newest, nothing to do\n";
+  }
+  results.add(source->name, {{"format", newest_format}, {"changed", false}});
 }
 
 int run(const Options& options, const EngineMaker& make_engine) {
+  if (const Problems wrong = read_twice("", options.files); !wrong.empty()) {
+    return options.console.fail(wrong, exit_usage);
+  }
   const std::unique_ptr<Engine> engine = make_engine({});
-  int worst = exit_ok;
-  for (const std::string& path : options.files) worst = std::max(worst, upgrade(options, path, *engine));
-  return worst;
+  DocumentResults results(options.console);
+  for (const std::string& path : options.files) upgrade(path, *engine, !options.console.json(), results);
+  return results.finish();
 }
 
 }  // namespace
@@ -43,6 +53,7 @@ void add_upgrade(CLI::App& program, Command& chosen, const EngineMaker& make_eng
   auto* command = program.add_subcommand("upgrade", "Bring graph documents of older formats to the newest one");
   const auto options = std::make_shared<Options>();
   command->add_option("files", options->files, "The documents, or - for standard input")->required();
+  options->console.add_json_option(*command, "Answer as JSON: the format of each file, or what is wrong with it");
   options->console.add_options(*command);
   command->callback(
       [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });

@@ -11,7 +11,6 @@ namespace {
 
 struct Options {
   GraphArguments graph;
-  bool json = false;
 };
 
 /// `valid (3 nodes, 12 bytes)`
@@ -32,7 +31,7 @@ int run(const Options& options, const EngineMaker& make_engine) {
   if (!verdict) return options.graph.console().fail(verdict.problems(), exit_limit, &given->source);
   const bool valid = verdict->value("valid", false);
   const Problems problems = problems_of_request(verdict->value("errors", Json::array()));
-  if (options.json) {
+  if (options.graph.console().json()) {
     (*verdict)["errors"] = problems_json(problems, &given->source);
     std::cout << written(*verdict);
   } else if (valid) {
@@ -50,7 +49,7 @@ void add_validate(CLI::App& program, Command& chosen, const EngineMaker& make_en
       program.add_subcommand("validate", "List everything that is wrong with a graph, without evaluating it");
   const auto options = std::make_shared<Options>();
   options->graph.add_options(*command);
-  command->add_flag("--json", options->json, "Answer as JSON, with types, axes and predicted cost");
+  options->graph.add_json_option(*command, "Answer as JSON, with types, axes and predicted cost");
   command->callback(
       [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });
 }

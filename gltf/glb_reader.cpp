@@ -114,9 +114,10 @@ class Reader {
         continue;
       }
       const Json& accessor = document_.at("accessors").at(primitive.at("indices").get<std::size_t>());
-      std::vector<std::uint32_t> segments(accessor.at("count").get<std::size_t>());
       const std::string_view bytes = view(accessor.at("bufferView"));
-      if (bytes.size() / sizeof(segments[0]) < segments.size()) throw std::runtime_error("short buffer view");
+      const auto count = accessor.at("count").get<std::size_t>();
+      if (count % 2 != 0 || bytes.size() / sizeof(std::uint32_t) < count) throw std::runtime_error("short buffer view");
+      std::vector<std::uint32_t> segments(count);
       std::memcpy(segments.data(), bytes.data(), segments.size() * sizeof(segments[0]));
       FloatPoints run;
       for (std::size_t i = 0; i < segments.size(); i += 2) {
@@ -143,8 +144,9 @@ class Reader {
     const auto index = primitive.at("attributes").at("POSITION").get<std::size_t>();
     const Json& accessor = document_.at("accessors").at(index);
     const std::string_view bytes = view(accessor.at("bufferView")).substr(accessor.value("byteOffset", std::size_t{0}));
-    FloatPoints points(accessor.at("count").get<std::size_t>());
-    if (bytes.size() < points.size() * sizeof(points[0])) throw std::runtime_error("short buffer view");
+    const auto count = accessor.at("count").get<std::size_t>();
+    if (bytes.size() / sizeof(FloatPoints::value_type) < count) throw std::runtime_error("short buffer view");
+    FloatPoints points(count);
     std::memcpy(points.data(), bytes.data(), points.size() * sizeof(points[0]));
     return points;
   }

@@ -32,28 +32,33 @@ std::optional<Model> model_of(const File& file) {
   return model;
 }
 
+Model model_of_shape(Shape shape, std::string_view bytes, double position_error) {
+  ModelFacts facts{.sha256 = to_hex(sha256(bytes)),
+                   .position_error = position_error,
+                   .triangles = shape.triangles,
+                   .segments = shape.segments,
+                   .points = shape.pieces.size() - shape.triangles - shape.segments,
+                   .low = {},
+                   .high = {},
+                   .area = shape.measures.area,
+                   .volume = shape.measures.volume,
+                   .euler = shape.measures.euler,
+                   .closed = shape.measures.closed,
+                   .edges = half_of_edges(shape)};
+  measure_bounds(shape, facts);
+  facts.samples = samples_of(shape);
+  facts.spacing = spacing_of(shape, facts.samples);
+  return Model{std::move(facts), std::move(shape)};
+}
+
 std::optional<Model> model_of_bytes(std::string_view bytes) {
   std::optional<Shape> shape = read_shape(bytes);
   if (!shape) return std::nullopt;
-  ModelFacts facts{.sha256 = to_hex(sha256(bytes)),
-                   .position_error = 0,
-                   .triangles = shape->triangles,
-                   .segments = shape->segments,
-                   .points = shape->pieces.size() - shape->triangles - shape->segments,
-                   .low = {},
-                   .high = {},
-                   .area = shape->measures.area,
-                   .volume = shape->measures.volume,
-                   .euler = shape->measures.euler,
-                   .closed = shape->measures.closed,
-                   .edges = half_of_edges(*shape)};
-  measure_bounds(*shape, facts);
-  const Vector size = facts.high - facts.low;
+  Model model = model_of_shape(*std::move(shape), bytes, 0);
+  const Vector size = model.facts.high - model.facts.low;
   constexpr double steps = 1 << 14, half_of_diagonal = 0.8660254037844386;
-  facts.position_error = half_of_diagonal * std::max({size.x, size.y, size.z}) / steps;
-  facts.samples = samples_of(*shape);
-  facts.spacing = spacing_of(*shape, facts.samples);
-  return Model{std::move(facts), *std::move(shape)};
+  model.facts.position_error = half_of_diagonal * std::max({size.x, size.y, size.z}) / steps;
+  return model;
 }
 
 }  // namespace dini

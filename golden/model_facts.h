@@ -32,6 +32,9 @@ struct Model {
   Shape shape;
 };
 
+/// What is told of a shape that was read from these bytes.
+Model model_of_shape(Shape shape, std::string_view bytes, double position_error);
+
 /// Reads a file that an export made as GLB with Draco; nothing for any other.
 std::optional<Model> model_of(const File& file);
 

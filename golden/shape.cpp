@@ -47,29 +47,33 @@ void add_points(Shape& shape, const Column<Point>& points, const Color& color) {
 
 }  // namespace
 
-std::optional<Shape> read_shape(std::string_view glb) {
-  const std::optional<Scene> scene = read_glb(glb);
-  if (!scene) return std::nullopt;
+Shape shape_of(const std::vector<Part>& parts) {
   Shape shape;
   std::vector<SharedMesh> meshes;
-  for (const Part& part : scene->parts) {
+  for (const Part& part : parts) {
     if (const auto* mesh = std::get_if<SharedMesh>(&part.shape)) {
       add_mesh(shape, **mesh);
       meshes.push_back(*mesh);
     }
   }
   shape.triangles = shape.pieces.size();
-  for (const Part& part : scene->parts) {
+  for (const Part& part : parts) {
     if (const auto* lines = std::get_if<std::vector<Polyline>>(&part.shape)) {
       for (const Polyline& line : *lines) add_polyline(shape, line, part.color);
     }
   }
   shape.segments = shape.pieces.size() - shape.triangles;
-  for (const Part& part : scene->parts) {
+  for (const Part& part : parts) {
     if (const auto* points = std::get_if<SharedColumn<Point>>(&part.shape)) add_points(shape, **points, part.color);
   }
   shape.measures = measure(merge(meshes, Cancel()), Cancel());
   return shape;
+}
+
+std::optional<Shape> read_shape(std::string_view glb) {
+  const std::optional<Scene> scene = read_glb(glb);
+  if (!scene) return std::nullopt;
+  return shape_of(scene->parts);
 }
 
 }  // namespace dini

@@ -8,6 +8,7 @@
 
 #include "algebra/vector.h"
 #include "geometry/measure.h"
+#include "geometry/scene.h"
 
 namespace dini {
 
@@ -23,6 +24,9 @@ struct Shape {
   std::size_t segments = 0;
   Measures measures;  ///< of all triangles together
 };
+
+/// The shape of the parts of a model.
+Shape shape_of(const std::vector<Part>& parts);
 
 /// The shape of a file that this program wrote as GLB with Draco. Nothing for any other, which it must not be given if
 /// it is from outside.

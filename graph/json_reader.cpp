@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace dini {
@@ -16,9 +17,9 @@ Json number(double value) {
   return static_cast<std::int64_t>(value);
 }
 
-/// "line 3, column 7" for the byte of that number, counted from 1. Columns count characters, not bytes.
-std::string place_text(std::string_view text, std::size_t position) {
-  const std::string_view before = text.substr(0, position == 0 ? 0 : position - 1);
+/// "line 3, column 7" of a byte. Columns count characters, not bytes.
+std::string place_text(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
   const auto line_start = before.rfind('\n') + 1;  // 0 in the first line
   const auto is_first_byte = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
   const std::string_view line = before.substr(line_start);
@@ -61,10 +62,14 @@ class StrictReader : public nlohmann::json_sax<Json> {
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) override {
     // Numbers beyond double arrive here too; the library's text repeats the whole token, so it is not passed on.
     const bool overflow = error.id == 406;
-    problem_ = {"not-json",
-                (overflow ? "a number is too large, at " : "the text is not JSON, at ") + place_text(text_, position)};
+    error_at_ = position == 0 ? 0 : position - 1;
+    problem_ = {"not-json", (overflow ? "a number is too large, at " : "the text is not JSON, at ") +
+                                place_text(text_, *error_at_)};
     return false;
   }
+
+  /// Where the syntax is wrong, if that is what is wrong.
+  std::optional<std::size_t> error_at() const { return error_at_; }
 
   Result<Json> result(bool read) && {
     if (read) return std::move(root_);
@@ -126,20 +131,75 @@ class StrictReader : public nlohmann::json_sax<Json> {
   std::vector<Json*> stack_;
   std::string key_;
   std::size_t values_ = 0;
+  std::optional<std::size_t> error_at_;
   Problem problem_;
 };
 
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // some editors put one before their UTF-8
+
+/// Reads characters and remembers how far it came, for the reader below does not tell.
+struct WatchedCharacters {
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  const char* at = nullptr;
+  const char** farthest = nullptr;
+
+  reference operator*() const { return *at; }
+  WatchedCharacters& operator++() {
+    *farthest = ++at;
+    return *this;
+  }
+  bool operator==(const WatchedCharacters& other) const { return at == other.at; }
+};
+
+/// Where the token begins whose last byte is before `end`: a name or a text, or a bracket.
+std::size_t token_begin(std::string_view text, std::size_t end) {
+  if (end == 0 || text[end - 1] != '"') return end == 0 ? 0 : end - 1;
+  std::size_t begin = end - 1;
+  const auto is_escaped = [&](std::size_t quote) {
+    std::size_t slashes = 0;
+    while (slashes < quote && text[quote - slashes - 1] == '\\') ++slashes;
+    return slashes % 2 == 1;
+  };
+  do {
+    begin = begin == 0 ? std::string_view::npos : text.rfind('"', begin - 1);
+  } while (begin != std::string_view::npos && is_escaped(begin));
+  return begin == std::string_view::npos ? 0 : begin;
+}
+
 }  // namespace
+
+std::optional<std::size_t> offset_of_fault(std::string_view text, const Limits& limits) {
+  if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) return nul;
+  const std::size_t skipped = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
+  text.remove_prefix(skipped);
+  if (text.starts_with(byte_order_mark)) return skipped;
+  StrictReader reader(text, limits);
+  const char* farthest = text.data();
+  const WatchedCharacters begin{text.data(), &farthest}, end{text.data() + text.size(), &farthest};
+  if (Json::sax_parse(begin, end, &reader)) return std::nullopt;
+  if (const auto error = reader.error_at()) return skipped + std::min(*error, text.size());
+  return skipped + token_begin(text, static_cast<std::size_t>(farthest - text.data()));
+}
 
 Result<Json> parse_json(std::string_view text, const Limits& limits) {
   if (text.find('\0') != std::string_view::npos) return Problem{"not-json", "the text holds a NUL byte"};
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // some editors put one before their UTF-8
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   // The library passes over a further one by itself.
   if (text.starts_with(byte_order_mark)) return Problem{"not-json", "the text starts with two byte order marks"};
   StrictReader reader(text, limits);
   const bool read = Json::sax_parse(text, &reader);
-  return std::move(reader).result(read);
+  const bool is_syntax = reader.error_at().has_value();
+  Result<Json> result = std::move(reader).result(read);
+  if (read || is_syntax || result.problems().front().code != "not-json") return result;
+  // Syntax is told with its place by then, and what else is refused is read once more for it.
+  Problem problem = result.problems().front();
+  if (const auto offset = offset_of_fault(text, limits)) problem.detail += ", at " + place_text(text, *offset);
+  return problem;
 }
 
 std::string pointer_token(std::string_view token) {

@@ -1,6 +1,9 @@
 #include "service/graph_merge.h"
 
-#include <span>
+#include <memory>
+#include <vector>
+
+#include "graph/json_reader.h"
 
 namespace dini {
 
@@ -14,18 +17,18 @@ bool is_one_thing(const Path& path) {
   return path.size() >= of_input && path.front() == "nodes";
 }
 
-std::string joined(std::span<const std::string> names, const char* between) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : between) + name;
-  return text;
-}
-
-std::string place_of(const Path& path) {
-  const std::span<const std::string> names(path);
-  if (path.size() >= 2 && path[0] == "parameters") return "parameter " + joined(names.subspan(1), ".");
-  if (path.size() == 2 && path[0] == "nodes") return "node " + path[1];
-  if (path.size() >= 3 && path[0] == "nodes") return path[1] + "." + path.back();
-  return "/" + joined(names, "/");
+Problem conflict_at(const Path& path) {
+  constexpr std::size_t of_member = 3;  // nodes, id, member
+  Problem problem{.code = "merge-conflict", .detail = "both sides changed it", .pointer = ""};
+  for (const std::string& name : path) *problem.pointer += "/" + pointer_token(name);
+  if (path.size() < 2 || path.front() != "nodes") return problem;
+  problem.node = path[1];
+  if (is_one_thing(path)) {
+    problem.port = path.back();
+  } else if (path.size() == of_member) {
+    problem.detail = "both sides changed its " + path.back();
+  }
+  return problem;
 }
 
 const OrderedJson* member_of(const OrderedJson* owner, const std::string& name) {
@@ -50,7 +53,7 @@ class Merger {
     if (same(base, ours)) return copy(theirs);
     const bool has_members = ours != nullptr && theirs != nullptr && ours->is_object() && theirs->is_object();
     if (!has_members || is_one_thing(path_)) {
-      conflicts_.push_back(place_of(path_));
+      conflicts_.push_back(conflict_at(path_));
       return copy(ours);
     }
     auto merged = std::make_unique<OrderedJson>(OrderedJson::object());
@@ -63,7 +66,7 @@ class Merger {
     return merged;
   }
 
-  std::vector<std::string> conflicts() && { return std::move(conflicts_); }
+  Problems conflicts() && { return std::move(conflicts_); }
 
  private:
   static std::unique_ptr<OrderedJson> copy(const OrderedJson* value) {
@@ -78,7 +81,7 @@ class Merger {
   }
 
   Path path_;
-  std::vector<std::string> conflicts_;
+  Problems conflicts_;
 };
 
 }  // namespace

@@ -1,19 +1,19 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
+
+#include "graph/problem.h"
 
 namespace dini {
 
 /// A document with the order of its members.
 using OrderedJson = nlohmann::ordered_json;
 
-/// What two people made of one document. Conflicts are places that both changed, each in another way: `ring.radius`,
-/// `parameter reach.default`, `node ring`, or a JSON pointer elsewhere. There the merged document has what is ours.
+/// What two people made of one document. Conflicts are problems `merge-conflict` at the places that both changed, each
+/// in another way, with node and input where it is one. There the merged document has what is ours.
 struct GraphMerge {
   OrderedJson merged;
-  std::vector<std::string> conflicts = {};
+  Problems conflicts = {};
 };
 
 /// Merges the changes from `base` to `theirs` into `ours`. What an input is given is one thing, as is any list; all

@@ -96,6 +96,7 @@ constexpr std::array codes = {
     ProblemCode{"io", program, 0, "A file cannot be read or written."},
     ProblemCode{"golden-changed", program, 0, "A model is not that of its golden result."},
     ProblemCode{"golden-missing", program, 0, "There is no golden result to compare a model with."},
+    ProblemCode{"golden-stale", program, 0, "A golden result is of a case that there is no more."},
     ProblemCode{"bad-golden", program, 0, "A file is no golden result that this version reads."},
     ProblemCode{"bad-cases", program, 0, "A file of cases cannot be read, or is not as it has to be."},
     ProblemCode{"unexpected-success", program, 0, "A case that must fail did not."},

@@ -40,6 +40,7 @@ struct CaseResult {
   std::map<std::string, OutputResult> outputs = {};
   Json warnings = Json::array();
   double milliseconds = 0;
+  std::vector<std::string> stale = {};  ///< paths of golden results that no case has
 
   bool passed() const { return code == 0 && !skipped; }
   /// "ring.json" or "ring.json: wide".

@@ -11,8 +11,8 @@ namespace {
 class Run {
  public:
   Run(const Engine& engine, const TestGraph& graph, const TestCase& asked, const GoldenOptions& golden,
-      std::size_t milliseconds)
-      : engine_(engine), graph_(graph), asked_(asked), golden_(golden), milliseconds_(milliseconds) {
+      const RunOptions& running)
+      : engine_(engine), graph_(graph), asked_(asked), golden_(golden), running_(running) {
     result_ = {.graph = graph.found.path, .name = asked.name, .source = graph.source};
   }
 
@@ -56,7 +56,7 @@ class Run {
     const Outcome outcome = evaluated(
         engine_,
         {.graph = shared_, .parameters = asked_.parameters, .output = output, .without_output = output.empty()},
-        job_within(milliseconds_));
+        running_.job());
     add(outcome);
     if (outcome.code != exit_ok) return;
     result_.outputs[output].report = outcome.report;
@@ -157,7 +157,7 @@ class Run {
   const TestGraph& graph_;
   const TestCase& asked_;
   const GoldenOptions& golden_;
-  const std::size_t milliseconds_;
+  const RunOptions& running_;
   SharedGraph shared_;
   std::map<std::string, SharedFile> files_;
   CaseResult result_;
@@ -195,9 +195,9 @@ TestGraph read_test_graph(const FoundGraph& found, const Limits& limits) {
 }
 
 CaseResult run_case(const Engine& engine, const TestGraph& graph, const TestCase& asked, const GoldenOptions& golden,
-                    std::size_t milliseconds) {
+                    const RunOptions& running) {
   try {
-    return Run(engine, graph, asked, golden, milliseconds).result();
+    return Run(engine, graph, asked, golden, running).result();
   } catch (const std::exception& error) {
     return {.graph = graph.found.path,
             .name = asked.name,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cli/run_options.h"
 #include "cli/testing/case_result.h"
 #include "cli/testing/cases.h"
 #include "cli/testing/find_graphs.h"
@@ -22,8 +23,8 @@ struct TestGraph {
 TestGraph read_test_graph(const FoundGraph& found, const Limits& limits);
 
 /// Evaluates all outputs of a graph, or only its checks when it has none, and compares them with their golden results.
-/// Each output must be done `milliseconds` after it was begun, unless that is 0. Nothing is thrown.
+/// Each output has the deadline of `running`. Nothing is thrown.
 CaseResult run_case(const Engine& engine, const TestGraph& graph, const TestCase& asked, const GoldenOptions& golden,
-                    std::size_t milliseconds);
+                    const RunOptions& running);
 
 }  // namespace dini::cli

@@ -3,6 +3,7 @@
 #include "tests/cli/real_program.h"
 #include "tests/support/documents.h"
 #include "tests/support/folder.h"
+#include "tests/support/import_bytes.h"
 
 using namespace dini;
 using namespace dini::support;
@@ -77,6 +78,42 @@ TEST_CASE("Models differ by shape, and not by bytes") {
   CHECK(other.code == 1);
   CHECK(has(other.out, "largest x: 1.0"));
   CHECK(run({"diff", one, larger, "--tolerance", "0.1"}).code == 0);
+}
+
+TEST_CASE("Models of other programs are compared too, and what of them is not is told") {
+  const Files files;
+  const std::string packed = files.model("packed.glb", ball(1)), larger = files.model("larger.glb", ball(1.01));
+  REQUIRE(run({"eval", files.graph("graph.json", ball(1)), "--no-draco", "-o", files.at("plain.glb")}).code == 0);
+  const Outcome alike = run({"diff", packed, files.at("plain.glb")});
+  CAPTURE(alike.out, alike.err);
+  CHECK(alike.code == 0);
+  CHECK(run({"diff", files.at("plain.glb"), larger}).code == 1);
+
+  files.write("quad.glb", quad_glb());
+  const std::string quad = files.at("quad.glb");
+  CHECK(run({"diff", quad, quad}).code == 0);
+  Json moved = quad_document();
+  moved["nodes"][0]["translation"] = {0, 0.25, 0};
+  files.write("moved.glb", glb_of(moved.dump(), quad_binary()));
+  const Outcome other = run({"diff", quad, files.at("moved.glb")});
+  CHECK(other.code == 1);
+  CHECK(has(other.out, "z: 0"));
+
+  Json with_points = quad_document();
+  with_points["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}, {"mode", 0}});
+  files.write("points.glb", glb_of(with_points.dump(), quad_binary()));
+  const Outcome partly = run({"diff", quad, files.at("points.glb")});
+  CHECK(has(partly.err, "points.glb: warning: "));
+  CHECK(has(partly.err, "[left-out]"));
+  CHECK(Json::parse(run({"diff", quad, files.at("points.glb"), "--json"}).out)["left_out"]["after"].size() == 1);
+
+  // Draco of another writer: refused with a sentence, and by nothing else.
+  std::string foreign = contents(packed);
+  foreign.replace(foreign.find("\"Dini\""), 6, "\"Anni\"");
+  files.write("foreign.glb", foreign);
+  const Outcome refused = run({"diff", packed, files.at("foreign.glb")});
+  CHECK(refused.code == 3);
+  CHECK(has(refused.err, "its meshes are compressed by another program"));
 }
 
 TEST_CASE("What cannot be compared is refused with a sentence, and is never the same") {

@@ -174,3 +174,30 @@ TEST_CASE("Upgrade says that the one format is the newest, and refuses another")
   CHECK(run({"upgrade", "/nowhere.json"}).code == 6);
   CHECK(run({"upgrade"}).code == 2);
 }
+
+TEST_CASE("Fmt and upgrade tell as JSON what became of each file") {
+  const Folder folder;
+  const std::string graph = document({{"ball", make("sphere_mesh")}}).dump();
+  folder.write("a.json", graph);
+  const std::string path = (folder.path() / "a.json").string();
+  const Outcome check = run({"fmt", "--check", "--json", path});
+  CHECK(check.code == 1);
+  CHECK(check.err.empty());
+  CHECK(Json::parse(check.out)["files"][0]["changed"] == true);
+  CHECK(Json::parse(check.out)["succeeded"] == false);
+  CHECK(folder.read("a.json") == graph);
+  const Json written = Json::parse(run({"fmt", "--json", path}).out);
+  CHECK(written["succeeded"] == true);
+  CHECK(written["files"][0] == Json{{"file", path}, {"changed", true}, {"errors", Json::array()}});
+  CHECK(Json::parse(run({"fmt", "--check", "--json", path}).out)["files"][0]["changed"] == false);
+  CHECK(Json::parse(run({"fmt", "--check", "--json", "-"}, graph).out)["files"][0]["file"] == "standard input");
+  const Json upgraded = Json::parse(run({"upgrade", "--json", path}).out);
+  CHECK(upgraded["files"][0]["format"] == 1);
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"fmt", "--json", "-"}, {"fmt", "-", "-"}, {"upgrade", "-", "-"}}) {
+    const Outcome outcome = run(words, graph);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.out.empty());
+    CHECK(has(outcome.err, "[usage]"));
+  }
+}

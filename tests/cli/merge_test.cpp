@@ -77,7 +77,7 @@ TEST_CASE("Edits of the same thing are conflicts that name node and input, and c
            {with(base, "\"segments\": 8", "\"segments\": {\"parameter\": \"reach\"}"), "ball.segments: "},
            {with(base, "    \"ball\": {\"type\": \"sphere_mesh\", \"inputs\": {\"radius\": 1, \"segments\": 8}},\n",
                  ""),
-            "node ball: "}}) {
+            "ball: both sides changed it"}}) {
     const Outcome outcome = sides.merge(ours, theirs);
     CAPTURE(outcome.err);
     CHECK(outcome.code == 1);
@@ -85,6 +85,32 @@ TEST_CASE("Edits of the same thing are conflicts that name node and input, and c
     CHECK(has(outcome.err, "[merge-conflict]"));
     CHECK(sides.read("ours.json") == ours);
   }
+}
+
+TEST_CASE("With --json a conflict has the place in our file, and a merge says that it was one") {
+  const Sides sides;
+  sides.merge(ours, with(base, "\"segments\": 8", "\"segments\": 32"));
+  const std::vector<std::string> words = {"merge", sides.at("base.json"), sides.at("ours.json"),
+                                          sides.at("theirs.json"), "--json"};
+  const Outcome conflict = run(words);
+  CHECK(conflict.code == 1);
+  CHECK(conflict.err.empty());
+  const Json error = Json::parse(conflict.out)["errors"][0];
+  CHECK(error["code"] == "merge-conflict");
+  CHECK(error["node"] == "ball");
+  CHECK(error["port"] == "segments");
+  CHECK(error["pointer"] == "/nodes/ball/inputs/segments");
+  CHECK(error["file"] == sides.at("ours.json"));
+  const auto line = error["line"].get<std::size_t>(), column = error["column"].get<std::size_t>();
+  std::string rest = ours;
+  for (std::size_t i = 1; i < line; ++i) rest = rest.substr(rest.find('\n') + 1);
+  CHECK(rest.substr(column - 1).starts_with("\"segments\""));
+  sides.write("theirs.json", base);
+  CHECK(Json::parse(run(words).out) == Json{{"succeeded", true}, {"errors", Json::array()}});
+  std::vector<std::string> to_output = words;
+  to_output.insert(to_output.end(), {"-o", "-"});
+  CHECK(run(to_output).code == 2);
+  CHECK(run({"merge", "-", "-", sides.at("theirs.json")}).code == 2);
 }
 
 TEST_CASE("A link to a node that the other side took away is a conflict too") {

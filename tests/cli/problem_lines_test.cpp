@@ -68,6 +68,79 @@ TEST_CASE("A text that is no JSON is told with the place of the fault, and a byt
   CHECK(has(wide.err, "the text is UTF-16, and documents are read in UTF-8 only [not-json]"));
 }
 
+TEST_CASE("What the text of a document says twice, or must not say, is told with its place, whatever comes after it") {
+  std::string deep;
+  for (int level = 0; level < 40; ++level) deep += "[";
+  for (const auto& [text, place] : std::vector<std::pair<std::string, std::string>>{
+           {"{\"format\": 1,\n \"nodes\": {\"a\": 1,\n  \"ä\": 2, \"a\": 3}, oops", "3:11"},
+           {"{\"format\": 1, \"say \\\"a\": 1,\n\"say \\\"a\": 1}", "2:1"},
+           {"\xEF\xBB\xBF{\"a\": 1, \"a\": 2}", "1:10"},
+           {"{\"a\\u0001\": 1}", "1:2"},
+           {"{\"a\":\n \"b\\u0000\"}", "2:2"},
+           {"{\"a\": 1e999}", "1:11"},
+           {deep, "1:33"}}) {
+    const Outcome outcome = run({"validate", "-"}, text);
+    CAPTURE(text, outcome.err);
+    CHECK(outcome.code == 3);
+    CHECK(outcome.err.starts_with("standard input:" + place + ": error: "));
+    CHECK(has(outcome.err, "[not-json]"));
+  }
+  const std::string twice = "{\"format\": 1,\n \"format\": 1}";
+  CHECK(has(run({"validate", "-"}, twice).err, "the name \"format\" stands twice in one object, at line 2, column 2"));
+}
+
+TEST_CASE("Every command that takes --json tells problems as JSON, and what is wrong with the call as a line") {
+  const Folder folder;
+  folder.write("a.json", too_small);
+  folder.write("twice.json", "{\"format\": 1,\n \"format\": 1}");
+  const std::string path = (folder.path() / "a.json").string(), twice = (folder.path() / "twice.json").string();
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{"validate", path},
+                                                                                     {"eval", path},
+                                                                                     {"inspect", path, "ball"},
+                                                                                     {"hash", path},
+                                                                                     {"explain", path},
+                                                                                     {"validate", twice},
+                                                                                     {"inspect", twice, "ball"},
+                                                                                     {"hash", twice},
+                                                                                     {"explain", twice},
+                                                                                     {"diff", path, twice},
+                                                                                     {"merge", path, path, twice}}) {
+    std::vector<std::string> all = words;
+    all.emplace_back("--json");
+    const Outcome outcome = run(all);
+    CAPTURE(all, outcome.out, outcome.err);
+    CHECK(outcome.code == 3);
+    CHECK(outcome.err.empty());
+    const Json answer = Json::parse(outcome.out);
+    CHECK(answer.value("succeeded", answer.value("valid", true)) == false);
+    const Json error = answer["errors"][0];
+    const bool is_twice = words.back() == twice || words[1] == twice;
+    CHECK(error["file"] == (is_twice ? twice : path));
+    CHECK(error["line"] == (is_twice ? 2 : 3));
+    CHECK(error["column"] == (is_twice ? 2 : 59));
+    if (!is_twice) CHECK(error["pointer"] == "/nodes/ball/inputs/segments");
+  }
+  for (const std::string command : {"fmt", "upgrade"}) {
+    const Outcome outcome = run({command, path, twice, "/nowhere.json", "--json"});
+    CAPTURE(command, outcome.out, outcome.err);
+    CHECK(outcome.code == 6);
+    CHECK(outcome.err.empty());
+    const Json answer = Json::parse(outcome.out);
+    CHECK(answer["succeeded"] == false);
+    REQUIRE(answer["files"].size() == 3);
+    CHECK(answer["files"][1]["file"] == twice);
+    CHECK(answer["files"][1]["errors"][0]["line"] == 2);
+    CHECK(answer["files"][2]["errors"][0]["code"] == "io");
+  }
+  const Outcome nowhere = run({"hash", "/nowhere.json", "--json"});
+  CHECK(nowhere.code == 6);
+  CHECK(Json::parse(nowhere.out)["errors"][0]["code"] == "io");
+  const Outcome wrong = run({"hash", path, "--set", "reach", "--json"});
+  CHECK(wrong.code == 2);
+  CHECK(wrong.out.empty());
+  CHECK(has(wrong.err, "[usage]"));
+}
+
 TEST_CASE("With --json problems have file, line, column and a pointer into that file") {
   const Folder folder;
   folder.write("a.json", too_small);

@@ -1,5 +1,7 @@
 // `dini sweep`: what is combined, written, split, and not made twice.
 
+#include <algorithm>
+#include <memory>
 #include <set>
 #include <signal.h>
 
@@ -67,19 +69,51 @@ TEST_CASE("All values of all parameters are combined, and told in a table") {
   CHECK(models.at("1 1.5.glb") == contents(sweeps.at("alone.glb")));
 }
 
-TEST_CASE("Processes that split a sweep make the same files as one") {
-  const Sweeps sweeps;
-  const std::vector<std::string> grid = {"--grid", "radius=1:2:7", "--mkdir", "--quiet"};
-  std::vector<std::string> whole = grid;
-  whole.insert(whole.end(), {"-o", sweeps.at("whole/{radius}.glb")});
-  CHECK(sweeps.sweep(whole).code == 0);
-  for (const std::string index : {"0", "1", "2"}) {
-    std::vector<std::string> part = grid;
-    part.insert(part.end(), {"-o", sweeps.at("parts/{radius}.glb"), "--index", index, "--count", "3"});
-    CHECK(sweeps.sweep(part).code == 0);
+TEST_CASE("Four processes that are killed in the middle and started again make the same 200 files as one") {
+  const Sweeps sweeps(120);
+  const auto words = [&](const std::string& folder, const std::vector<std::string>& more) {
+    std::vector<std::string> all = {"--grid", "radius=1:2:200", "--mkdir", "-o", sweeps.at(folder + "/{index}.glb")};
+    all.insert(all.end(), more.begin(), more.end());
+    return sweeps.words(all);
+  };
+  const auto start_parts = [&] {
+    std::vector<std::unique_ptr<Program>> parts;
+    for (const std::string index : {"0", "1", "2", "3"}) {
+      parts.push_back(std::make_unique<Program>(
+          words("parts", {"--index", index, "--count", "4", "--csv", sweeps.at(index + ".csv")})));
+    }
+    return parts;
+  };
+  {
+    const auto parts = start_parts();
+    REQUIRE(eventually([&] {
+      return std::filesystem::exists(sweeps.at("parts/.dini-sweep.jsonl")) && sweeps.models("parts").size() > 8;
+    }));
+    for (const auto& part : parts) part->signal(SIGKILL);
   }
-  CHECK(sweeps.models("whole").size() == 7);
-  CHECK(sweeps.models("whole") == sweeps.models("parts"));
+  const std::size_t left_behind = sweeps.models("parts").size();
+  CAPTURE(left_behind);
+  REQUIRE(left_behind < 200);
+  std::size_t lines = 0;
+  std::string told;
+  for (const auto& part : start_parts()) {
+    const Outcome outcome = part->wait();
+    CAPTURE(outcome.out, outcome.err);
+    CHECK(outcome.code == 0);
+    CHECK(has(outcome.out, "50 of 50 variants are done"));
+    told += outcome.out;
+  }
+  CHECK(has(told, " of them by an earlier run"));
+  for (const std::string index : {"0", "1", "2", "3"}) {
+    const std::string table = contents(sweeps.at(index + ".csv"));
+    lines += static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')) - 1;
+  }
+  CHECK(lines == 200);
+  REQUIRE(Program(words("whole", {})).wait().code == 0);
+  const auto whole = sweeps.models("whole");
+  CHECK(whole.size() == 200);
+  const bool same = whole == sweeps.models("parts");
+  CHECK(same);
 }
 
 TEST_CASE("What is finished and right is not made again, what is missing or damaged is") {

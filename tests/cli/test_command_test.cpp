@@ -113,6 +113,70 @@ TEST_CASE("A golden result that is gone, damaged or of another output fails the 
   CHECK(project.test({"--golden", project.at("nowhere")}).code == 1);
 }
 
+TEST_CASE("A golden result that no case has any more fails, and --update-golden takes it away") {
+  const Project project;
+  const Json small = {{"parameters", {{"radius", 0.5}}}}, wide = {{"parameters", {{"radius", 2}}}};
+  project.write_json("ball.cases.json", cases({{"small", small}, {"wide", wide}}));
+  // The result of the graph without cases is left over now.
+  const Outcome first = project.test({"--update-golden"});
+  CHECK(first.code == 0);
+  CHECK(has(first.out, "removed  " + project.at("golden/ball.golden.json")));
+  CHECK_FALSE(std::filesystem::exists(project.at("golden/ball.golden.json")));
+  CHECK(project.test().code == 0);
+
+  project.write_json("ball.cases.json", cases({{"small", small}}));
+  const std::string left = project.at("golden/ball.wide.golden.json");
+  const Outcome stale = project.test({"--junit", project.at("j.xml"), "--report", project.at("r.json")});
+  CHECK(stale.code == 1);
+  CHECK(has(stale.out, "1 passed, 1 failed\n"));
+  CHECK(has(stale.err, "the golden result " + left + " is of the case wide, which is no more"));
+  CHECK(has(stale.err, "[golden-stale]"));
+  CHECK(has(contents(project.at("j.xml")), "<failure type=\"golden-stale\""));
+  CHECK(json_in(project.at("r.json"))["succeeded"] == false);
+  Json failing = wide;
+  failing["fails"] = "check-failed";
+  project.write_json("ball.cases.json", cases({{"small", small}, {"wide", failing}}));
+  CHECK(has(project.test().err, "of the case wide, which has to fail"));
+  // With the golden folder named, what is of a graph that was tested is told just so.
+  CHECK(has(project.test({"--golden", project.at("golden")}).err, "[golden-stale]"));
+  project.write_json("ball.cases.json", cases({{"small", small}}));
+  CHECK(project.test({"--update-golden"}).code == 0);
+  CHECK_FALSE(std::filesystem::exists(left));
+  CHECK(project.test().code == 0);
+}
+
+TEST_CASE("Golden results of graphs that were not tested, cannot be read or are of others are left alone") {
+  const Project project;
+  project.write_json("other.json", ball());
+  project.write_json("ball.big.json", ball());
+  REQUIRE(project.test({"--update-golden"}).code == 0);
+  project.write("golden/notes.txt", "by hand");
+  const auto test = [&](const std::vector<std::string>& words) {
+    std::vector<std::string> all = {"test"};
+    all.insert(all.end(), words.begin(), words.end());
+    return run(all);
+  };
+  CHECK(project.test().code == 0);
+  CHECK(test({project.at("ball.json")}).code == 0);
+  CHECK(test({project.at("ball.json"), "--update-golden"}).code == 0);
+  CHECK(std::filesystem::exists(project.at("golden/other.golden.json")));
+  CHECK(std::filesystem::exists(project.at("golden/ball.big.golden.json")));
+  project.write("other.cases.json", "{");
+  CHECK(project.test({"--update-golden"}).code == 3);
+  CHECK(std::filesystem::exists(project.at("golden/other.golden.json")));
+  // A graph that is gone: its folder knows, and a folder that was named may be for others too.
+  std::filesystem::remove(project.at("other.cases.json"));
+  std::filesystem::remove(project.at("other.json"));
+  CHECK(test({project.at("ball.json")}).code == 0);
+  CHECK(project.test({"--golden", project.at("golden")}).code == 0);
+  const Outcome gone = project.test();
+  CHECK(gone.code == 1);
+  CHECK(has(gone.err, "is of no graph that is here"));
+  CHECK(project.test({"--update-golden"}).code == 0);
+  CHECK_FALSE(std::filesystem::exists(project.at("golden/other.golden.json")));
+  CHECK(project.read("golden/notes.txt") == "by hand");
+}
+
 TEST_CASE("Each case of a graph is evaluated, and may have to fail") {
   const Folder folder;
   folder.write("ball.json", ball().dump());

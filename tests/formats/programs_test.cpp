@@ -1,4 +1,4 @@
-// Files of every format as other programs read them: Assimp, and for 3MF the library of its makers.
+// Files of every format as other programs read them: Assimp, OpenCTM, and for 3MF the library of its makers.
 
 #include <catch2/catch.hpp>
 
@@ -43,15 +43,19 @@ std::filesystem::path written(const Folder& folder, const FileFormat& format, co
   return path;
 }
 
-/// What Assimp takes a file for, with the places of all its nodes: it writes them as a PLY, for which all parts have to
-/// have the same attributes.
-Mesh seen_by_assimp(const Folder& folder, const std::filesystem::path& path) {
-  const Outcome outcome = Program({DINI_ASSIMP, "export", path.string(), (folder.path() / "seen.ply").string()}).wait();
-  CAPTURE(outcome.out, outcome.err);
+/// What a program takes a file for when it is told to write it as `seen.ply`.
+Mesh seen_by(const Folder& folder, const std::vector<std::string>& words) {
+  const Outcome outcome = Program(words).wait();
+  CAPTURE(words, outcome.out, outcome.err);
   REQUIRE(outcome.code == 0);
   const ImportResult read = read_ply(folder.read("seen.ply"), {});
   if (!read) FAIL(read.error().detail);
   return read->mesh;
+}
+
+/// What Assimp takes a file for, with the places of all its nodes. All parts have to have the same attributes.
+Mesh seen_by_assimp(const Folder& folder, const std::filesystem::path& path) {
+  return seen_by(folder, {DINI_ASSIMP, "export", path.string(), (folder.path() / "seen.ply").string()});
 }
 
 /// A mesh of the graph with colors at its vertices, or all of them in one.
@@ -147,6 +151,25 @@ TEST_CASE("Assimp finds every vertex of every format at its place, with the attr
     CHECK(area(seen) == Approx(area(expected)).epsilon(1e-6));
     CHECK(distance_to(expected, seen, alike_in(attributes, expected, seen)) < deviation);
     CHECK(distance_to(seen, expected, alike_in(attributes, seen, expected)) < deviation);
+  }
+}
+
+TEST_CASE("OpenCTM finds every vertex of the formats that it reads at its place") {
+  const std::string part = GENERATE("shell", "box");
+  const Mesh expected = original(part);
+  // It reads neither the colors of an OBJ nor any glTF or 3MF.
+  for (const auto& [name, attributes] :
+       std::map<std::string, Attributes>{{"obj", {true, true, false}}, {"stl", {}}, {"ply", {true, true, true}}}) {
+    const Folder folder;
+    const std::string path = written(folder, format_called(name), part).string();
+    const Mesh seen = seen_by(folder, {DINI_CTMCONV, path, (folder.path() / "seen.ply").string()});
+    const double lost = distance_to(expected, seen, alike_in(attributes, expected, seen));
+    const double gained = distance_to(seen, expected, alike_in(attributes, seen, expected));
+    CAPTURE(name, part, lost, gained);
+    CHECK(seen.triangles.size() == expected.triangles.size());
+    CHECK(area(seen) == Approx(area(expected)).epsilon(1e-6));
+    CHECK(lost < deviation);
+    CHECK(gained < deviation);
   }
 }
 

@@ -94,12 +94,22 @@ async function run(name, words, expected) {
   const count = (result) => cases.filter((each) => each.result === result).length;
   check(`${name}: cases in JUnit`, cases.length === expected.cases, cases.length);
   check(`${name}: passed in JUnit`, count("succeeded") === expected.passed, JSON.stringify(cases));
+  for (const { name: suite, tests, testCases, timestamp, properties } of read.testsuites) {
+    check(`${name}: number of cases in the suite ${suite}`, tests === testCases.length, tests);
+    check(`${name}: the time of the suite ${suite}`, Math.abs(Date.now() - timestamp) < 86_400_000, timestamp);
+    check(`${name}: the engine of the suite ${suite}`, properties[0].name === "engine", JSON.stringify(properties));
+  }
+  const xml = readFileSync(join(folder, "j.xml"), "utf8");
+  const ids = [...xml.matchAll(/<testsuite [^>]* id="(\d+)"/g)].map(([, id]) => Number(id));
+  check(`${name}: suites are numbered from 0`, ids.every((id, index) => id === index), ids);
   return { log, read };
 }
 
 try {
   const { log } = await run("a folder with faults", [], { code: 3, problems: 3, cases: 8, passed: 5 });
   const levels = log.runs[0].results.map(({ level }) => level);
+  const xml = readFileSync(join(folder, "j.xml"), "utf8");
+  check("warnings in JUnit", /<system-err>[^<]*warns.json:\d+:\d+: warning: /.test(xml), xml);
   check("warnings in SARIF", levels.includes("warning"), levels);
   const [location] = log.runs[0].results.find(({ ruleId }) => ruleId === "not-json").locations;
   check("the place in SARIF", location.physicalLocation.region.startColumn === 25, JSON.stringify(location));
