@@ -65,6 +65,8 @@ bool equal_secrets(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+bool carries_token(const Request& request) { return !bearer_token(request.header("Authorization")).empty(); }
+
 bool is_probe(std::string_view path) { return path == "/healthz" || path == "/readyz"; }
 
 bool needs_token(std::string_view path) { return path.starts_with("/v1/") || path == "/metrics"; }

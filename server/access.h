@@ -15,6 +15,9 @@ namespace dini::server {
 /// token set every request that `needs_token` must carry it. Probes may do without all of that.
 std::optional<Problem> check_access(const Request& request, const Settings& settings);
 
+/// Whether it carries a token, be it the right one or not.
+bool carries_token(const Request& request);
+
 /// Whether it is an address that load balancers ask by number, without a name or a token.
 bool is_probe(std::string_view path);
 

@@ -41,6 +41,8 @@ constexpr std::array codes = {
     ProblemCode{"idempotency-key-reused", request, 422, "A job for another request has that `Idempotency-Key`."},
     ProblemCode{"precondition-required", request, 428,
                 "A graph is written with `If-None-Match: *` where there is none, and else with `If-Match`."},
+    ProblemCode{"too-many-wrong-tokens", request, 429,
+                "More wrong tokens than `wrong_tokens` a minute came from this address; the right one is still taken."},
     ProblemCode{"headers-too-large", request, 431,
                 "The headers are larger or more than `head_bytes`, `line_bytes` or `header_count`."},
     ProblemCode{"client-gone", request, 499, "The client left before its answer; only the log has this."},

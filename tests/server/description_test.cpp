@@ -146,17 +146,27 @@ TEST_CASE("Every status that a request can be refused with is a problem as descr
   }
 }
 
-TEST_CASE("A request that needs a token, or does not arrive, is a problem as described") {
+TEST_CASE("A request that needs a token, has wrong ones too often, or does not arrive, is a problem as described") {
   std::atomic<Trouble> trouble = Trouble::none;
   const DescribedServer open(trouble);
   auto settings = quick_settings();
   settings.token = "swordfish";
+  settings.wrong_tokens = 1;
   const DescribedServer guarded(trouble, settings);
   std::vector<std::pair<const Described*, std::unique_ptr<Client>>> slow;
   for (const Described& described : open.all()) {
     if (may_answer(described, 401)) {
       const auto answer = answer_to(guarded.port(), described, example_request(described));
       check_problem(guarded, described, answer, 401);
+    }
+    if (may_answer(described, 429)) {
+      SentText wrong = example_request(described);
+      wrong.headers += "Authorization: Bearer tunafish\r\n";
+      // Two of them are one more than may be sent in a minute; later ones are refused at once.
+      answer_to(guarded.port(), described, wrong);
+      const auto answer = answer_to(guarded.port(), described, wrong);
+      check_problem(guarded, described, answer, 429);
+      CHECK(std::stoi(answer->header("retry-after")) > 0);
     }
     slow.emplace_back(&described, std::make_unique<Client>(open.port()));
     slow.back().second->send(described.method + " " + described.path.substr(0, 1));
@@ -257,7 +267,7 @@ TEST_CASE("What came of a job long ago is a problem as described") {
 TEST_CASE("Every status in the description is asked for by these tests") {
   std::atomic<Trouble> trouble = Trouble::none;
   const DescribedServer server(trouble);
-  std::set<int> asked = {200, 201, 202, 204, 206, 304, 401, 408, 409, 410, 500, 503, 504, 507};
+  std::set<int> asked = {200, 201, 202, 204, 206, 304, 401, 408, 409, 410, 429, 500, 503, 504, 507};
   for (const auto& [status, spoil] : ways_to_be_refused()) asked.insert(status);
   for (const Described& described : server.all()) {
     for (const auto& [status, response] : described.operation["responses"].items()) {
