@@ -107,7 +107,7 @@ std::vector<std::string_view> every_problem(const Operation& operation, std::str
   std::set<std::string_view> may(operation.problems.begin(), operation.problems.end());
   may.insert(always.begin(), always.end());
   if (is_probe(path)) may.erase("misdirected-request");
-  if (needs_token(path)) may.insert({"unauthorized", "too-many-wrong-tokens"});
+  if (needs_token(path)) may.insert({"unauthorized", "too-many-wrong-tokens", "foreign-origin"});
   if (method != "GET") may.insert({"foreign-origin", "body-too-large"});
   if (!operation.takes_any_query) may.insert("unknown-member");
   if (operation.has_body()) may.insert(with_body.begin(), with_body.end());

@@ -15,46 +15,48 @@ namespace {
 /// What makes a request get each status that is decided from its text alone.
 std::map<int, std::function<void(const Described&, SentText&)>> ways_to_be_refused() {
   const std::size_t longest = Limits{}.asset_bytes;
-  return {{400, [](const Described&, SentText& sent) { sent.headers += "Bad Header\r\n"; }},
-          {403, [](const Described&, SentText& sent) { sent.headers += "Origin: http://evil.example\r\n"; }},
-          {404,
-           [](const Described& described, SentText& sent) {
-             sent.line = described.method + " " + address(about(described, "nothing")) + " HTTP/1.1";
-           }},
-          {406, [](const Described&, SentText& sent) { sent.headers += "Accept: text/html\r\n"; }},
-          {411, [](const Described&, SentText& sent) { sent.length.clear(); }},
-          {412,
-           [](const Described&, SentText& sent) {
-             sent.headers += "If-Match: \"none\"\r\n";
-             if (sent.body.empty()) return;
-             sent.body.replace(sent.body.size() - 1, 1, R"(,"meta":{"title":"another"}})");
-             sent.length = "Content-Length: " + std::to_string(sent.body.size()) + "\r\n";
-           }},
-          {413, [longest](const Described&,
-                          SentText& sent) { sent.length = "Content-Length: " + std::to_string(longest + 1) + "\r\n"; }},
-          {414,
-           [](const Described&, SentText& sent) {
-             sent.line = with(sent.line, " HTTP", "?" + std::string(server::Settings{}.line_bytes, 'x') + " HTTP");
-           }},
-          {415, [](const Described&, SentText& sent) { sent.headers = "Content-Type: text/html\r\n"; }},
-          {416, [](const Described&, SentText& sent) { sent.headers += "Range: bytes=99999999-\r\n"; }},
-          {417, [](const Described&, SentText& sent) { sent.headers += "Expect: wonders\r\n"; }},
-          {421, [](const Described&, SentText& sent) { sent.host = "evil.example"; }},
-          {422,
-           [](const Described& described, SentText& sent) {
-             if (!described.has_body()) {
-               sent.line = with(sent.line, " HTTP", "?nothing=1 HTTP");
-               return;
-             }
-             sent.body = "{}";
-             sent.length = "Content-Length: 2\r\n";
-           }},
-          {428, [](const Described&, SentText& sent) { sent.headers = "Content-Type: application/json\r\n"; }},
-          {431,
-           [](const Described&, SentText& sent) {
-             sent.headers += "X-Long: " + std::string(server::Settings{}.line_bytes, 'x') + "\r\n";
-           }},
-          {505, [](const Described&, SentText& sent) { sent.line = with(sent.line, "HTTP/1.1", "HTTP/3.0"); }}};
+  return {
+      {400, [](const Described&, SentText& sent) { sent.headers += "Bad Header\r\n"; }},
+      {403, [](const Described&,
+               SentText& sent) { sent.headers += "Origin: http://evil.example\r\nSec-Fetch-Site: cross-site\r\n"; }},
+      {404,
+       [](const Described& described, SentText& sent) {
+         sent.line = described.method + " " + address(about(described, "nothing")) + " HTTP/1.1";
+       }},
+      {406, [](const Described&, SentText& sent) { sent.headers += "Accept: text/html\r\n"; }},
+      {411, [](const Described&, SentText& sent) { sent.length.clear(); }},
+      {412,
+       [](const Described&, SentText& sent) {
+         sent.headers += "If-Match: \"none\"\r\n";
+         if (sent.body.empty()) return;
+         sent.body.replace(sent.body.size() - 1, 1, R"(,"meta":{"title":"another"}})");
+         sent.length = "Content-Length: " + std::to_string(sent.body.size()) + "\r\n";
+       }},
+      {413, [longest](const Described&,
+                      SentText& sent) { sent.length = "Content-Length: " + std::to_string(longest + 1) + "\r\n"; }},
+      {414,
+       [](const Described&, SentText& sent) {
+         sent.line = with(sent.line, " HTTP", "?" + std::string(server::Settings{}.line_bytes, 'x') + " HTTP");
+       }},
+      {415, [](const Described&, SentText& sent) { sent.headers = "Content-Type: text/html\r\n"; }},
+      {416, [](const Described&, SentText& sent) { sent.headers += "Range: bytes=99999999-\r\n"; }},
+      {417, [](const Described&, SentText& sent) { sent.headers += "Expect: wonders\r\n"; }},
+      {421, [](const Described&, SentText& sent) { sent.host = "evil.example"; }},
+      {422,
+       [](const Described& described, SentText& sent) {
+         if (!described.has_body()) {
+           sent.line = with(sent.line, " HTTP", "?nothing=1 HTTP");
+           return;
+         }
+         sent.body = "{}";
+         sent.length = "Content-Length: 2\r\n";
+       }},
+      {428, [](const Described&, SentText& sent) { sent.headers = "Content-Type: application/json\r\n"; }},
+      {431,
+       [](const Described&, SentText& sent) {
+         sent.headers += "X-Long: " + std::string(server::Settings{}.line_bytes, 'x') + "\r\n";
+       }},
+      {505, [](const Described&, SentText& sent) { sent.line = with(sent.line, "HTTP/1.1", "HTTP/3.0"); }}};
 }
 
 bool may_answer(const Described& described, int status) {
