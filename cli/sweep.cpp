@@ -16,6 +16,7 @@
 #include "cli/sweeping/ledger.h"
 #include "cli/sweeping/progress.h"
 #include "cli/sweeping/table.h"
+#include "service/requests/requests.h"
 
 namespace dini::cli {
 namespace {
@@ -24,18 +25,19 @@ struct Options {
   GraphArguments graph;
   std::vector<std::string> grids, lists;
   std::optional<std::string> out, csv, report;
-  std::vector<std::string> measures;
-  std::string output, format;
+  std::vector<std::string> measures, outputs;
+  std::string format;
   QualityOption quality;
   std::size_t index = 0, count = 1;
   bool make_folders = false, quiet = false;
   RunOptions running;
 };
 
-/// A variant before it is made.
+/// A variant before it is made, or one output of it where several are asked for.
 struct Wanted {
   std::size_t index = 0;
   Json setting;
+  std::string output = {};  ///< empty for the only one
   std::optional<std::string> file;
 };
 
@@ -56,6 +58,7 @@ std::filesystem::path folder_of(const std::string& pattern) {
 /// The names that files are called by, of a graph, a variant and all its values.
 std::map<std::string, std::string> names_of(const std::string& graph, const Wanted& wanted) {
   std::map<std::string, std::string> names = {{"graph", graph_name(graph)}, {"index", std::to_string(wanted.index)}};
+  if (!wanted.output.empty()) names["output"] = wanted.output;
   for (const auto& [name, value] : wanted.setting.items()) names[name] = name_of_value(value);
   return names;
 }
@@ -71,11 +74,17 @@ Result<jobs::SweepRequest> request_of(const Options& options, const GivenGraph& 
   }
   const EvaluateRequest base{.graph = given.graph,
                              .parameters = given.parameters,
-                             .output = options.output,
                              .quality = options.quality.value(),
                              .measures = options.measures,
                              .format = options.format};
-  return jobs::SweepRequest{base, *std::move(variants)};
+  if (!options.outputs.empty()) {
+    Problems faults = faults_in_outputs(options.outputs, *given.graph, *given.engine);
+    for (Problem& fault : faults) {
+      fault = {.code = fault.code == "unknown-output" ? fault.code : "usage", .detail = "--output: " + fault.detail};
+    }
+    if (!faults.empty()) return faults;
+  }
+  return jobs::SweepRequest{base, *std::move(variants), options.outputs};
 }
 
 /// The format is that of the name, as for one evaluation.
@@ -94,10 +103,13 @@ Problems choose_format(jobs::SweepRequest& request, const Options& options, cons
 Result<std::vector<Wanted>> wanted_of(const Options& options, const jobs::SweepRequest& request) {
   std::vector<Wanted> wanted;
   for (std::size_t index = options.index; index < request.variants.size(); index += options.count) {
-    wanted.push_back({.index = index, .setting = request.variants.at(index), .file = {}});
+    for (const std::string& output : request.outputs_of_variant()) {
+      wanted.push_back({.index = index, .setting = request.variants.at(index), .output = output, .file = {}});
+    }
   }
   if (!options.out) return wanted;
   std::vector<std::string> known = {"graph", "index"};
+  if (!request.outputs.empty()) known.emplace_back("output");
   const Json first = request.variants.at(0);
   for (const auto& [name, value] : first.items()) known.push_back(name);
   const auto names = read_output_names({"./" + *options.out}, known);
@@ -109,8 +121,9 @@ Result<std::vector<Wanted>> wanted_of(const Options& options, const jobs::SweepR
 SweptVariant swept(const Sweeping& sweeping, const Wanted& wanted) {
   const Options& options = sweeping.options;
   const Engine& engine = *sweeping.given.engine;
-  SweptVariant variant{.index = wanted.index, .setting = wanted.setting, .file = wanted.file.value_or("")};
-  const EvaluateRequest request = sweeping.request.with(wanted.setting);
+  SweptVariant variant{
+      .index = wanted.index, .setting = wanted.setting, .output = wanted.output, .file = wanted.file.value_or("")};
+  const EvaluateRequest request = sweeping.request.with(wanted.setting, wanted.output);
   const Job job = options.running.job();
   const auto prepared = engine.prepare(request, job.cancel);
   const std::string tag = prepared ? (*prepared)->report_tag : "";
@@ -146,8 +159,9 @@ std::string text_of(const Json& setting) {
 void tell(const Options& options, const SourceText& source, const SweptVariant& variant) {
   Problems problems = variant.outcome.problems;
   for (Problem& problem : problems) {
-    problem.detail =
-        "variant " + std::to_string(variant.index) + " (" + text_of(variant.setting) + "): " + problem.detail;
+    const std::string which = options.outputs.size() > 1 ? ", output " + variant.output : "";
+    problem.detail = "variant " + std::to_string(variant.index) + " (" + text_of(variant.setting) + ")" + which + ": " +
+                     problem.detail;
   }
   options.graph.console().problems(problems, variant.outcome.code == exit_io ? nullptr : &source);
 }
@@ -182,6 +196,7 @@ Json report_of(const std::vector<SweptVariant>& variants, std::size_t wanted, in
     entry["index"] = variant.index;
     entry["setting"] = variant.setting;
     entry["known"] = variant.known;
+    if (!variant.output.empty()) entry["output"] = variant.output;
     if (!variant.file.empty()) entry["file"] = variant.file;
     list.push_back(std::move(entry));
   }
@@ -202,11 +217,12 @@ int finish(const Sweeping& sweeping, const std::vector<SweptVariant>& variants) 
     const Problems wrong = write_output(*path, text);
     if (!wrong.empty()) code = std::max(code, options.graph.console().fail(wrong, exit_io));
   };
-  write(options.csv, table_of(variants, options.measures));
+  write(options.csv, table_of(variants, options.measures, options.outputs.size() > 1));
   const Json report = report_of(variants, sweeping.wanted.size(), code, sweeping.given.source);
   write(options.report, written(report));
   if (!options.quiet && options.csv != "-" && options.report != "-") {
-    std::cout << variants.size() - failures << " of " << sweeping.wanted.size() << " variants are done";
+    std::cout << variants.size() - failures << " of " << sweeping.wanted.size()
+              << (options.outputs.size() > 1 ? " models are done" : " variants are done");
     if (known > 0) std::cout << ", " << known << " of them by an earlier run";
     std::cout << "\n";
   }
@@ -272,10 +288,10 @@ void add_sweep(CLI::App& program, Command& chosen, const EngineMaker& make_engin
           "--list", options->lists,
           "Values of a parameter as NAME=VALUE,VALUE,...; may be repeated. All values of all parameters are combined")
       ->allow_extra_args(false);
-  command->add_option(
-      "-o,--out", options->out,
-      "Where the models go: {NAME} stands for the value of a parameter, {index} for the number of the "
-      "variant, {graph} for the name of the document. What is there already and right is not made again");
+  command->add_option("-o,--out", options->out,
+                      "Where the models go: {NAME} stands for the value of a parameter, {index} for the number of the "
+                      "variant, {output} for the export node, {graph} for the name of the document. What is there "
+                      "already and right is not made again");
   command->add_option("--format", options->format, "The format of the models, whatever their names end with");
   command->add_option("--csv", options->csv, "Where a table of all variants goes, or - for standard output");
   command->add_option("--report", options->report, "Where the same goes as JSON, or - for standard output");
@@ -283,7 +299,10 @@ void add_sweep(CLI::App& program, Command& chosen, const EngineMaker& make_engin
       ->add_option("--measure", options->measures,
                    "A node, or node.output, whose values the tables tell; may be repeated")
       ->allow_extra_args(false);
-  command->add_option("--output", options->output, "The export node (default: the only one)");
+  command
+      ->add_option("--output", options->outputs,
+                   "The export node (default: the only one); may be repeated, with {output} in the names of the files")
+      ->allow_extra_args(false);
   options->quality.add_option(*command);
   command->add_option("--index", options->index, "Of --count processes that share the work, which this is, from 0");
   command->add_option("--count", options->count, "How many processes share the work: each makes every COUNTth variant")

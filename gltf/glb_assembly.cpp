@@ -46,22 +46,13 @@ Json moved_primitive(Json primitive, const Counts& before) {
 class Assembly {
  public:
   void add(const GlbItem& item) {
-    const auto known = known_.find(item.glb);
-    const Source& source =
-        known != known_.end() ? known->second : known_.emplace(item.glb, take(item.glb)).first->second;
-    const std::size_t place = nodes_.size();
-    nodes_.push_back({{"name", item.name}, {"extras", item.extras}, {"children", Json::array()}});
-    roots_.push_back(place);
-    const std::size_t first = nodes_.size();
-    for (Json node : source.nodes) {
-      shift(node, "mesh", source.meshes_before);
-      if (node.contains("children")) {
-        for (Json& child : node["children"]) child = child.get<std::size_t>() + first;
-      }
-      nodes_.push_back(std::move(node));
+    roots_.push_back(nodes_.size());
+    if (item.items.empty()) return add_file(item);
+    const std::size_t place = add_node(item);
+    for (const GlbItem& below : item.items) {
+      nodes_[place]["children"].push_back(nodes_.size());
+      add_file(below);
     }
-    for (const Json& root : source.roots) nodes_[place]["children"].push_back(root.get<std::size_t>() + first);
-    if (nodes_[place]["children"].empty()) nodes_[place].erase("children");
   }
 
   std::string finish(const Json& about) && {
@@ -89,6 +80,29 @@ class Assembly {
     Json roots;
     std::size_t meshes_before = 0;
   };
+
+  /// A node with nothing below it yet; where it stands.
+  std::size_t add_node(const GlbItem& item) {
+    nodes_.push_back({{"name", item.name}});
+    if (!item.extras.is_null()) nodes_.back()["extras"] = item.extras;
+    return nodes_.size() - 1;
+  }
+
+  void add_file(const GlbItem& item) {
+    const auto known = known_.find(item.glb);
+    const Source& source =
+        known != known_.end() ? known->second : known_.emplace(item.glb, take(item.glb)).first->second;
+    const std::size_t place = add_node(item);
+    const std::size_t first = nodes_.size();
+    for (Json node : source.nodes) {
+      shift(node, "mesh", source.meshes_before);
+      if (node.contains("children")) {
+        for (Json& child : node["children"]) child = child.get<std::size_t>() + first;
+      }
+      nodes_.push_back(std::move(node));
+    }
+    for (const Json& root : source.roots) nodes_[place]["children"].push_back(root.get<std::size_t>() + first);
+  }
 
   Source take(std::string_view glb) {
     const auto chunks = split_glb(glb);

@@ -14,7 +14,8 @@ Result<JobRequest> read_sweep_request(Json body, const Engine& engine) {
   if (!variants) return variants.problems();
   const auto deadline = read->deadline_milliseconds;
   const auto first = static_cast<std::size_t>(read->first);
-  return JobRequest{SweepRequest{*std::move(read), *std::move(variants), first}, deadline};
+  auto outputs = std::move(read->outputs).value_or(std::vector<std::string>());
+  return JobRequest{SweepRequest{*std::move(read), *std::move(variants), std::move(outputs), first}, deadline};
 }
 
 Result<JobRequest> read_job_request(Json body, const std::string& format, const Engine& engine) {

@@ -46,9 +46,12 @@ class JobRunner::SweepTaker final : public Sweep::Taker {
       : runner_(runner), id_(std::move(id)), live_(std::move(live)), told_(first), total_(total) {}
 
   bool take(const VariantOutcome& outcome) override {
-    store::JobLine line{.index = outcome.index, .failed = !outcome.computed, .text = runner_.line_of_(outcome)};
-    if (outcome.computed) line.file = (*outcome.computed)->model;
-    bytes_ += line.text.size() + (line.file ? line.file->bytes->size() : 0);
+    store::JobLine line{.index = outcome.index,
+                        .failed = outcome.failed(),
+                        .text = runner_.line_of_(outcome),
+                        .files = outcome.files()};
+    bytes_ += line.text.size();
+    for (const SharedFile& file : line.files) bytes_ += file->bytes->size();
     lines_.push_back(std::move(line));
     ++told_;
     if (bytes_ < line_bytes && Clock::now() < written_ + line_time) return true;

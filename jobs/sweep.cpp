@@ -18,13 +18,20 @@ constexpr std::chrono::milliseconds busy_pause{50};
 
 std::size_t at_once() { return static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency())); }
 
-VariantOutcome evaluated(const Engine& engine, const SweepRequest& request, std::size_t index, const Job& job) {
-  Json setting = request.variants.at(index);
-  Result<SharedPrepared> prepared = engine.prepare(request.with(setting), job.cancel);
-  if (!prepared) return {index, std::move(setting), prepared.problems(), prepared.problems()};
+OutputOutcome evaluated(const Engine& engine, const EvaluateRequest& request, const Job& job) {
+  Result<SharedPrepared> prepared = engine.prepare(request, job.cancel);
+  if (!prepared) return {request.output, prepared.problems(), prepared.problems()};
   SharedComputed known = engine.find(**prepared);
   Result<SharedComputed> computed = known != nullptr ? std::move(known) : engine.compute(**prepared, job);
-  return {index, std::move(setting), std::move(prepared), std::move(computed)};
+  return {request.output, std::move(prepared), std::move(computed)};
+}
+
+VariantOutcome evaluated(const Engine& engine, const SweepRequest& request, std::size_t index, const Job& job) {
+  VariantOutcome outcome{index, request.variants.at(index), !request.outputs.empty(), {}};
+  for (const std::string& output : request.outputs_of_variant()) {
+    outcome.outputs.push_back(evaluated(engine, request.with(outcome.setting, output), job));
+  }
+  return outcome;
 }
 
 /// No two sweeps have an outcome in common.
@@ -35,20 +42,57 @@ Digest new_name() {
 
 }  // namespace
 
-EvaluateRequest SweepRequest::with(const Json& setting) const {
+EvaluateRequest SweepRequest::with(const Json& setting, const std::string& output) const {
   EvaluateRequest request = base;
   request.parameters.update(setting);
+  request.output = output;
   return request;
+}
+
+std::vector<std::string> SweepRequest::outputs_of_variant() const {
+  return outputs.empty() ? std::vector{base.output} : outputs;
+}
+
+bool VariantOutcome::failed() const {
+  return std::ranges::any_of(outputs, [](const OutputOutcome& output) { return !output.computed; });
+}
+
+Problems VariantOutcome::problems() const {
+  Problems all;
+  std::vector<Json> told;
+  for (const OutputOutcome& output : outputs) {
+    if (output.computed) continue;
+    for (const Problem& problem : output.computed.problems()) {
+      Json words = to_json({problem});
+      if (std::ranges::find(told, words) != told.end()) continue;
+      told.push_back(std::move(words));
+      all.push_back(problem);
+    }
+  }
+  return all;
+}
+
+std::vector<SharedFile> VariantOutcome::files() const {
+  std::vector<SharedFile> files;
+  for (const OutputOutcome& output : outputs) {
+    if (output.computed && (*output.computed)->model != nullptr) files.push_back((*output.computed)->model);
+  }
+  return files;
 }
 
 Result<std::shared_ptr<const SweepCost>> predict(const Engine& engine, const SweepRequest& request, const Job& job) {
   SweepCost cost;
   for (std::size_t index = request.first; index < request.variants.size(); ++index) {
-    const Result<SharedPrepared> prepared = engine.prepare(request.with(request.variants.at(index)), job.cancel);
-    if (job.cancel.stopped()) return stopped_problem(job.cancel.reason());
-    if (!prepared) continue;
-    if ((*prepared)->work != ComputeQueue::unknown_work) cost.work += (*prepared)->work;
-    cost.bytes = std::max(cost.bytes, (*prepared)->bytes);
+    const Json setting = request.variants.at(index);
+    std::size_t bytes = 0;
+    for (const std::string& output : request.outputs_of_variant()) {
+      const Result<SharedPrepared> prepared = engine.prepare(request.with(setting, output), job.cancel);
+      if (job.cancel.stopped()) return stopped_problem(job.cancel.reason());
+      if (!prepared) continue;
+      if ((*prepared)->work != ComputeQueue::unknown_work) cost.work += (*prepared)->work;
+      bytes += (*prepared)->bytes;
+    }
+    cost.bytes = std::max(cost.bytes, bytes);
     if (cost.work <= engine.limits().sweep_work) continue;
     constexpr std::size_t units_per_second = 1'000'000'000;
     return Problem{.code = "limit-exceeded",

@@ -16,29 +16,45 @@ namespace dini::jobs {
 struct SweepRequest {
   EvaluateRequest base;
   Variants variants;
-  std::size_t first = 0;  ///< the variant to begin with
+  std::vector<std::string> outputs = {};  ///< that each variant is evaluated for; empty: what `base` says
+  std::size_t first = 0;                  ///< the variant to begin with
   Alarms::Clock::time_point deadline = Alarms::Clock::time_point::max();
 
-  /// The request of the variant with these values.
-  EvaluateRequest with(const Json& setting) const;
+  /// The request of the variant with these values, for one of the outputs.
+  EvaluateRequest with(const Json& setting, const std::string& output) const;
+  /// The outputs that a variant is evaluated for.
+  std::vector<std::string> outputs_of_variant() const;
 };
 
 /// What is known of a sweep before it begins.
 struct SweepCost {
-  std::size_t work = 0;   ///< predicted nanoseconds of one processor, as if its variants had nothing in common
-  std::size_t bytes = 0;  ///< predicted memory of the largest variant
+  std::size_t work = 0;   ///< predicted nanoseconds of one processor, as if its variants and outputs shared nothing
+  std::size_t bytes = 0;  ///< predicted memory of the largest variant, with all of its outputs
 };
 
 /// Checks every variant. Those that are wrong cost nothing and are told when it is their turn; a sweep over the limit
 /// is a problem.
 Result<std::shared_ptr<const SweepCost>> predict(const Engine& engine, const SweepRequest& request, const Job& job);
 
+/// How one output of a variant fared.
+struct OutputOutcome {
+  std::string output;  ///< as the request has it: empty for the only one
+  Result<SharedPrepared> prepared;
+  Result<SharedComputed> computed;  ///< the problems of preparing where there are some
+};
+
 /// How one variant fared.
 struct VariantOutcome {
   std::size_t index = 0;
-  Json setting;  ///< its values by parameter
-  Result<SharedPrepared> prepared;
-  Result<SharedComputed> computed;  ///< the problems of preparing where there are some
+  Json setting;                        ///< its values by parameter
+  bool lists_outputs = false;          ///< the request does
+  std::vector<OutputOutcome> outputs;  ///< at least one, as they were asked for; one that failed stops no other
+
+  bool failed() const;
+  /// The problems of all outputs, each once.
+  Problems problems() const;
+  /// The models that were made.
+  std::vector<SharedFile> files() const;
 };
 
 /// Evaluates variants from that one on, as many as there are threads, all at once; their outcomes in their order.

@@ -7,8 +7,9 @@ namespace dini::jobs {
 namespace {
 
 /// The problems of a variant, which say that they are its.
-Problems of_variant(std::size_t index, Problems problems) {
-  for (Problem& problem : problems) problem.detail = "variant " + std::to_string(index) + ": " + problem.detail;
+Problems of_variant(const VariantOutcome& outcome) {
+  Problems problems = outcome.problems();
+  for (Problem& problem : problems) problem.detail = "variant " + std::to_string(outcome.index) + ": " + problem.detail;
   return problems;
 }
 
@@ -21,10 +22,14 @@ Result<SharedFile> sweep_file(const Engine& engine, const SweepRequest& request,
     const std::vector<VariantOutcome> outcomes = evaluate_together(engine, request, next, job);
     if (job.cancel.stopped()) return stopped_problem(job.cancel.reason());
     for (const VariantOutcome& outcome : outcomes) {
-      if (!outcome.computed) return of_variant(outcome.index, outcome.computed.problems());
-      const SharedFile& model = (*outcome.computed)->model;
-      bytes += model->bytes->size();
-      models.push_back({outcome.index, outcome.setting, model});
+      if (outcome.failed()) return of_variant(outcome);
+      VariantModel variant{outcome.index, outcome.setting, {}};
+      for (const OutputOutcome& output : outcome.outputs) {
+        const SharedFile& model = (*output.computed)->model;
+        bytes += model->bytes->size();
+        variant.models.push_back({outcome.lists_outputs ? output.output : "", model});
+      }
+      models.push_back(std::move(variant));
     }
     next += outcomes.size();
     // All are held twice when they are put together.

@@ -63,7 +63,21 @@ bool equal_secrets(std::string_view a, std::string_view b) {
   return difference == 0;
 }
 
+/// Whether a page of the origin that the request names may read answers and send requests.
+bool is_let_in(const Request& request, const Settings& settings) {
+  return is_our_origin(request.header("Origin"), request, settings) || !shared_origin(request, settings).empty();
+}
+
+/// Whether a browser says that a page of another site lets it load this, as an image or a script, which carries no
+/// Origin. Following a link is not that: then a person looks at the answer, and no page does.
+bool is_loaded_by_stranger(const Request& request, const Settings& settings) {
+  return equal_ignoring_case(request.header("Sec-Fetch-Site"), "cross-site") &&
+         !equal_ignoring_case(request.header("Sec-Fetch-Mode"), "navigate") && !is_let_in(request, settings);
+}
+
 }  // namespace
+
+bool carries_token(const Request& request) { return !bearer_token(request.header("Authorization")).empty(); }
 
 bool is_probe(std::string_view path) { return path == "/healthz" || path == "/readyz"; }
 
@@ -89,12 +103,15 @@ std::optional<Problem> check_access(const Request& request, const Settings& sett
   // What may be done is asked without the token, before anything is.
   if (request.method == "OPTIONS") return std::nullopt;
   const bool changes = request.method != "GET" && request.method != "HEAD";
-  if (changes && request.has_header("Origin") && !is_our_origin(request.header("Origin"), request, settings) &&
-      shared_origin(request, settings).empty()) {
+  if (changes && request.has_header("Origin") && !is_let_in(request, settings)) {
     return Problem{.code = "foreign-origin",
                    .detail =
                        "Pages from other origins may not send requests here; start with --allow-origin to add "
                        "one, or with --allow-host to add the name of a proxy."};
+  }
+  if (needs_token(request.path) && is_loaded_by_stranger(request, settings)) {
+    return Problem{.code = "foreign-origin",
+                   .detail = "Pages of other sites may not load this; start with --allow-origin to add one."};
   }
   if (!settings.token.empty() && needs_token(request.path) &&
       !equal_secrets(bearer_token(request.header("Authorization")), settings.token)) {

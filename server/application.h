@@ -22,6 +22,7 @@ namespace dini::server {
 
 class Connections;
 class Metrics;
+class WrongTokens;
 
 /// What the handlers share.
 struct Application {
@@ -34,6 +35,7 @@ struct Application {
   const jobs::ComputeQueue& queue;
   const Connections& connections;
   Metrics& metrics;
+  WrongTokens& wrong_tokens;
   jobs::Supersede supersede = {};
   Cache known;  ///< bodies that were read, by their bytes, and requests that were checked, by their identity
   Artifacts artifacts;

@@ -173,13 +173,17 @@ Table codes_table(ProblemKind kind) {
 }
 
 Table statuses_table() {
-  std::map<int, std::vector<std::string>> statuses;
+  std::map<int, std::vector<std::string_view>> statuses;
   for (const ProblemCode& known : problem_codes()) {
-    if (known.status != 0) statuses[known.status].push_back(code(known.code));
+    if (known.status != 0) statuses[known.status].push_back(known.code);
   }
   Table table{{"status", "title", "codes"}, {}};
   for (const auto& [status, codes] : statuses) {
-    table.rows.push_back({std::to_string(status), std::string(title_of_status(status)), joined(codes, " ")});
+    std::vector<std::string> marked;
+    for (const std::string_view each : codes) marked.push_back(code(each));
+    const std::string title = title_of_code(codes.front());
+    const bool of_all = title == title_of_code(codes.back());
+    table.rows.push_back({std::to_string(status), of_all ? title : "the words of the code", joined(marked, " ")});
   }
   return table;
 }

@@ -127,7 +127,7 @@ std::string problem_page_html(const ProblemCode& code) {
                      element("p", html::prose(code.meaning));
   if (code.status != 0) {
     body += element("p", "HTTP status " + element("code", std::to_string(code.status)) + ": " +
-                             escaped_markup(title_of_status(code.status)) + ".");
+                             escaped_markup(title_of_code(code.code)) + ".");
   } else {
     body += element("p", code.kind == ProblemKind::warning ? "A warning: the answer that it stands in is good."
                                                            : "Told by the program <code>dini</code> only.");

@@ -6,6 +6,7 @@
 #include "server/handlers.h"
 #include "server/metrics.h"
 #include "server/responses.h"
+#include "server/wrong_tokens.h"
 #include "service/requests/schema.h"
 
 namespace dini::server {
@@ -36,6 +37,8 @@ std::vector<Reading> readings_of(const Application& application) {
       {"dini_computations_total", "Computations that were begun.", static_cast<double>(flights.begun), true},
       {"dini_joined_total", "Requests that joined a computation that was begun for another.",
        static_cast<double>(flights.joined), true},
+      {"dini_wrong_tokens_total", "Requests that carried a wrong token.",
+       static_cast<double>(application.wrong_tokens.total()), true},
       {"dini_resident_bytes", "Memory that the process holds.", static_cast<double>(jobs::resident_bytes())}};
   add_cache(readings, "cache", "results of nodes", application.engine.cache_state());
   add_cache(readings, "known", "requests that were read before",

@@ -62,6 +62,12 @@ std::string Address::text() const {
   return text.data();
 }
 
+Address Address::subscriber() const {
+  Address shared = *this;
+  if (!is_v4(bytes_)) std::fill(shared.bytes_.begin() + bytes_.size() / 2, shared.bytes_.end(), 0);
+  return shared;
+}
+
 std::optional<Network> Network::parse(std::string_view text) {
   const auto slash = text.find('/');
   const auto begin = Address::parse(text.substr(0, slash));

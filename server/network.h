@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -17,6 +18,12 @@ class Address {
   static std::optional<Address> of_peer(int descriptor);
 
   std::string text() const;
+
+  /// What all addresses of one subscriber have in common: of IPv6 the first 64 bits, since everybody gets as many as
+  /// the rest can tell apart; of IPv4 all of it.
+  Address subscriber() const;
+
+  auto operator<=>(const Address&) const = default;
 
  private:
   friend class Network;

@@ -48,7 +48,7 @@ Json answer_json(const Answer& answer, bool head) {
 
 Json problem_example(const ProblemCode& code) {
   return {{"type", "/problems/" + std::string(code.code)},
-          {"title", title_of_status(code.status)},
+          {"title", title_of_code(code.code)},
           {"status", code.status},
           {"detail", code.meaning},
           {"instance", "5f2b-17"},
@@ -74,7 +74,7 @@ Json problems_json(int status, const std::vector<const ProblemCode*>& codes, boo
     names.push_back(code->code);
   }
   std::vector<std::string> headers = {"Cache-Control"};
-  if (status == 503) headers.emplace_back("Retry-After");
+  if (status == 429 || status == 503) headers.emplace_back("Retry-After");
   if (status == 401) headers.emplace_back("WWW-Authenticate");
   Json json = {
       {"description", std::move(text)}, {"headers", header_references(headers)}, {"x-problem-codes", std::move(names)}};

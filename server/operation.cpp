@@ -23,7 +23,8 @@ constexpr std::array headers = {
     AnswerHeader{"Allow", "The methods that the address takes; with 405."},
     AnswerHeader{
         "Retry-After",
-        "Seconds to wait before the next try; with 503, and with 504 when all the time was spent waiting for a place."},
+        "Seconds to wait before the next try; with 429 and 503, and with 504 when all the time was spent waiting for a "
+        "place."},
     AnswerHeader{"WWW-Authenticate", "`Bearer`; with 401."},
     AnswerHeader{"Server-Timing", "Milliseconds of each stage; with every answer."},
     AnswerHeader{"X-Request-Id", "Names the request in the log, and in a problem as `instance`; with every answer."},
@@ -106,7 +107,7 @@ std::vector<std::string_view> every_problem(const Operation& operation, std::str
   std::set<std::string_view> may(operation.problems.begin(), operation.problems.end());
   may.insert(always.begin(), always.end());
   if (is_probe(path)) may.erase("misdirected-request");
-  if (needs_token(path)) may.insert("unauthorized");
+  if (needs_token(path)) may.insert({"unauthorized", "too-many-wrong-tokens", "foreign-origin"});
   if (method != "GET") may.insert({"foreign-origin", "body-too-large"});
   if (!operation.takes_any_query) may.insert("unknown-member");
   if (operation.has_body()) may.insert(with_body.begin(), with_body.end());

@@ -40,8 +40,9 @@ constexpr std::array status_titles = {
     StatusTitle{416, "Range Not Satisfiable", "The file is shorter than that"},
     StatusTitle{417, "Expectation Failed", "The expectation cannot be met"},
     StatusTitle{421, "Misdirected Request", "This host is not served here"},
-    StatusTitle{422, "Unprocessable Entity", "The graph cannot be evaluated"},
+    StatusTitle{422, "Unprocessable Entity", ""},
     StatusTitle{428, "Precondition Required", "The request must say what it replaces"},
+    StatusTitle{429, "Too Many Requests", "Too many wrong tokens"},
     StatusTitle{431, "Request Header Fields Too Large", "The headers are too large"},
     StatusTitle{499, "Client Closed Request", "The client left"},
     StatusTitle{500, "Internal Server Error", "The server made a mistake"},
@@ -67,20 +68,26 @@ int status_of(std::string_view code) {
 
 std::string_view reason_of(int status) { return title_of(status).reason; }
 
-std::string_view title_of_status(int status) { return title_of(status).title; }
+std::string title_of_code(std::string_view code) {
+  const std::string_view of_status = title_of(status_of(code)).title;
+  if (!of_status.empty()) return std::string(of_status);
+  std::string words(code);
+  std::ranges::replace(words, '-', ' ');
+  words[0] = static_cast<char>(words[0] - 'a' + 'A');
+  return words;
+}
 
 Reply problem_reply(const Problems& problems, const Exchange& exchange, const Json& blocked) {
   const Problem& first = problems.front();
   const int status = status_of(first.code);
-  Reply reply =
-      json_reply({{"type", std::string(exchange.base) + "/problems/" + first.code},
-                  {"title", first.code == "invalid-asset" ? "The file cannot be used" : title_of(status).title},
-                  {"status", status},
-                  {"detail", excerpt(first.detail, detail_bytes)},
-                  {"instance", exchange.id},
-                  {"errors", to_json(problems)},
-                  {"blocked", blocked}},
-                 status);
+  Reply reply = json_reply({{"type", std::string(exchange.base) + "/problems/" + first.code},
+                            {"title", title_of_code(first.code)},
+                            {"status", status},
+                            {"detail", excerpt(first.detail, detail_bytes)},
+                            {"instance", exchange.id},
+                            {"errors", to_json(problems)},
+                            {"blocked", blocked}},
+                           status);
   reply.type = "application/problem+json";
   reply.headers.emplace_back("Cache-Control", "no-store");
   if (status == 503) reply.headers.emplace_back("Retry-After", "1");

@@ -2,6 +2,7 @@
 
 // How problems become answers. The only place that knows both the codes of problems and the statuses of HTTP.
 
+#include <string>
 #include <string_view>
 
 #include "graph/problem.h"
@@ -15,8 +16,9 @@ int status_of(std::string_view code);
 /// The reason phrase of every status that there is.
 std::string_view reason_of(int status);
 
-/// What kind of problem a status is, in a few words.
-std::string_view title_of_status(int status);
+/// What kind of problem a code is, in a few words: that of its status, and for 422, which has codes of many kinds, the
+/// words of the code itself.
+std::string title_of_code(std::string_view code);
 
 /// An RFC 9457 answer. The first problem decides status, type and detail; all of them are listed. `blocked` names the
 /// nodes that are well in themselves but stand behind one that is not.

@@ -12,6 +12,7 @@
 #include "server/query.h"
 #include "server/responses.h"
 #include "server/text.h"
+#include "server/wrong_tokens.h"
 
 namespace dini::server {
 namespace {
@@ -217,9 +218,34 @@ std::string_view pattern_of(const Application& application, std::string_view met
   return application.page.find(std::string(path)) != nullptr ? "page" : "other";
 }
 
+namespace {
+
+/// What a request is told that lacks the right token, or after too many wrong ones of its address when it may try
+/// again.
+Reply refuse_stranger(const Application& application, const Request& request, Problem problem,
+                      const Exchange& exchange) {
+  const auto now = WrongTokens::Clock::now();
+  const auto wait =
+      carries_token(request) ? application.wrong_tokens.count(Address::parse(exchange.client), now) : std::nullopt;
+  if (!wait) return problem_reply(std::move(problem), exchange);
+  const std::string seconds = std::to_string(std::chrono::ceil<std::chrono::seconds>(*wait).count());
+  Reply reply = problem_reply(Problem{.code = "too-many-wrong-tokens",
+                                      .detail = "At most " + std::to_string(application.settings.wrong_tokens) +
+                                                " wrong tokens a minute are looked at from one address; try again in " +
+                                                seconds + " s, or send the token of this server."},
+                              exchange);
+  reply.headers.emplace_back("Retry-After", seconds);
+  return reply;
+}
+
+}  // namespace
+
 std::variant<std::size_t, Reply> admit(const Application& application, const RequestHead& head,
                                        const Exchange& exchange) {
   if (auto problem = check_access(head.request, application.settings)) {
+    if (problem->code == "unauthorized") {
+      return refuse_stranger(application, head.request, *std::move(problem), exchange);
+    }
     return problem_reply(*std::move(problem), exchange);
   }
   // Without a body nothing is won by refusing early.

@@ -16,6 +16,7 @@
 #include "server/routes.h"
 #include "server/sweep_line.h"
 #include "server/text.h"
+#include "server/wrong_tokens.h"
 #include "service/document_schema.h"
 #include "store/asset_files.h"
 
@@ -83,6 +84,7 @@ struct Server::State {
       : settings(decided(chosen)),
         graphs(std::move(kept)),
         metrics(engine.catalogue().value("engine", "")),
+        wrong_tokens(settings.wrong_tokens),
         connections(
             settings, threads,
             [this](const RequestHead& head, const Exchange& exchange) { return admit(application, head, exchange); },
@@ -102,6 +104,7 @@ struct Server::State {
                     .queue = queue,
                     .connections = connections,
                     .metrics = metrics,
+                    .wrong_tokens = wrong_tokens,
                     .known = Cache(settings.known_bytes),
                     .artifacts = Artifacts(settings.artifact_bytes),
                     .graphs = *graphs,
@@ -146,6 +149,7 @@ struct Server::State {
 
   const std::unique_ptr<store::GraphStore> graphs;
   Metrics metrics;
+  WrongTokens wrong_tokens;
   Connections connections;
   jobs::Alarms alarms;
   AnswerThreads threads;

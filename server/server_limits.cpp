@@ -42,6 +42,8 @@ constexpr std::array limits = {
     Limit<Settings>{"line_bytes", "bytes", &Settings::line_bytes, "of the request line, and of each header", 128,
                     1 << 24},
     Limit<Settings>{"header_count", "headers", &Settings::header_count, "of one request", 1, 10'000},
+    Limit<Settings>{"wrong_tokens", "tokens", &Settings::wrong_tokens,
+                    "that are wrong and come from one address in a minute; past that: 429", 1, 1 << 20},
     Limit<Settings>{"incoming_bytes", "bytes", &Settings::incoming_bytes,
                     "of all bodies that are arriving; past that: 503"},
     Limit<Settings>{"unsent_bytes", "bytes", &Settings::unsent_bytes,

@@ -47,6 +47,7 @@ struct Settings {
   std::size_t head_bytes = 32 * 1024;  ///< request line and headers together
   std::size_t line_bytes = 8 * 1024;   ///< the request line, and each header
   std::size_t header_count = 100;
+  std::size_t wrong_tokens = 20;                        ///< of one address in a minute; past that: 429
   std::size_t incoming_bytes = std::size_t{256} << 20;  ///< of all bodies that are arriving; past that: 503
   std::size_t unsent_bytes = std::size_t{1} << 30;  ///< of all answers that clients have yet to take; past that: 503
 

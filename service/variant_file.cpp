@@ -25,12 +25,18 @@ Result<SharedFile> variant_file(const std::vector<VariantModel>& variants, const
   std::vector<GlbItem> items;
   File file{media_type, extension, nullptr};
   for (const VariantModel& variant : variants) {
-    items.push_back({.name = name_of(variant),
-                     .extras = {{"index", variant.index}, {"parameters", variant.setting}},
-                     .glb = *variant.model->bytes});
-    file.vertices += variant.model->vertices;
-    file.triangles += variant.model->triangles;
-    file.position_error = std::max(file.position_error, variant.model->position_error);
+    GlbItem item{.name = name_of(variant), .extras = {{"index", variant.index}, {"parameters", variant.setting}}};
+    for (const auto& [output, model] : variant.models) {
+      if (output.empty()) {
+        item.glb = *model->bytes;
+      } else {
+        item.items.push_back({.name = output, .extras = nullptr, .glb = *model->bytes});
+      }
+      file.vertices += model->vertices;
+      file.triangles += model->triangles;
+      file.position_error = std::max(file.position_error, model->position_error);
+    }
+    items.push_back(std::move(item));
   }
   auto glb = assemble_glb(items, {{"engine", engine_version},
                                   {"graph_hash", to_hex(graph.hash)},

@@ -144,7 +144,7 @@ Result<bool> JobStore::add_lines(std::string_view id, const std::vector<JobLine>
       bind_text(insert, 3, line.text);
       bind_text(insert, 4, id);
       insert.exec();
-      if (line.file) keep_file(database, id, *line.file);
+      for (const SharedFile& file : line.files) keep_file(database, id, *file);
     }
     return true;
   });

@@ -52,8 +52,8 @@ struct AddedJob {
 struct JobLine {
   std::size_t index = 0;
   bool failed = false;
-  std::string text;      ///< JSON in one line
-  SharedFile file = {};  ///< null when none was made
+  std::string text;                    ///< JSON in one line
+  std::vector<SharedFile> files = {};  ///< that were made
 };
 
 /// What came of an evaluation.

@@ -25,11 +25,13 @@ std::string line(const std::vector<std::string>& cells) {
 
 }  // namespace
 
-std::string table_of(const std::vector<SweptVariant>& variants, const std::vector<std::string>& measures) {
+std::string table_of(const std::vector<SweptVariant>& variants, const std::vector<std::string>& measures,
+                     bool tells_outputs) {
   static const std::vector<std::string> of_model = {"bytes", "vertices", "triangles", "sha256"};
   std::vector<std::string> head = {"index"};
   const Json names = variants.empty() ? Json::object() : variants.front().setting;
   for (const auto& [name, value] : names.items()) head.push_back(cell(name));
+  if (tells_outputs) head.emplace_back("output");
   head.insert(head.end(), {"file", "result"});
   head.insert(head.end(), of_model.begin(), of_model.end());
   for (const std::string& measure : measures) head.push_back(cell(measure));
@@ -38,6 +40,7 @@ std::string table_of(const std::vector<SweptVariant>& variants, const std::vecto
     const Outcome& outcome = variant.outcome;
     std::vector<std::string> cells = {std::to_string(variant.index)};
     for (const auto& [name, value] : variant.setting.items()) cells.push_back(cell(value));
+    if (tells_outputs) cells.push_back(cell(variant.output));
     cells.push_back(cell(variant.file));
     cells.push_back(outcome.code == exit_ok ? "ok" : cell(outcome.problems.front().code));
     const Json model = outcome.report.value("model", Json::object());

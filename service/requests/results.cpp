@@ -96,6 +96,10 @@ Json model(std::vector<Property> more = {}) {
   return object(properties, "The file of the output; there with an output.");
 }
 
+Json file_with_address() {
+  return model({{"address", text("Where the file can be fetched while there is room for it.")}});
+}
+
 /// What a report and the line of a variant tell alike.
 std::vector<Property> outcome(Json model, bool optional) {
   return {
@@ -129,6 +133,16 @@ Json report() {
   return object(properties, "Times, sizes, checks and warnings of an evaluation.");
 }
 
+/// One of several outputs of a variant.
+Json swept_output() {
+  return object({{"status", word({"succeeded", "failed"}, "How the output fared.")},
+                 {"errors", list(reference("ProblemEntry"), "Why it failed."), true},
+                 {"warnings", list(reference("ProblemEntry"), "What is worth knowing although it succeeded."), true},
+                 {"fingerprint", text("64 hexadecimal digits: the hash of what the output depends on."), true},
+                 {"model", file_with_address(), true}},
+                "One of several outputs of a variant; those that failed stop no other.");
+}
+
 Json sweep_line() {
   std::vector<Property> properties = {
       {"index", whole("Of the variant; there unless the sweep was stopped."), true},
@@ -137,8 +151,9 @@ Json sweep_line() {
                       "How the variant fared; `stopped` is the last line of a sweep that was.")},
       {"errors", list(reference("ProblemEntry"), "Why it failed, or why the sweep was stopped."), true},
       {"next", whole("The first variant that was not told; there when the sweep was stopped."), true}};
-  const Json file = model({{"address", text("Where the file can be fetched while there is room for it.")}});
-  for (Property& property : outcome(file, true)) properties.push_back(std::move(property));
+  for (Property& property : outcome(file_with_address(), true)) properties.push_back(std::move(property));
+  properties.push_back(
+      {"outputs", map_of(reference("SweptOutput"), "By name; there when the request lists `outputs`."), true});
   return object(properties, "One line of the answer to a sweep.");
 }
 
@@ -210,6 +225,7 @@ const Json& result_schemas() {
                                                   {"CheckResult", check_result()},
                                                   {"Report", report()},
                                                   {"SweepLine", sweep_line()},
+                                                  {"SweptOutput", swept_output()},
                                                   {"AssetSummary", asset_summary()},
                                                   {"NodeCard", node_card()},
                                                   {"Catalogue", catalogue()}});

@@ -1,3 +1,6 @@
+#include <algorithm>
+
+#include "graph/nearest.h"
 #include "service/requests/quality.h"
 #include "service/requests/request_type.h"
 #include "service/requests/requests.h"
@@ -24,6 +27,9 @@ const RequestType<SweepBody>& request() {
                    left_out_means("another of the three is given"))
           .member("output", &EvaluateRequest::output, "The `export` node whose models are made.",
                   left_out_means("the only one of the graph"))
+          .member("outputs", &SweepBody::outputs,
+                  "Several `export` nodes whose models are made of each variant, told by their names in its line.",
+                  left_out_means("`output` alone"))
           .member("models", &SweepBody::models, "Whether models are made at all, or only measures and checks.",
                   usually(true))
           .member("measures", &EvaluateRequest::measures,
@@ -36,13 +42,45 @@ const RequestType<SweepBody>& request() {
   return declared;
 }
 
+Problem at_outputs(const std::string& rest, std::string code, std::string detail) {
+  return {.code = std::move(code), .detail = std::move(detail), .pointer = "/outputs" + rest, .in_request = true};
+}
+
 }  // namespace
+
+Problems faults_in_outputs(const std::vector<std::string>& outputs, const Graph& graph, const Engine& engine) {
+  if (outputs.empty()) return {at_outputs("", "required-input-missing", "outputs names no output")};
+  // A graph that cannot be read says so itself, in every variant.
+  const Result<Json> interface = engine.interface(graph);
+  const auto known = interface ? interface->value("outputs", std::vector<std::string>()) : std::vector<std::string>();
+  std::string list;
+  for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
+  Problems faults;
+  for (auto name = outputs.begin(); name != outputs.end(); ++name) {
+    const std::string place = "/" + std::to_string(name - outputs.begin());
+    if (std::find(outputs.begin(), name, *name) != name) {
+      faults.push_back(at_outputs(place, "out-of-range", "\"" + *name + "\" is listed twice; one of them goes"));
+    } else if (interface && std::ranges::find(known, *name) == known.end()) {
+      faults.push_back(at_outputs(place, "unknown-output",
+                                  "\"" + *name + "\" is no export node of the graph" + did_you_mean(*name, known) +
+                                      (known.empty() ? "" : "; there is " + list)));
+    }
+  }
+  return faults;
+}
 
 const RequestDescription& sweep_description() { return request().description(); }
 
 Result<SweepBody> read_sweep_body(Json body, const Engine& engine) {
   Result<SweepBody> read = request().read(std::move(body), engine);
   if (!read) return read;
+  if (read->outputs) {
+    if (!read->output.empty()) {
+      return at_outputs("", "out-of-range", "output is given as well; one of them goes");
+    }
+    if (!read->models) return at_outputs("", "out-of-range", "no models are made; leave outputs out, or models");
+    if (Problems faults = faults_in_outputs(*read->outputs, *read->graph, engine); !faults.empty()) return faults;
+  }
   read->without_output = !read->models;
   read->notes = Json::object();  // no file carries its document
   return read;

@@ -69,6 +69,37 @@ TEST_CASE("All values of all parameters are combined, and told in a table") {
   CHECK(models.at("1 1.5.glb") == contents(sweeps.at("alone.glb")));
 }
 
+TEST_CASE("Several outputs of each variant have a file and a row each, and one that fails stops no other") {
+  const Sweeps sweeps;
+  Json graph = ball(16);
+  graph["nodes"]["left"] = make("expression", {{"formula", "2 - x"}, {"x", {{"parameter", "radius"}}}});
+  graph["nodes"]["inner"] = make("sphere_mesh", {{"radius", from("left")}, {"segments", 8}});
+  graph["nodes"]["core"] = make("export", {{"model", from("inner")}});
+  sweeps.write("ball.json", graph.dump());
+  const std::vector<std::string> words = {"--grid",   "radius=1:3:2",
+                                          "--output", "out",
+                                          "--output", "core",
+                                          "-o",       sweeps.at("{output}-{radius}.glb"),
+                                          "--csv",    "-",
+                                          "--report", sweeps.at("r.json")};
+  const Outcome outcome = sweeps.sweep(words);
+  CAPTURE(outcome.out, outcome.err);
+  CHECK(outcome.code == 4);
+  CHECK(outcome.out.starts_with("index,radius,output,file,result,bytes,vertices,triangles,sha256\r\n0,1,out,"));
+  CHECK(has(outcome.out, "\r\n1,3,out," + sweeps.at("out-3.glb") + ",ok,"));
+  CHECK(has(outcome.out, "\r\n1,3,core,"));
+  CHECK(has(outcome.err, "variant 1 (radius=3), output core: "));
+  const auto models = sweeps.models("");
+  CHECK(models.size() == 3);
+  REQUIRE(run({"eval", sweeps.at("ball.json"), "--output", "core", "--set", "radius=1", "-o", sweeps.at("alone.glb")})
+              .code == 0);
+  CHECK(models.at("core-1.glb") == contents(sweeps.at("alone.glb")));
+  const Json variants = json_in(sweeps.at("r.json"))["variants"];
+  REQUIRE(variants.size() == 4);
+  CHECK(variants[1]["output"] == "core");
+  CHECK(variants[3]["succeeded"] == false);
+}
+
 TEST_CASE("Four processes that are killed in the middle and started again make the same 200 files as one") {
   const Sweeps sweeps(120);
   const auto words = [&](const std::string& folder, const std::vector<std::string>& more) {
@@ -184,6 +215,7 @@ TEST_CASE("Wrong calls of sweep are refused before anything is computed") {
            {{"--grid", "radius=1:2:3", "-o", sweeps.at("{radiux}.glb")}, "did you mean \"radius\"?"},
            {{"--grid", "radius=1:2:3", "-o", sweeps.at("{radius}.dwg")}, "no format"},
            {{"--grid", "radius=1:2:3", "--csv", sweeps.at("ball.json")}, "which is read"},
+           {{"--grid", "radius=1:2:3", "--output", "out", "--output", "out"}, "\"out\" is listed twice"},
            {{"--grid", "radius=1:2:3", "--index", "2", "--count", "2"}, "--index"},
            {{"--grid", "radius=1:2:3", "--count", "0"}, "--count"},
            {{"--grid", "radius=1:2:3", "--jobs", "0"}, "--jobs"},
@@ -195,6 +227,7 @@ TEST_CASE("Wrong calls of sweep are refused before anything is computed") {
     CHECK(outcome.out.empty());
   }
   CHECK(sweeps.sweep({"--grid", "radius=1:2:100000"}).code == 5);
+  CHECK(has(sweeps.sweep({"--grid", "radius=1:2:3", "--output", "ouz"}).err, "did you mean \"out\"?"));
   CHECK(sweeps.sweep({"--grid", "radius=1:2:3", "-o", sweeps.at("none/{radius}.glb")}).code == 6);
   CHECK(run({"sweep", "/nowhere.json", "--grid", "radius=1:2:3"}).code == 6);
 }

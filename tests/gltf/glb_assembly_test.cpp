@@ -72,6 +72,39 @@ TEST_CASE("Items of the same bytes share their meshes") {
   CHECK(assembled->size() < torus.size() + 2000);
 }
 
+TEST_CASE("Several files can stand below one node, each called by its name") {
+  const std::string torus = file_of(shapes::scene_of(shapes::torus(20, 12)));
+  const std::string field = file_of(shapes::scene_of(shapes::wavy_field(9, 7)));
+  std::vector<GlbItem> items;
+  for (const std::string name : {"a", "b"}) {
+    items.push_back({.name = name,
+                     .extras = {{"item", name}},
+                     .items = {{.name = "inner", .extras = nullptr, .glb = torus},
+                               {.name = "outer", .extras = nullptr, .glb = field}}});
+  }
+  const auto assembled = assemble_glb(items, {});
+  REQUIRE(assembled);
+  const Json document = json_of(*assembled);
+  CHECK(document["meshes"].size() == 2);
+  const Json& roots = document["scenes"][0]["nodes"];
+  REQUIRE(roots.size() == 2);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const Json& node = document["nodes"][roots[i].get<std::size_t>()];
+    CHECK(node["name"] == items[i].name);
+    CHECK(node["extras"] == items[i].extras);
+    REQUIRE(node["children"].size() == 2);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Json& below = document["nodes"][node["children"][k].get<std::size_t>()];
+      CHECK(below["name"] == items[i].items[k].name);
+      CHECK_FALSE(below.contains("extras"));
+      CHECK(below["children"].size() == 1);
+    }
+  }
+  const auto scene = read_glb(*assembled);
+  REQUIRE(scene);
+  CHECK(scene->parts.size() == 4);
+}
+
 TEST_CASE("What is no GLB is not put together") {
   const std::string torus = file_of(shapes::scene_of(shapes::torus(20, 12)));
   for (const std::string& broken :

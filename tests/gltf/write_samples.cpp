@@ -89,11 +89,13 @@ class SampleWriter {
     std::ofstream(directory_ / (name + ".expected.json")) << expected;
   }
 
-  /// Two files that were written before, and one of them again, in one.
+  /// Two files that were written before, and both of them again below one node, in one.
   void assemble(const std::string& name, const std::string& a, const std::string& b) {
     const std::string files[] = {read(a), read(b)};
     const std::vector<GlbItem> items = {
-        {a, {{"index", 0}}, files[0]}, {b, {{"index", 1}}, files[1]}, {a, {}, files[0]}};
+        {a, {{"index", 0}}, files[0], {}},
+        {b, {{"index", 1}}, files[1], {}},
+        {"both", {{"index", 2}}, {}, {{a, nullptr, files[0], {}}, {b, nullptr, files[1], {}}}}};
     const auto glb = assemble_glb(items, {{"sample", name}});
     if (!glb) return fail(name + ": cannot be put together");
     std::ofstream(directory_ / (name + ".glb"), std::ios::binary) << *glb;

@@ -38,7 +38,7 @@ TEST_CASE("A file that cannot be used is a problem of its own") {
   REQUIRE(answer);
   CHECK(answer->status == 422);
   CHECK(answer->code() == "invalid-asset");
-  CHECK(answer->json()["title"] == "The file cannot be used");
+  CHECK(answer->json()["title"] == "Invalid asset");
   CHECK(ask(server.port(), upload("large"))->code() == "limit-exceeded");
 }
 

@@ -15,46 +15,48 @@ namespace {
 /// What makes a request get each status that is decided from its text alone.
 std::map<int, std::function<void(const Described&, SentText&)>> ways_to_be_refused() {
   const std::size_t longest = Limits{}.asset_bytes;
-  return {{400, [](const Described&, SentText& sent) { sent.headers += "Bad Header\r\n"; }},
-          {403, [](const Described&, SentText& sent) { sent.headers += "Origin: http://evil.example\r\n"; }},
-          {404,
-           [](const Described& described, SentText& sent) {
-             sent.line = described.method + " " + address(about(described, "nothing")) + " HTTP/1.1";
-           }},
-          {406, [](const Described&, SentText& sent) { sent.headers += "Accept: text/html\r\n"; }},
-          {411, [](const Described&, SentText& sent) { sent.length.clear(); }},
-          {412,
-           [](const Described&, SentText& sent) {
-             sent.headers += "If-Match: \"none\"\r\n";
-             if (sent.body.empty()) return;
-             sent.body.replace(sent.body.size() - 1, 1, R"(,"meta":{"title":"another"}})");
-             sent.length = "Content-Length: " + std::to_string(sent.body.size()) + "\r\n";
-           }},
-          {413, [longest](const Described&,
-                          SentText& sent) { sent.length = "Content-Length: " + std::to_string(longest + 1) + "\r\n"; }},
-          {414,
-           [](const Described&, SentText& sent) {
-             sent.line = with(sent.line, " HTTP", "?" + std::string(server::Settings{}.line_bytes, 'x') + " HTTP");
-           }},
-          {415, [](const Described&, SentText& sent) { sent.headers = "Content-Type: text/html\r\n"; }},
-          {416, [](const Described&, SentText& sent) { sent.headers += "Range: bytes=99999999-\r\n"; }},
-          {417, [](const Described&, SentText& sent) { sent.headers += "Expect: wonders\r\n"; }},
-          {421, [](const Described&, SentText& sent) { sent.host = "evil.example"; }},
-          {422,
-           [](const Described& described, SentText& sent) {
-             if (!described.has_body()) {
-               sent.line = with(sent.line, " HTTP", "?nothing=1 HTTP");
-               return;
-             }
-             sent.body = "{}";
-             sent.length = "Content-Length: 2\r\n";
-           }},
-          {428, [](const Described&, SentText& sent) { sent.headers = "Content-Type: application/json\r\n"; }},
-          {431,
-           [](const Described&, SentText& sent) {
-             sent.headers += "X-Long: " + std::string(server::Settings{}.line_bytes, 'x') + "\r\n";
-           }},
-          {505, [](const Described&, SentText& sent) { sent.line = with(sent.line, "HTTP/1.1", "HTTP/3.0"); }}};
+  return {
+      {400, [](const Described&, SentText& sent) { sent.headers += "Bad Header\r\n"; }},
+      {403, [](const Described&,
+               SentText& sent) { sent.headers += "Origin: http://evil.example\r\nSec-Fetch-Site: cross-site\r\n"; }},
+      {404,
+       [](const Described& described, SentText& sent) {
+         sent.line = described.method + " " + address(about(described, "nothing")) + " HTTP/1.1";
+       }},
+      {406, [](const Described&, SentText& sent) { sent.headers += "Accept: text/html\r\n"; }},
+      {411, [](const Described&, SentText& sent) { sent.length.clear(); }},
+      {412,
+       [](const Described&, SentText& sent) {
+         sent.headers += "If-Match: \"none\"\r\n";
+         if (sent.body.empty()) return;
+         sent.body.replace(sent.body.size() - 1, 1, R"(,"meta":{"title":"another"}})");
+         sent.length = "Content-Length: " + std::to_string(sent.body.size()) + "\r\n";
+       }},
+      {413, [longest](const Described&,
+                      SentText& sent) { sent.length = "Content-Length: " + std::to_string(longest + 1) + "\r\n"; }},
+      {414,
+       [](const Described&, SentText& sent) {
+         sent.line = with(sent.line, " HTTP", "?" + std::string(server::Settings{}.line_bytes, 'x') + " HTTP");
+       }},
+      {415, [](const Described&, SentText& sent) { sent.headers = "Content-Type: text/html\r\n"; }},
+      {416, [](const Described&, SentText& sent) { sent.headers += "Range: bytes=99999999-\r\n"; }},
+      {417, [](const Described&, SentText& sent) { sent.headers += "Expect: wonders\r\n"; }},
+      {421, [](const Described&, SentText& sent) { sent.host = "evil.example"; }},
+      {422,
+       [](const Described& described, SentText& sent) {
+         if (!described.has_body()) {
+           sent.line = with(sent.line, " HTTP", "?nothing=1 HTTP");
+           return;
+         }
+         sent.body = "{}";
+         sent.length = "Content-Length: 2\r\n";
+       }},
+      {428, [](const Described&, SentText& sent) { sent.headers = "Content-Type: application/json\r\n"; }},
+      {431,
+       [](const Described&, SentText& sent) {
+         sent.headers += "X-Long: " + std::string(server::Settings{}.line_bytes, 'x') + "\r\n";
+       }},
+      {505, [](const Described&, SentText& sent) { sent.line = with(sent.line, "HTTP/1.1", "HTTP/3.0"); }}};
 }
 
 bool may_answer(const Described& described, int status) {
@@ -146,17 +148,27 @@ TEST_CASE("Every status that a request can be refused with is a problem as descr
   }
 }
 
-TEST_CASE("A request that needs a token, or does not arrive, is a problem as described") {
+TEST_CASE("A request that needs a token, has wrong ones too often, or does not arrive, is a problem as described") {
   std::atomic<Trouble> trouble = Trouble::none;
   const DescribedServer open(trouble);
   auto settings = quick_settings();
   settings.token = "swordfish";
+  settings.wrong_tokens = 1;
   const DescribedServer guarded(trouble, settings);
   std::vector<std::pair<const Described*, std::unique_ptr<Client>>> slow;
   for (const Described& described : open.all()) {
     if (may_answer(described, 401)) {
       const auto answer = answer_to(guarded.port(), described, example_request(described));
       check_problem(guarded, described, answer, 401);
+    }
+    if (may_answer(described, 429)) {
+      SentText wrong = example_request(described);
+      wrong.headers += "Authorization: Bearer tunafish\r\n";
+      // Two of them are one more than may be sent in a minute; later ones are refused at once.
+      answer_to(guarded.port(), described, wrong);
+      const auto answer = answer_to(guarded.port(), described, wrong);
+      check_problem(guarded, described, answer, 429);
+      CHECK(std::stoi(answer->header("retry-after")) > 0);
     }
     slow.emplace_back(&described, std::make_unique<Client>(open.port()));
     slow.back().second->send(described.method + " " + described.path.substr(0, 1));
@@ -257,7 +269,7 @@ TEST_CASE("What came of a job long ago is a problem as described") {
 TEST_CASE("Every status in the description is asked for by these tests") {
   std::atomic<Trouble> trouble = Trouble::none;
   const DescribedServer server(trouble);
-  std::set<int> asked = {200, 201, 202, 204, 206, 304, 401, 408, 409, 410, 500, 503, 504, 507};
+  std::set<int> asked = {200, 201, 202, 204, 206, 304, 401, 408, 409, 410, 429, 500, 503, 504, 507};
   for (const auto& [status, spoil] : ways_to_be_refused()) asked.insert(status);
   for (const Described& described : server.all()) {
     for (const auto& [status, response] : described.operation["responses"].items()) {

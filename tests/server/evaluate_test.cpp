@@ -124,12 +124,21 @@ TEST_CASE("Every error has the same form") {
     CHECK(problem["status"] == status);
     CHECK(problem["instance"] == answer->header("x-request-id"));
     CHECK(problem["type"] == "/problems/" + problem["errors"][0]["code"].get<std::string>());
-    CHECK(problem["title"].is_string());
+    CHECK_FALSE(problem["title"].get<std::string>().empty());
     CHECK(problem["detail"].get<std::string>().size() <= 200);
     CHECK(answer->body.find("secret") == std::string::npos);
   }
   CHECK(get(server.port(), "/v1/evaluate")->header("allow") == "POST, OPTIONS");
   CHECK(post(server.port(), "/healthz", "{}")->header("allow") == "GET, HEAD, OPTIONS");
+}
+
+TEST_CASE("The title of a problem fits its code") {
+  const Running server;
+  const auto title = [](const std::optional<Answer>& answer) { return answer->json()["title"]; };
+  CHECK(title(get(server.port(), "/version?nothing=1")) == "Unknown member");
+  CHECK(title(post(server.port(), "/v1/evaluate", toy_body({{"invalid", "out-of-range"}}))) == "Out of range");
+  CHECK(title(get(server.port(), "/nowhere")) == "There is nothing here");
+  CHECK(title(get(server.port(), "/problems/nothing")) == "There is nothing here");
 }
 
 TEST_CASE("A body is read strictly and every mistake is listed") {

@@ -168,6 +168,37 @@ TEST_CASE("A sweep as a job has a line for every variant, those that fail too") 
   CHECK(result->lines() == post(server.port(), "/v1/sweeps", body.dump())->lines());
 }
 
+TEST_CASE("A sweep of several outputs as a job keeps the files of all of them") {
+  const Folder folder;
+  Json graph = example_graph();
+  graph["nodes"]["copy"] = graph["nodes"]["out"];
+  graph["nodes"]["copy"]["inputs"]["draco"] = false;
+  const Json body = {{"graph", graph}, {"list", {{{"reach", 0.5}}, {{"reach", 1}}}}, {"outputs", {"copy", "out"}}};
+  std::string address;
+  std::vector<Json> lines;
+  {
+    const RunningReal server(kept_in(folder));
+    lines = post(server.port(), "/v1/sweeps", body.dump())->lines();
+    address = address_of(begin(server.port(), body.dump()));
+    REQUIRE(reaches(server.port(), address, "succeeded"));
+    Json wrong = body;
+    wrong["outputs"] = {"copy", "ouz"};
+    CHECK(begin(server.port(), wrong.dump())->code() == "unknown-output");
+  }
+  REQUIRE(lines.size() == 2);
+  const RunningReal server(kept_in(folder));
+  CHECK(get(server.port(), address + "/result")->lines() == lines);
+  std::set<std::string> files;
+  for (const Json& line : lines) {
+    for (const Json& output : line["outputs"]) {
+      const auto file = get(server.port(), output["model"]["address"]);
+      CHECK(file->status == 200);
+      files.insert(file->body);
+    }
+  }
+  CHECK(files.size() == 4);
+}
+
 TEST_CASE("A sweep as a job is stopped within its variants") {
   const Running server;
   const std::string address = address_of(begin(server.port(), slow_sweep(50, 2'000)));

@@ -78,6 +78,26 @@ TEST_CASE("A page of any other origin is as before, and caches know that answers
   CHECK(get(server.port(), "/healthz")->header("access-control-allow-origin").empty());
 }
 
+TEST_CASE("Pages of other sites do not make browsers load from the interface, and people may follow links") {
+  const std::string loaded = "Sec-Fetch-Site: cross-site\r\nSec-Fetch-Mode: no-cors\r\n";
+  const std::string followed = "Sec-Fetch-Site: cross-site\r\nSec-Fetch-Mode: navigate\r\n";
+  const Running server(letting_in({site}));
+  const auto refused = get(server.port(), "/v1/nodes", loaded);
+  CHECK(refused->status == 403);
+  CHECK(refused->code() == "foreign-origin");
+  CHECK(get(server.port(), "/metrics", loaded)->status == 403);
+  CHECK(get(server.port(), "/v1/nodes", followed)->status == 200);
+  CHECK(get(server.port(), "/v1/nodes", loaded + "Origin: " + site + "\r\n")->status == 200);
+  CHECK(get(server.port(), "/v1/nodes", loaded + "Origin: https://evil.example\r\n")->status == 403);
+  for (const std::string ours : {"same-origin", "same-site", "none"}) {
+    CHECK(get(server.port(), "/v1/nodes", "Sec-Fetch-Site: " + ours + "\r\n")->status == 200);
+  }
+  // The page itself may be come to from anywhere, as after a login elsewhere.
+  for (const std::string path : {"/", "/healthz", "/docs"}) CHECK(get(server.port(), path, loaded)->status != 403);
+  const Running open(letting_in({"*"}));
+  CHECK(get(open.port(), "/v1/nodes", loaded)->status == 200);
+}
+
 TEST_CASE("Where all origins are let in, every answer says so") {
   const Running server(letting_in({"*"}));
   for (const std::string header : {"", "Origin: https://site.example\r\n", "Origin: null\r\n"}) {

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "gltf/glb_container.h"
+#include "jobs/job_request.h"
 #include "tests/server/fixture.h"
 #include "tests/support/documents.h"
 
@@ -19,6 +20,16 @@ Json ball() {
                 {"out", make("export", {{"model", from("ball")}})}});
   graph["parameters"] = {{"radius", {{"type", "number"}, {"default", 1}, {"min", 0}, {"max", 100}}},
                          {"unused", {{"type", "integer"}, {"default", 1}}}};
+  return graph;
+}
+
+/// The ball, and a box that ends to be one at a radius of 3.
+Json two_outputs() {
+  Json graph = ball();
+  graph["nodes"]["left"] = make("expression", {{"formula", "3 - x"}, {"x", {{"parameter", "radius"}}}});
+  graph["nodes"]["edges"] = make("vector", {{"x", from("left")}, {"y", 1}, {"z", 1}});
+  graph["nodes"]["box"] = make("box_mesh", {{"size", from("edges")}});
+  graph["nodes"]["wide"] = make("export", {{"model", from("box")}});
   return graph;
 }
 
@@ -95,6 +106,124 @@ TEST_CASE("All variants can be had as one file, with a node for each") {
   without["models"] = false;
   CHECK(sweep(server.port(), without, accept)->code() == "nothing-to-export");
   CHECK(sweep(server.port(), grid, "Accept: image/png\r\n")->status == 406);
+}
+
+TEST_CASE("Each variant can be made in several outputs, each with its file and its status") {
+  const RunningReal server;
+  const Json axes = {{"graph", two_outputs()},
+                     {"grid", {{"radius", {1, 2, 3}}}},
+                     {"outputs", {"wide", "out"}},
+                     {"measures", {"size.volume"}}};
+  const auto answer = sweep(server.port(), axes);
+  REQUIRE(answer->status == 200);
+  const std::vector<Json> lines = answer->lines();
+  REQUIRE(lines.size() == 3);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    CAPTURE(lines[i].dump());
+    CHECK(lines[i]["index"] == i);
+    CHECK(lines[i]["parameters"] == Json{{"radius", i + 1}});
+    CHECK(lines[i]["measures"].contains("size.volume"));
+    CHECK_FALSE(lines[i].contains("model"));
+    CHECK(lines[i]["outputs"].size() == 2);
+    // The box of the third variant would have no width, and the ball has nothing to do with it.
+    for (const std::string output : {"out", "wide"}) {
+      const Json& made = lines[i]["outputs"][output];
+      if (i == 2 && output == "wide") {
+        CHECK(made["status"] == "failed");
+        CHECK(made["errors"][0]["code"] == "degenerate");
+        CHECK_FALSE(made.contains("model"));
+        continue;
+      }
+      CHECK(made["status"] == "succeeded");
+      const Json single = {
+          {"graph", two_outputs()}, {"parameters", {{"radius", i + 1}}}, {"output", output}, {"measures", {"size"}}};
+      const auto file = get(server.port(), made["model"]["address"]);
+      REQUIRE(file->status == 200);
+      CHECK(file->body == post(server.port(), "/v1/evaluate", single.dump())->body);
+      CHECK(file->header("etag") == "\"" + made["model"]["sha256"].get<std::string>() + "\"");
+      CHECK(file->body.size() == made["model"]["bytes"]);
+    }
+    CHECK(lines[i]["status"] == (i == 2 ? "failed" : "succeeded"));
+    CHECK(lines[i].contains("errors") == (i == 2));
+  }
+  CHECK(lines[2]["errors"] == lines[2]["outputs"]["wide"]["errors"]);
+}
+
+TEST_CASE("What all outputs of a variant lack is told once for the variant, and in each") {
+  const RunningReal server;
+  const auto answer =
+      sweep(server.port(),
+            {{"graph", two_outputs()}, {"list", {{{"radius", 101}}, {{"radius", 1}}}}, {"outputs", {"out", "wide"}}});
+  const std::vector<Json> lines = answer->lines();
+  REQUIRE(lines.size() == 2);
+  CHECK(lines[0]["errors"].size() == 1);
+  for (const Json& output : lines[0]["outputs"]) CHECK(output["errors"] == lines[0]["errors"]);
+  CHECK(lines[1]["status"] == "succeeded");
+}
+
+TEST_CASE("Several outputs of all variants can be had as one file, below a node for each variant") {
+  const RunningReal server;
+  const std::string accept = "Accept: model/gltf-binary\r\n";
+  Json axes = {{"graph", two_outputs()}, {"grid", {{"radius", {1, 2}}}}, {"outputs", {"out", "wide"}}};
+  const auto answer = sweep(server.port(), axes, accept);
+  REQUIRE(answer->status == 200);
+  const Json document = Json::parse(split_glb(answer->body)->json);
+  const Json& roots = document["scenes"][0]["nodes"];
+  REQUIRE(roots.size() == 2);
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    const Json& node = document["nodes"][roots[i].get<std::size_t>()];
+    CHECK(node["name"] == "radius=" + std::to_string(i + 1));
+    CHECK(node["extras"]["index"] == i);
+    REQUIRE(node["children"].size() == 2);
+    CHECK(document["nodes"][node["children"][0].get<std::size_t>()]["name"] == "out");
+    CHECK(document["nodes"][node["children"][1].get<std::size_t>()]["name"] == "wide");
+  }
+  axes["grid"] = {{"radius", {1, 3}}};
+  const auto failed = sweep(server.port(), axes, accept);
+  CHECK(failed->status == 422);
+  CHECK(failed->json()["detail"].get<std::string>().starts_with("variant 1: "));
+}
+
+TEST_CASE("Outputs that cannot be made are told by their names before a sweep begins") {
+  const RunningReal server;
+  const auto refused = [&](const Json& outputs, const Json& more = Json::object()) {
+    Json axes = {{"graph", two_outputs()}, {"grid", {{"radius", {1}}}}, {"outputs", outputs}};
+    axes.update(more);
+    const Json problem = sweep(server.port(), axes)->json();
+    return problem["errors"];
+  };
+  const Json unknown = refused({"out", "wid"});
+  REQUIRE(unknown.size() == 1);
+  CHECK(unknown[0]["code"] == "unknown-output");
+  CHECK(unknown[0]["pointer"] == "/outputs/1");
+  CHECK(unknown[0]["detail"].get<std::string>().find("did you mean \"wide\"?") != std::string::npos);
+  CHECK(unknown[0]["detail"].get<std::string>().find("there is out, wide") != std::string::npos);
+  const Json twice = refused({"out", "wide", "out", "nothing"});
+  REQUIRE(twice.size() == 2);
+  CHECK(twice[0]["code"] == "out-of-range");
+  CHECK(twice[0]["pointer"] == "/outputs/2");
+  CHECK(twice[1]["pointer"] == "/outputs/3");
+  CHECK(refused(Json::array())[0]["code"] == "required-input-missing");
+  CHECK(refused({"out"}, {{"output", "wide"}})[0]["pointer"] == "/outputs");
+  CHECK(refused({"out"}, {{"models", false}})[0]["pointer"] == "/outputs");
+  CHECK(refused("out")[0]["code"] == "type-mismatch");
+}
+
+TEST_CASE("The cost of a sweep counts all of its outputs") {
+  const auto engine = make_engine();
+  const auto cost_of = [&](const Json& outputs) {
+    const Json body = {{"graph", two_outputs()}, {"grid", {{"radius", {1, 2}}}}, {"outputs", outputs}};
+    const auto read = jobs::read_sweep_request(body, *engine);
+    REQUIRE(read);
+    const auto cost = jobs::predict(*engine, std::get<jobs::SweepRequest>(read->asked), Job{});
+    REQUIRE(cost);
+    return **cost;
+  };
+  const jobs::SweepCost ball = cost_of({"out"}), box = cost_of({"wide"}), both = cost_of({"out", "wide"});
+  CHECK(ball.work > 0);
+  CHECK(box.work > 0);
+  CHECK(both.work == ball.work + box.work);
+  CHECK(both.bytes == ball.bytes + box.bytes);
 }
 
 TEST_CASE("A variant that fails has its errors in its line, and the others go on") {
