@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +20,7 @@ class TopologyCache;  // draco/topology_cache.h
 struct FileOptions {
   int position_bits = 14;  ///< 8..20 bits over the largest extent, where coordinates are rounded
   int normal_bits = 10;    ///< 6..16 bits per coordinate of a normal
+  int uv_bits = 12;        ///< 8..20 bits per texture coordinate over its range
   int speed = 7;           ///< 0 smallest file .. 10 quickest
   bool draco = true;       ///< whether a format that can compresses meshes with Draco
   bool normals = true;
@@ -32,6 +34,13 @@ struct FileNote {
   std::string detail;
 };
 
+/// How far what vertices carry can be from what was computed; 0 for what a file does not have.
+struct AttributeErrors {
+  double normal = 0;  ///< radians
+  double uv = 0;      ///< of each coordinate, where 1 is the size of a picture
+  double color = 0;   ///< of each channel, where 1 is white
+};
+
 /// The bytes of a scene in one format, and what is in them.
 struct WrittenFile {
   std::string bytes;
@@ -39,6 +48,7 @@ struct WrittenFile {
   std::size_t triangles = 0;
   double position_error = 0;  ///< meters: no point in the file is farther from its original
   std::vector<FileNote> notes = {};
+  std::optional<AttributeErrors> attribute_errors = {};  ///< where the format knows them
 };
 
 /// Why a scene could not be written: `nothing-to-export`, `non-finite`, `limit-exceeded` or `encode-failed`. The first

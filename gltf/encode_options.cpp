@@ -16,6 +16,7 @@ std::optional<EncodeError> check_range(const char* name, int value, int minimum,
 std::optional<EncodeError> check_options(const EncodeOptions& options) {
   if (auto error = check_range("position_bits", options.position_bits, 8, 20)) return error;
   if (auto error = check_range("normal_bits", options.normal_bits, 6, 16)) return error;
+  if (auto error = check_range("uv_bits", options.uv_bits, 8, 20)) return error;
   return check_range("speed", options.speed, 0, 10);
 }
 

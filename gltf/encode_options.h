@@ -16,8 +16,9 @@ enum class GltfContainer { binary, embedded };
 struct EncodeOptions {
   int position_bits = 14;  ///< 8..20 bits over the largest extent of all meshes
   int normal_bits = 10;    ///< 6..16 bits per octahedral coordinate
+  int uv_bits = 12;        ///< 8..20 bits per texture coordinate over the range of its part
   int speed = 7;           ///< Draco effort: 0 smallest .. 9 fast; 10 stores the triangles nearly uncompressed
-  bool draco = true;       ///< false: meshes as plain floats, and none of the three above counts
+  bool draco = true;       ///< false: meshes as plain floats, and none of the four above counts
   bool normals = true;
   bool uvs = true;
   bool colors = true;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/cancel.h"
+#include "geometry/file_format.h"
 #include "geometry/scene.h"
 #include "gltf/encode_error.h"
 #include "gltf/encode_options.h"
@@ -23,13 +24,13 @@ struct RoughUvs {
 /// A scene as a file, and what was written.
 struct EncodedScene {
   std::string file;
-  std::size_t vertices = 0;   ///< of all primitives as decoded; tiles repeat the vertices of their borders
-  std::size_t triangles = 0;  ///< as decoded: triangles with a repeated index are not written
-  std::size_t bytes = 0;      ///< size of `file`
-  double position_error = 0;  ///< meters per axis: no decoded coordinate is farther from its original
-  double normal_error = 0;    ///< radians: no decoded normal is farther from its original; 0 without normals
+  std::size_t vertices = 0;            ///< of all primitives as decoded; tiles repeat the vertices of their borders
+  std::size_t triangles = 0;           ///< as decoded: triangles with a repeated index are not written
+  std::size_t bytes = 0;               ///< size of `file`
+  double position_error = 0;           ///< meters per axis: no decoded coordinate is farther from its original
+  AttributeErrors attribute_errors{};  ///< no decoded normal, texture coordinate or color is farther from its original
   std::vector<std::string> empty_parts{};  ///< parts that had nothing to draw and were left out
-  std::vector<RoughUvs> rough_uvs{};       ///< of parts whose error is above a thousandth
+  std::vector<RoughUvs> rough_uvs{};       ///< of parts whose error is above a two-thousandth
 };
 
 /// Writes `scene` as glTF: meshes with KHR_draco_mesh_compression in tiles on one common quantization grid, polylines

@@ -33,6 +33,7 @@ Expected<WrittenFile, FileError> write(const Scene& scene, const FileOptions& op
   EncodeOptions encode;
   encode.position_bits = options.position_bits;
   encode.normal_bits = options.normal_bits;
+  encode.uv_bits = options.uv_bits;
   encode.speed = options.speed;
   encode.draco = options.draco;
   encode.normals = options.normals;
@@ -44,6 +45,7 @@ Expected<WrittenFile, FileError> write(const Scene& scene, const FileOptions& op
   EncodedScene& written = *encoded;
   WrittenFile file{std::move(written.file), written.vertices, written.triangles,
                    root_of_three * written.position_error};
+  file.attribute_errors = written.attribute_errors;
   if (!written.rough_uvs.empty()) file.notes.push_back(note_of(written.rough_uvs));
   for (const std::string& part : written.empty_parts)
     file.notes.push_back(FileNote{"empty", part + " has nothing to draw"});

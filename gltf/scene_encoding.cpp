@@ -12,8 +12,8 @@
 namespace dini {
 namespace {
 
-constexpr int uv_bits = 12;
-constexpr double rough_uv_error = 1e-3;
+constexpr double rough_uv_error = 1.0 / 2000;
+constexpr double float_rounding = 0x1p-24;
 
 // GLB counts bytes in 32 bits, the JSON included, and many readers in an int.
 constexpr std::size_t largest_binary = std::numeric_limits<std::int32_t>::max();
@@ -104,8 +104,10 @@ void SceneEncoding::make_grids() {
   position_grid_ = QuantizationGrid(positions, options_.position_bits);
   uv_grids_.reserve(uvs.size());
   for (std::size_t part = 0; part < uvs.size(); ++part) {
-    const QuantizationGrid& grid = uv_grids_.emplace_back(uvs[part], uv_bits);
-    if (uvs[part].empty() || !(grid.position_error() > rough_uv_error)) continue;
+    const QuantizationGrid& grid = uv_grids_.emplace_back(uvs[part], options_.uv_bits);
+    if (uvs[part].empty()) continue;
+    result_.attribute_errors.uv = std::max(result_.attribute_errors.uv, grid.position_error());
+    if (!(grid.position_error() > rough_uv_error)) continue;
     const auto& [minimum, maximum] = uvs[part];
     result_.rough_uvs.push_back({scene_.parts[part].name, static_cast<double>(std::min(minimum[0], minimum[1])),
                                  static_cast<double>(std::max(maximum[0], maximum[1])), grid.position_error()});
@@ -149,13 +151,16 @@ void SceneEncoding::write(const TileJob& job, const Mesh& mesh, bool translucent
   const GlbModel::Look look = {mesh.color, mesh.finish, translucent};
   if (!options_.draco) {
     model.add_plain_tile(job.tile, look);
+    note_plain_errors(job.tile);
     result_.triangles += job.tile.triangles.size();
     return count_plain_points(job.tile.positions.size(), job.tile.position_box);
   }
   model.add_tile(job.encoded, position_grid_.decoded(job.tile.position_box), look);
   result_.vertices += job.encoded.vertices;
   result_.triangles += job.encoded.triangles;
-  if (job.encoded.normal_id >= 0) result_.normal_error = octahedral_error(options_.normal_bits);
+  AttributeErrors& errors = result_.attribute_errors;
+  if (job.encoded.normal_id >= 0) errors.normal = octahedral_error(options_.normal_bits);
+  if (job.encoded.color_id >= 0) errors.color = color_error;
 }
 
 bool SceneEncoding::write(const Part& part, const std::vector<Polyline>& polylines, GlbModel& model) {
@@ -187,6 +192,14 @@ bool SceneEncoding::write(const Part& part, const SharedColumn<Point>& points, G
   if (drawable.empty()) return false;
   count_plain_points(drawable.size(), model.add_points(drawable, part.color, cancel_));
   return true;
+}
+
+// Floats, but for colors.
+void SceneEncoding::note_plain_errors(const Tile& tile) {
+  AttributeErrors& errors = result_.attribute_errors;
+  if (!tile.normals.empty()) errors.normal = 2 * float_rounding;
+  if (!tile.uvs.empty()) errors.uv = std::max(errors.uv, float_rounding * static_cast<double>(tile.uv_box.largest()));
+  if (!tile.colors.empty()) errors.color = color_error;
 }
 
 // Plain points are rounded to float, nothing else.

@@ -56,6 +56,7 @@ class SceneEncoding {
   bool write(const Part& part, const CurveSource& curves, GlbModel& model);
   bool write(const Part& part, const SharedColumn<Point>& points, GlbModel& model);
   bool write_runs(const Part& part, const FloatRuns& runs, GlbModel& model);
+  void note_plain_errors(const Tile& tile);
   void count_plain_points(std::size_t count, const FloatBox& box);
   std::vector<std::size_t> tile_ends_of(const Mesh& mesh) const;
 

@@ -21,6 +21,9 @@ struct TileSizes {
 };
 TileSizes tile_sizes(const EncodeOptions& options);
 
+/// Bound on how far a channel of a color, from 0 to 1, is rounded: half a step of 1/4096, of which 4096 are 65535.
+inline constexpr double color_error = 0.5 / 4096 + 1.0 / 65536;
+
 /// The ends of the runs of triangles that become tiles. Given runs (`mesh.tile_ends`, or the whole mesh) that are too
 /// long are cut into equal runs; small neighbors are joined while they stay small enough. Depends on the mesh and the
 /// sizes only.

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "geometry/file_format.h"
@@ -23,6 +24,7 @@ struct File {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   double position_error = 0;  ///< meters: no point in the file is farther from its original
+  std::optional<AttributeErrors> attribute_errors = {};
 };
 
 using SharedFile = std::shared_ptr<const File>;

@@ -61,7 +61,7 @@ RunCost cost_of_export(const RunSize& size) {
 }
 
 struct ExportInputs {
-  std::int64_t position_bits, normal_bits, speed;
+  std::int64_t position_bits, normal_bits, uv_bits, speed;
   bool normals, draco;
 };
 
@@ -71,6 +71,7 @@ Attempt<SharedFile> export_file(const Context& context,
   FileOptions options;
   options.position_bits = static_cast<int>(in.position_bits);
   options.normal_bits = static_cast<int>(in.normal_bits);
+  options.uv_bits = static_cast<int>(in.uv_bits);
   options.speed = static_cast<int>(in.speed);
   if (context.quality() == Quality::draft) options.speed = std::max(options.speed, draft_speed);
   options.normals = in.normals;
@@ -92,7 +93,7 @@ Attempt<SharedFile> export_file(const Context& context,
   const Digest digest = sha256(written.bytes);
   return std::make_shared<const File>(File{format.media_types.front(), format.extension,
                                            share(std::move(written.bytes)), digest, written.vertices, written.triangles,
-                                           written.position_error});
+                                           written.position_error, written.attribute_errors});
 }
 
 }  // namespace
@@ -111,6 +112,8 @@ void add_export(Registry& registry) {
           .input("position_bits", &ExportInputs::position_bits, "Bits per coordinate over the largest extent.",
                  defaults(14).hard(8, 20))
           .input("normal_bits", &ExportInputs::normal_bits, "Bits per normal coordinate.", defaults(10).hard(6, 16))
+          .input("uv_bits", &ExportInputs::uv_bits, "Bits per texture coordinate over its range.",
+                 defaults(12).hard(8, 20))
           .input("speed", &ExportInputs::speed, "0 smallest file, 10 fastest.", defaults(7).hard(0, 10))
           .input("normals", &ExportInputs::normals, "Whether normals are sent.", defaults(true))
           .input("draco", &ExportInputs::draco,

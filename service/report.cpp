@@ -98,11 +98,17 @@ Told told_by_nodes(const PreparedGraph& prepared, const ComputedGraph& computed,
 }
 
 Json model_json(const File& model) {
-  return {{"bytes", model.bytes->size()},
-          {"vertices", model.vertices},
-          {"triangles", model.triangles},
-          {"position_error", model.position_error},
-          {"sha256", to_hex(model.sha256)}};
+  Json json = {{"bytes", model.bytes->size()},
+               {"vertices", model.vertices},
+               {"triangles", model.triangles},
+               {"position_error", model.position_error},
+               {"sha256", to_hex(model.sha256)}};
+  if (const auto& errors = model.attribute_errors) {
+    json["normal_error"] = errors->normal;
+    json["uv_error"] = errors->uv;
+    json["color_error"] = errors->color;
+  }
+  return json;
 }
 
 Json preview_json(const PreparedGraph& prepared, const File& file) {

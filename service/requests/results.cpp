@@ -91,6 +91,10 @@ Json model(std::vector<Property> more = {}) {
       {"triangles", whole("Of all meshes.")},
       {"position_error",
        number("In meters: no point in the file is farther than that from the one that was computed.")},
+      {"normal_error", number("In radians, of glTF files: no normal is farther from its original; 0 without any."),
+       true},
+      {"uv_error", number("Of each texture coordinate, where 1 is the size of a picture, of glTF files."), true},
+      {"color_error", number("Of each channel of a color, where 1 is white, of glTF files."), true},
       {"sha256", text("Of the file.")}};
   properties.insert(properties.end(), more.begin(), more.end());
   return object(properties, "The file of the output; there with an output.");

@@ -58,7 +58,7 @@ TEST_CASE("Every speed keeps triangles, winding, normals and counts") {
   CHECK(same_positions(expected, actual));
   CHECK(encoded.triangles == actual.size());
   CHECK(encoded.vertices == mesh_of(decoded).positions.size());
-  CHECK(largest_normal_angle(expected, actual) <= encoded.normal_error);
+  CHECK(largest_normal_angle(expected, actual) <= encoded.attribute_errors.normal);
 }
 
 TEST_CASE("Normals stay within the announced angle") {
@@ -71,8 +71,8 @@ TEST_CASE("Normals stay within the announced angle") {
   const EncodedScene encoded = encode(scene, options);
   const auto expected = rounded_triangles(mesh_of(scene), grid_of(scene, 20));
   const double angle = largest_normal_angle(expected, stored_triangles(mesh_of(decode(encoded.file))));
-  CHECK(angle <= encoded.normal_error);
-  CHECK(angle > encoded.normal_error / 2);
+  CHECK(angle <= encoded.attribute_errors.normal);
+  CHECK(angle > encoded.attribute_errors.normal / 2);
 }
 
 TEST_CASE("Accessor bounds are those of the decoded positions, bit for bit") {
@@ -166,6 +166,36 @@ TEST_CASE("Texture coordinates that reach far are reported with what rounding co
   CHECK(worst > rough.error / 10);
 }
 
+TEST_CASE("Texture coordinates and colors stay within the announced bounds") {
+  const bool draco = GENERATE(true, false);
+  const int bits = GENERATE(8, 12, 20);
+  CAPTURE(draco, bits);
+  Mesh mesh = shapes::wavy_field(40, 30);
+  std::vector<std::array<float, 4>> colors;
+  for (std::size_t i = 0; i < mesh.uvs.size(); ++i) {
+    const auto share = static_cast<float>(mesh.uvs[i][0]);
+    colors.push_back({share, share, share, 1});
+  }
+  mesh.colors = colors;
+  EncodeOptions options;
+  options.uv_bits = bits;
+  options.draco = draco;
+  options.position_bits = 20;
+  const EncodedScene encoded = encode(shapes::scene_of(mesh), options);
+  const Scene decoded = decode(encoded.file);
+  const Mesh& back = mesh_of(decoded);
+  double uv = 0, color = 0;
+  for (std::size_t i = 0; i < back.uvs.size(); ++i) {
+    const double share = back.positions[i].x / 2;  // as the original has it, but for the rounding of positions
+    uv = std::max(uv, std::abs(back.uvs[i][0] - share));
+    color = std::max(color, std::abs(static_cast<double>(back.colors[i][0]) - share));
+  }
+  CHECK(uv <= encoded.attribute_errors.uv + encoded.position_error);
+  CHECK(color <= encoded.attribute_errors.color + encoded.position_error);
+  if (draco && bits < 20) CHECK(uv > encoded.attribute_errors.uv / 4);
+  CHECK(color > encoded.attribute_errors.color / 4);
+}
+
 TEST_CASE("Attributes that were not asked for are not written") {
   EncodeOptions options;
   options.normals = options.uvs = options.colors = false;
@@ -174,7 +204,7 @@ TEST_CASE("Attributes that were not asked for are not written") {
   CHECK(mesh_of(decoded).normals.empty());
   CHECK(mesh_of(decoded).uvs.empty());
   CHECK(mesh_of(decoded).colors.empty());
-  CHECK(encoded.normal_error == 0);
+  CHECK(encoded.attribute_errors.normal == 0);
 }
 
 TEST_CASE("Without Draco a mesh is one primitive of the very floats, which needs no extension") {

@@ -78,7 +78,7 @@ TEST_CASE("Tiles together hold every triangle, and no crack opens between them")
   const auto expected = rounded_triangles(mesh_of(scene), grid_of(scene, 14));
   const auto actual = stored_triangles(mesh_of(decoded));
   CHECK(same_positions(expected, actual));
-  CHECK(largest_normal_angle(expected, actual) <= encoded.normal_error);
+  CHECK(largest_normal_angle(expected, actual) <= encoded.attribute_errors.normal);
   // A closed surface: every edge is met as often in one direction as in the other.
   std::map<std::array<std::array<float, 3>, 2>, int> edges;
   for (const Triangle& triangle : actual) {
