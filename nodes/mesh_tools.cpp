@@ -99,7 +99,7 @@ struct ColorByInputs {
   Palette palette;
 };
 
-SharedMesh colored_by_number(const Context& context, const SharedMesh& shape, const ColorByInputs& in) {
+SharedMesh colored_by_number(const SharedMesh& shape, const ColorByInputs& in) {
   const auto& [value, minimum, maximum, palette] = in;
   double place = minimum == maximum ? 0.5 : (value - minimum) / (maximum - minimum);
   // Differences of numbers near the largest overflow; those of their quarters do not.

@@ -47,7 +47,7 @@ struct ColorInputs {
   Color color;
 };
 
-SharedMesh colored(const Context& context, const SharedMesh& shape, const ColorInputs& in) {
+SharedMesh colored(const SharedMesh& shape, const ColorInputs& in) {
   auto copy = std::make_shared<Mesh>(*shape);
   copy->colors.clear();
   copy->color = in.color;
@@ -60,7 +60,7 @@ struct MaterialInputs {
   bool double_sided;
 };
 
-SharedMesh with_material(const Context& context, const SharedMesh& shape, const MaterialInputs& in) {
+SharedMesh with_material(const SharedMesh& shape, const MaterialInputs& in) {
   auto copy = std::make_shared<Mesh>(*shape);
   copy->colors.clear();
   copy->color = in.color;
