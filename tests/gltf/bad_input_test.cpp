@@ -133,7 +133,7 @@ TEST_CASE("Texture coordinates that are not finite are refused, colors are clamp
   for (auto& color : mesh.colors.edit()) color = {-5, std::numeric_limits<float>::quiet_NaN(), 1e30f, 1};
   const Scene decoded = decode(encode(shapes::scene_of(mesh)).file);
   CHECK(mesh_of(decoded).colors[0] == std::array<float, 4>{0, 0, 1, 1});
-  mesh.uvs[mesh.triangles[0][0]] = {not_a_number, 0};
+  mesh.uvs.edit()[mesh.triangles[0][0]] = {not_a_number, 0};
   CHECK(failure(shapes::scene_of(mesh)).code == Code::non_finite);
 }
 
