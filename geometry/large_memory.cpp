@@ -19,6 +19,25 @@ void unmap(std::uintptr_t begin, std::uintptr_t end) noexcept {
   if (end > begin) munmap(reinterpret_cast<void*>(begin), end - begin);
 }
 
+/// Memory that begins where a huge page can; null when there is none. Of the addresses that are asked for to find such
+/// a place only those that are kept become memory.
+void* try_to_map(std::size_t size) noexcept {
+  const std::size_t reserved = size + huge_page;
+  void* const mapped = mmap(nullptr, reserved, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (mapped == MAP_FAILED) return nullptr;
+  const auto begin = reinterpret_cast<std::uintptr_t>(mapped);
+  const std::uintptr_t aligned = rounded_up(begin, huge_page);
+  unmap(begin, aligned);
+  unmap(aligned + size, begin + reserved);
+  void* const memory = reinterpret_cast<void*>(aligned);
+  if (mprotect(memory, size, PROT_READ | PROT_WRITE) != 0) {
+    unmap(aligned, aligned + size);
+    return nullptr;
+  }
+  madvise(memory, size, MADV_HUGEPAGE);  // a wish: where it is not granted all is right, and slower
+  return memory;
+}
+
 }  // namespace
 
 bool is_large_memory(std::size_t bytes) {
@@ -30,22 +49,15 @@ bool is_large_memory(std::size_t bytes) {
 }
 
 void* map_large_memory(std::size_t bytes) {
-  const std::size_t size = rounded_up(bytes, page), reserved = size + huge_page;
-  if (size < bytes || reserved < size) throw std::bad_alloc();
-  void* mapped = nullptr;
-  while ((mapped = mmap(nullptr, reserved, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)) == MAP_FAILED) {
+  const std::size_t size = rounded_up(bytes, page);
+  if (size < bytes || size + huge_page < size) throw std::bad_alloc();
+  for (;;) {
+    void* const memory = try_to_map(size);
+    if (memory != nullptr) return memory;
     const std::new_handler handler = std::get_new_handler();
     if (handler == nullptr) throw std::bad_alloc();
     handler();
   }
-  // It begins where a huge page can.
-  const auto begin = reinterpret_cast<std::uintptr_t>(mapped);
-  const std::uintptr_t aligned = rounded_up(begin, huge_page);
-  unmap(begin, aligned);
-  unmap(aligned + size, begin + reserved);
-  void* const memory = reinterpret_cast<void*>(aligned);
-  madvise(memory, size, MADV_HUGEPAGE);  // a wish: where it is not granted all is right, and slower
-  return memory;
 }
 
 void unmap_large_memory(void* memory, std::size_t bytes) noexcept {

@@ -9,6 +9,7 @@
 #include "geometry/subdivide.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
+#include "nodes/costs.h"
 
 namespace dini {
 
@@ -99,7 +100,7 @@ struct ColorByInputs {
   Palette palette;
 };
 
-SharedMesh colored_by_number(const Context& context, const SharedMesh& shape, const ColorByInputs& in) {
+SharedMesh colored_by_number(const SharedMesh& shape, const ColorByInputs& in) {
   const auto& [value, minimum, maximum, palette] = in;
   double place = minimum == maximum ? 0.5 : (value - minimum) / (maximum - minimum);
   // Differences of numbers near the largest overflow; those of their quarters do not.
@@ -192,6 +193,7 @@ void add_mesh_tools(Registry& registry) {
           .input("minimum", &ColorByInputs::minimum, "Number at the start of the palette.", defaults(0).soft(-10, 10))
           .input("maximum", &ColorByInputs::maximum, "Number at its end.", defaults(1).soft(-10, 10))
           .input("palette", &ColorByInputs::palette, palette_doc, defaults("cyclic"))
+          .cost(cost_of_shared_mesh)
           .output("shape", "The colored mesh."));
 }
 

@@ -47,7 +47,7 @@ struct ColorInputs {
   Color color;
 };
 
-SharedMesh colored(const Context& context, const SharedMesh& shape, const ColorInputs& in) {
+SharedMesh colored(const SharedMesh& shape, const ColorInputs& in) {
   auto copy = std::make_shared<Mesh>(*shape);
   copy->colors.clear();
   copy->color = in.color;
@@ -60,7 +60,7 @@ struct MaterialInputs {
   bool double_sided;
 };
 
-SharedMesh with_material(const Context& context, const SharedMesh& shape, const MaterialInputs& in) {
+SharedMesh with_material(const SharedMesh& shape, const MaterialInputs& in) {
   auto copy = std::make_shared<Mesh>(*shape);
   copy->colors.clear();
   copy->color = in.color;
@@ -132,6 +132,7 @@ void add_meshes(Registry& registry) {
           .doc("Gives a mesh one color.")
           .input("shape", "The mesh.")
           .input("color", &ColorInputs::color, "Linear red, green, blue and alpha.", defaults({0.2, 0.5, 0.9, 1.0}))
+          .cost(cost_of_shared_mesh)
           .output("shape", "The colored mesh."));
 
   registry.add(
@@ -152,6 +153,7 @@ void add_meshes(Registry& registry) {
           .input("roughness", &MaterialInputs::roughness, "0 is a mirror, 1 is chalk.", defaults(0.6).hard(0, 1))
           .input("double_sided", &MaterialInputs::double_sided, "Whether the back of the surface is seen too.",
                  defaults(true))
+          .cost(cost_of_shared_mesh)
           .output("shape", "The mesh with that material."));
 }
 

@@ -14,7 +14,7 @@ using namespace dini::support;
 
 namespace {
 
-Mesh mesh_of(const std::vector<Point>& positions, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+Mesh mesh_of(const std::vector<Point>& positions, const NumberList<std::array<std::uint32_t, 3>>& triangles) {
   Mesh mesh;
   mesh.positions = Column<Point>(positions.size());
   for (std::size_t i = 0; i < positions.size(); ++i) mesh.positions.set(i, positions[i]);
@@ -29,7 +29,7 @@ Mesh tetrahedron() {
 /// Every triangle with three vertices of its own.
 Mesh torn_apart(const Mesh& mesh) {
   std::vector<Point> positions;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  NumberList<std::array<std::uint32_t, 3>> triangles;
   for (const auto& triangle : mesh.triangles) {
     const auto base = static_cast<std::uint32_t>(positions.size());
     for (const std::uint32_t corner : triangle) positions.push_back(mesh.positions[corner]);
@@ -237,9 +237,9 @@ TEST_CASE("Every broken invariant of a mesh is named") {
   CHECK(defect([](Mesh& mesh) { mesh.positions.set(2, {0, 1e18, 0}); }) == "position 2 is not finite or too large");
   CHECK(defect([](Mesh& mesh) { mesh.normals.set(1, {0, 0, 0.9}); }) == "normal 1 is not of unit length");
   CHECK(defect([](Mesh& mesh) { mesh.uvs.edit()[4][1] = NAN; }) == "uv 4 is not finite");
-  CHECK(defect([](Mesh& mesh) { mesh.colors.resize(26, {0, 0, 2, 1}); }) == "color 0 is outside [0, 1]");
-  CHECK(defect([](Mesh& mesh) { mesh.tile_ends = {4, 4, 48}; }) == "tile 1 is empty or out of order");
-  CHECK(defect([](Mesh& mesh) { mesh.tile_ends = {4}; }) == "the last tile does not end at the last triangle");
+  CHECK(defect([](Mesh& mesh) { mesh.colors.edit().resize(26, {0, 0, 2, 1}); }) == "color 0 is outside [0, 1]");
+  CHECK(defect([](Mesh& mesh) { mesh.tile_ends.edit() = {4, 4, 48}; }) == "tile 1 is empty or out of order");
+  CHECK(defect([](Mesh& mesh) { mesh.tile_ends.edit() = {4}; }) == "the last tile does not end at the last triangle");
 }
 
 TEST_CASE("A decimated mesh keeps to its number and its shape") {

@@ -223,8 +223,8 @@ TEST_CASE("A stopped request ends early") {
 TEST_CASE("The same grid gives the same mesh") {
   const Grid grid = sphere_grid(30, 30);
   const Mesh a = surface_of(grid).mesh, b = surface_of(grid).mesh;
-  CHECK(a.positions == b.positions);
-  CHECK(a.normals == b.normals);
+  CHECK((a.positions == b.positions));
+  CHECK((a.normals == b.normals));
   CHECK(a.triangles == b.triangles);
 }
 

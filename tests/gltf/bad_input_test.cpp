@@ -82,8 +82,8 @@ TEST_CASE("Meshes that break their contract are refused") {
   SECTION("normals") { mesh.normals = Column<Vector>(199); }
   SECTION("texture coordinates") { mesh.uvs.resize(201); }
   SECTION("colors") { mesh.colors.resize(1); }
-  SECTION("tiles that stop early") { mesh.tile_ends = {100}; }
-  SECTION("tiles out of order") { mesh.tile_ends = {300, 100, 400}; }
+  SECTION("tiles that stop early") { mesh.tile_ends.edit() = {100}; }
+  SECTION("tiles out of order") { mesh.tile_ends.edit() = {300, 100, 400}; }
   CHECK(failure(shapes::scene_of(mesh)).code == Code::invalid_input);
 }
 
@@ -98,7 +98,7 @@ TEST_CASE("Options out of range are refused") {
 
 TEST_CASE("A scene with nothing to draw is the error empty") {
   Mesh degenerate = shapes::single_triangle();
-  degenerate.triangles = {{0, 0, 1}, {1, 2, 1}, {2, 2, 2}};
+  degenerate.triangles.edit() = {{0, 0, 1}, {1, 2, 1}, {2, 2, 2}};
   CHECK(failure(Scene{}).code == Code::empty);
   CHECK(failure(shapes::scene_of(Mesh{})).code == Code::empty);
   CHECK(failure(shapes::scene_of(degenerate)).code == Code::empty);
@@ -133,7 +133,7 @@ TEST_CASE("Texture coordinates that are not finite are refused, colors are clamp
   for (auto& color : mesh.colors.edit()) color = {-5, std::numeric_limits<float>::quiet_NaN(), 1e30f, 1};
   const Scene decoded = decode(encode(shapes::scene_of(mesh)).file);
   CHECK(mesh_of(decoded).colors[0] == std::array<float, 4>{0, 0, 1, 1});
-  mesh.uvs[mesh.triangles[0][0]] = {not_a_number, 0};
+  mesh.uvs.edit()[mesh.triangles[0][0]] = {not_a_number, 0};
   CHECK(failure(shapes::scene_of(mesh)).code == Code::non_finite);
 }
 
@@ -152,7 +152,7 @@ TEST_CASE("The smallest and the strangest meshes are written") {
     mesh.positions = Column<Point>(5);
     for (std::size_t i = 0; i < 5; ++i)
       mesh.positions.set(i, {static_cast<double>(i % 2), 1.0 * static_cast<double>(i), 0});
-    mesh.triangles = {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}};
+    mesh.triangles.edit() = {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}};
   }
   const Scene scene = shapes::scene_of(mesh);
   const EncodedScene encoded = encode(scene, options);

@@ -73,7 +73,7 @@ Mesh single_triangle() {
   mesh.positions = Column<Point>(3);
   mesh.positions.set(1, {1, 0, 0});
   mesh.positions.set(2, {0, 1, 0});
-  mesh.triangles = {{0, 1, 2}};
+  mesh.triangles.edit() = {{0, 1, 2}};
   return mesh;
 }
 

@@ -1,5 +1,6 @@
 #include "tests/memory/memory_meter.h"
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstdint>
@@ -25,6 +26,17 @@ void add(std::size_t bytes) {
   std::int64_t known = most.load(std::memory_order_relaxed);
   while (known < now && !most.compare_exchange_weak(known, now, std::memory_order_relaxed)) {
   }
+}
+
+// Where large arrays are.
+std::array<std::atomic<void*>, 1024> arrays = {};
+
+bool replace(void* one, void* other) {
+  for (std::atomic<void*>& place : arrays) {
+    void* expected = one;
+    if (place.compare_exchange_strong(expected, other)) return true;
+  }
+  return false;
 }
 
 void take_away(std::size_t bytes) { held.fetch_sub(static_cast<std::int64_t>(bytes), std::memory_order_relaxed); }
@@ -101,17 +113,16 @@ void free(void* memory) noexcept {
   __libc_free(memory);
 }
 
-// Large arrays come from the system directly. What malloc maps does not pass here.
-void* mmap(void* at, std::size_t size, int protection, int flags, int file, off_t offset) noexcept {
-  const long place = syscall(SYS_mmap, at, size, protection, flags, file, offset);
-  if (place != -1 && (flags & MAP_ANONYMOUS) != 0) add(size);
-  return reinterpret_cast<void*>(place);
+// Large arrays are addresses that become memory and are unmapped as a whole. What malloc maps does not pass here.
+int mprotect(void* memory, std::size_t size, int protection) noexcept {
+  const auto result = static_cast<int>(syscall(SYS_mprotect, memory, size, protection));
+  if (result == 0 && (protection & PROT_WRITE) != 0 && replace(nullptr, memory)) add(size);
+  return result;
 }
 
 int munmap(void* memory, std::size_t size) noexcept {
-  const auto result = static_cast<int>(syscall(SYS_munmap, memory, size));
-  if (result == 0) take_away(size);
-  return result;
+  if (replace(memory, nullptr)) take_away(size);
+  return static_cast<int>(syscall(SYS_munmap, memory, size));
 }
 
 }  // extern "C"

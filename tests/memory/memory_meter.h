@@ -5,7 +5,7 @@
 namespace dini::support {
 
 /// Starts to count anew what the program asks for, on all threads, by whichever way: `new`, `malloc`,
-/// `calloc` and `mmap`.
+/// `calloc` and `mprotect`.
 void restart_memory_meter();
 
 /// The most bytes that were held at once since the restart, beyond those that were held then.

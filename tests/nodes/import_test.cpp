@@ -16,7 +16,7 @@ TEST_CASE("An imported mesh keeps its texture coordinates and colors through a w
   REQUIRE(flat->colors.size() == flat->positions.size());
   CHECK(bent->uvs == flat->uvs);
   CHECK(bent->colors == flat->colors);
-  CHECK_FALSE(bent->positions == flat->positions);
+  CHECK_FALSE((bent->positions == flat->positions));
   CHECK(graph.one<SharedMesh>("file")->colors[1] == std::array<float, 4>{0, 1, 0, 1});
 }
 
