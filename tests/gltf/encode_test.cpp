@@ -171,12 +171,10 @@ TEST_CASE("Texture coordinates and colors stay within the announced bounds") {
   const int bits = GENERATE(8, 12, 20);
   CAPTURE(draco, bits);
   Mesh mesh = shapes::wavy_field(40, 30);
-  std::vector<std::array<float, 4>> colors;
   for (std::size_t i = 0; i < mesh.uvs.size(); ++i) {
     const auto share = static_cast<float>(mesh.uvs[i][0]);
-    colors.push_back({share, share, share, 1});
+    mesh.colors.edit().push_back({share, share, share, 1});
   }
-  mesh.colors = colors;
   EncodeOptions options;
   options.uv_bits = bits;
   options.draco = draco;
