@@ -38,12 +38,17 @@ function(dini_share_headers target)
   endif()
 endfunction()
 
-# dini_layer(NAME SOURCES... LINK LIBRARIES...): the static library of one folder.
+# dini_layer(NAME SOURCES... LINK LIBRARIES... [ALONE SOURCES...] [EACH_ALONE]): the static library of one folder. Where DINI_TOGETHER
+# lets several sources be compiled at once, those that are ALONE are not: their own functions have names that others have too.
 function(dini_layer name)
-  cmake_parse_arguments(PARSE_ARGV 1 layer "" "" "SOURCES;LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 layer "EACH_ALONE" "" "SOURCES;LINK;ALONE")
   add_library(dini_${name} STATIC ${layer_SOURCES})
   target_link_libraries(dini_${name} PUBLIC dini_options ${layer_LINK})
   dini_share_headers(dini_${name})
+  if(DINI_TOGETHER AND NOT layer_EACH_ALONE)
+    set_target_properties(dini_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+    set_source_files_properties(${layer_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
   if(DINI_COUNT_WORK)
     target_compile_options(dini_${name} PRIVATE -fsanitize-coverage=trace-pc)
     target_link_libraries(dini_${name} PUBLIC dini_work_count)

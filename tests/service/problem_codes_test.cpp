@@ -16,10 +16,10 @@ using namespace dini::support;
 namespace {
 
 /// Words with hyphens that are something else: values and names of headers, and of a member of OpenAPI.
-const std::set<std::string> other_words = {"no-store",       "no-cache",     "keep-alive",       "same-origin",
-                                           "cross-origin",   "if-range",     "content-encoding", "transfer-encoding",
-                                           "content-length", "no-referrer",  "x-problem-codes",  "require-corp",
-                                           "respond-async",  "after-current"};
+const std::set<std::string> other_words = {"no-store",       "no-cache",      "keep-alive",       "same-origin",
+                                           "cross-origin",   "if-range",      "content-encoding", "transfer-encoding",
+                                           "content-length", "no-referrer",   "x-problem-codes",  "require-corp",
+                                           "respond-async",  "after-current", "cross-site"};
 
 std::vector<std::string> matches(const std::string& text, const std::regex& pattern) {
   std::vector<std::string> words;
