@@ -7,8 +7,6 @@
 namespace dini {
 namespace {
 
-constexpr double float_rounding = 0x1p-24;
-
 // Below this a cell size would leave the normal floats, and the number of cells per meter would overflow.
 constexpr float smallest_range = 1e-30f;
 

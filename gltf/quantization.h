@@ -9,6 +9,9 @@
 
 namespace dini {
 
+/// How far rounding to a float moves a number, as a share of it.
+inline constexpr double float_rounding = 0x1p-24;
+
 /// An axis-aligned box of float coordinates; empty until something is included.
 struct FloatBox {
   static constexpr float infinity = std::numeric_limits<float>::infinity();

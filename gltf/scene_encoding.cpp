@@ -13,7 +13,6 @@ namespace dini {
 namespace {
 
 constexpr double rough_uv_error = 1.0 / 2000;
-constexpr double float_rounding = 0x1p-24;
 
 // GLB counts bytes in 32 bits, the JSON included, and many readers in an int.
 constexpr std::size_t largest_binary = std::numeric_limits<std::int32_t>::max();
