@@ -14,17 +14,22 @@ namespace {
 const prometheus::Histogram::BucketBoundaries latencies = {0.0005, 0.001, 0.0025, 0.005, 0.01, 0.025, 0.05,
                                                            0.1,    0.25,  0.5,    1,     2.5,  5,     10};
 
-prometheus::MetricFamily family_of(const Reading& reading) {
+prometheus::ClientMetric metric_of(const Reading& reading) {
   prometheus::ClientMetric metric;
+  if (!reading.type.empty()) metric.label = {{"type", reading.type}};
   if (reading.counts) {
     metric.counter.value = reading.value;
   } else {
     metric.gauge.value = reading.value;
   }
+  return metric;
+}
+
+prometheus::MetricFamily family_of(const Reading& reading) {
   return {.name = reading.name,
           .help = reading.help,
           .type = reading.counts ? prometheus::MetricType::Counter : prometheus::MetricType::Gauge,
-          .metric = {metric}};
+          .metric = {metric_of(reading)}};
 }
 
 }  // namespace
@@ -62,7 +67,14 @@ void Metrics::count(std::string_view route, std::string_view method, int status,
 
 std::string Metrics::text(const std::vector<Reading>& readings) const {
   std::vector<prometheus::MetricFamily> all = families_->registry.Collect();
-  for (const Reading& reading : readings) all.push_back(family_of(reading));
+  for (const Reading& reading : readings) {
+    const bool more_of_last = !reading.type.empty() && !all.empty() && all.back().name == reading.name;
+    if (more_of_last) {
+      all.back().metric.push_back(metric_of(reading));
+    } else {
+      all.push_back(family_of(reading));
+    }
+  }
   std::ostringstream out;
   prometheus::TextSerializer().Serialize(out, all);
   return out.str();

@@ -13,7 +13,8 @@ struct Reading {
   std::string name;  ///< as Prometheus has it
   std::string help;  ///< one sentence
   double value = 0;
-  bool counts = false;  ///< it only ever grows
+  bool counts = false;    ///< it only ever grows
+  std::string type = "";  ///< of nodes, where there is such a number for each
 };
 
 /// What the server counts of its requests, for Prometheus.
@@ -25,7 +26,8 @@ class Metrics {
   /// A request that has been answered, by the pattern of its route. Any thread.
   void count(std::string_view route, std::string_view method, int status, double seconds, std::size_t bytes);
 
-  /// All counts, and these readings, in the text format of Prometheus (version 0.0.4).
+  /// All counts, and these readings (those for types of nodes one after another), in the text format of Prometheus
+  /// (version 0.0.4).
   std::string text(const std::vector<Reading>& readings) const;
 
  private:

@@ -43,6 +43,15 @@ std::vector<Reading> readings_of(const Application& application) {
   add_cache(readings, "cache", "results of nodes", application.engine.cache_state());
   add_cache(readings, "known", "requests that were read before",
             {application.known.bytes(), application.known.size(), application.known.evictions()});
+  const std::vector<Engine::NodeTime> times = application.engine.node_times();
+  for (const Engine::NodeTime& time : times) {
+    readings.push_back({"dini_node_runs_total", "How often nodes of a type were computed.",
+                        static_cast<double>(time.runs), true, time.type});
+  }
+  for (const Engine::NodeTime& time : times) {
+    readings.push_back(
+        {"dini_node_seconds_total", "How long nodes of a type took to compute.", time.seconds, true, time.type});
+  }
   return readings;
 }
 

@@ -32,6 +32,7 @@ class CatalogueEngine final : public Engine {
   using Engine::report;
   Json report(const Prepared& prepared, const Computed& computed, Sent sent, Extent extent) const override;
   CacheState cache_state() const override { return {cache_.bytes(), cache_.size(), cache_.evictions()}; }
+  std::vector<NodeTime> node_times() const override { return history_.node_times(); }
   void forget() const override {
     cache_.clear();
     history_.clear();

@@ -175,6 +175,14 @@ class Engine {
   };
   virtual CacheState cache_state() const = 0;
 
+  /// How often nodes of a type ran, and for how long in all, since the engine began.
+  struct NodeTime {
+    std::string type;
+    std::size_t runs = 0;
+    double seconds = 0;
+  };
+  virtual std::vector<NodeTime> node_times() const { return {}; }
+
   /// Lets go of everything that could be computed again, for when memory has run out.
   virtual void forget() const = 0;
 

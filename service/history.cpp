@@ -23,6 +23,9 @@ void History::note(const Digest& graph, const Plan& plan, const Evaluation& eval
     const NodeRun* run = evaluation.run(node);
     if (run == nullptr || run->cached) continue;
     computed_[place_of(node.fingerprint)] = node.fingerprint;
+    Engine::NodeTime& time = times_[node.type->id];
+    ++time.runs;
+    time.seconds += run->milliseconds / 1000;
     const double work = cost_of(node).work;
     for (Speed* speed : {&speeds_[node.type->id], &all_}) {
       if (speed->work > speed_window) *speed = {speed->milliseconds / 2, speed->work / 2};
@@ -42,6 +45,13 @@ void History::clear() {
   std::ranges::fill(computed_, Digest{});
   parameters_ = {};
   parameters_order_ = {};
+}
+
+std::vector<Engine::NodeTime> History::node_times() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<Engine::NodeTime> times;
+  for (const auto& [type, time] : times_) times.push_back({type, time.runs, time.seconds});
+  return times;
 }
 
 bool History::was_computed(const Digest& fingerprint) const {

@@ -10,6 +10,7 @@
 #include "graph/digest.h"
 #include "graph/evaluate.h"
 #include "graph/plan.h"
+#include "service/engine.h"
 
 namespace dini {
 
@@ -28,6 +29,9 @@ class History {
 
   /// The parameters of the last evaluation of a graph; nothing when none is remembered.
   std::optional<ParameterValues> last_parameters(const Digest& graph) const;
+
+  /// What ran so far, by types of nodes.
+  std::vector<Engine::NodeTime> node_times() const;
 
   /// Measured milliseconds for a unit of predicted work of a node type, or of all types while that one has not run.
   double milliseconds_per_unit(const std::string& type) const;
@@ -48,6 +52,7 @@ class History {
   std::map<Digest, ParameterValues> parameters_;
   std::deque<Digest> parameters_order_;
   std::map<std::string, Speed> speeds_;
+  std::map<std::string, Engine::NodeTime> times_;
   Speed all_;
 };
 

@@ -53,6 +53,20 @@ TEST_CASE("A model, its report and a preview come in one answer, each as it come
   CHECK(again->status == 304);
 }
 
+TEST_CASE("Runs of nodes are counted and timed by their types") {
+  const RunningReal server;
+  for (int i = 0; i < 2; ++i)
+    REQUIRE(post(server.port(), "/v1/evaluate", body_with({{"output", "out"}}))->status == 200);
+  const std::string metrics = get(server.port(), "/metrics")->body;
+  for (const std::string type : {"circle", "tube", "export"}) {
+    CHECK(metrics.find("\ndini_node_runs_total{type=\"" + type + "\"} 1\n") != std::string::npos);
+    CHECK(metrics.find("\ndini_node_seconds_total{type=\"" + type + "\"} ") != std::string::npos);
+  }
+  const std::string told = "# TYPE dini_node_runs_total counter\n";
+  CHECK(metrics.find(told) != std::string::npos);
+  CHECK(metrics.find(told) == metrics.rfind(told));
+}
+
 TEST_CASE("Wrong previews and budgets are problems at their place, and their limits have names") {
   const RunningReal server;
   const auto refused = [&](const Json& more) {
