@@ -5,13 +5,15 @@ import { eventually, openPage, settled, still, wholeGraph } from "./harness.mjs"
 
 /** A page whose clipboard may be used, and that keeps the graph it sent last: `page.graph()`. */
 export async function openEditor(browser, url, options = {}) {
-  const page = await openPage(browser, url, options);
-  await page.context().grantPermissions(["clipboard-read", "clipboard-write"], { origin: new URL(url).origin });
   let sent;
-  page.on("request", (request) => {
-    if (/\/v1\/(validate|evaluate)$/.test(request.url()) && request.method() === "POST")
-      sent = JSON.parse(request.postData() ?? "{}").graph ?? sent;
-  });
+  // The page sends its graph as soon as it is there, so whoever listens later may have missed it.
+  const beforeOpening = (page) =>
+    page.on("request", (request) => {
+      if (/\/v1\/(validate|evaluate)$/.test(request.url()) && request.method() === "POST")
+        sent = JSON.parse(request.postData() ?? "{}").graph ?? sent;
+    });
+  const page = await openPage(browser, url, { ...options, beforeOpening });
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"], { origin: new URL(url).origin });
   page.graph = () => sent;
   return page;
 }
