@@ -1,5 +1,7 @@
 #include "draco/edgebreaker.h"
 
+#include "draco/triangle_walk.h"
+
 namespace dini {
 namespace {
 
@@ -7,7 +9,7 @@ class Walk {
  public:
   explicit Walk(const CornerTable& table)
       : table_(table),
-        triangle_done_(table.triangles(), false),
+        triangles_(table.triangles()),
         vertex_done_(table.vertices(), false),
         split_symbol_(table.triangles(), absent) {}
 
@@ -15,7 +17,7 @@ class Walk {
     result_.symbols.reserve(table_.triangles());
     result_.corners.reserve(table_.triangles());
     for (Corner corner = 0; corner < table_.corners(); corner += 3) {
-      if (!triangle_done_[corner / 3]) begin_piece(corner);
+      if (!triangles_.is_done(corner)) begin_piece(corner);
     }
     return std::move(result_);
   }
@@ -32,10 +34,9 @@ class Walk {
     }
     result_.closed.push_back(true);
     result_.closing.push_back(next(first));
-    triangle_done_[first / 3] = true;
+    triangles_.mark(first);
     for (Corner corner = first; corner < first + 3; ++corner) vertex_done_[table_.vertex(corner)] = true;
-    const Corner opposite = table_.opposite(next(first));
-    if (!is_done(opposite)) walk(opposite);
+    walk(table_.opposite(next(first)));
   }
 
   // The corner that faces a boundary edge at the vertex of `corner`, or its own edge; absent when there is none.
@@ -48,23 +49,13 @@ class Walk {
     }
   }
 
-  bool is_done(Corner corner) const { return corner == absent || triangle_done_[corner / 3]; }
-
   void walk(Corner start) {
-    branches_.assign(1, start);
-    while (!branches_.empty()) {
-      const Corner corner = branches_.back();
-      if (is_done(corner)) {
-        branches_.pop_back();
-      } else {
-        walk_branch(corner);
-      }
-    }
+    triangles_.from(start, [this](Corner corner) { walk_branch(corner); });
   }
 
   void walk_branch(Corner corner) {
     while (true) {
-      triangle_done_[corner / 3] = true;
+      triangles_.mark(corner);
       result_.corners.push_back(corner);
       const std::uint32_t tip = table_.vertex(corner);
       const Corner right = table_.right(corner);
@@ -75,25 +66,23 @@ class Walk {
         corner = right;
         continue;
       }
-      if (is_done(right)) note_split(right, true);
-      if (is_done(left)) note_split(left, false);
-      if (is_done(right) && is_done(left)) {
+      const bool right_is_done = triangles_.is_done(right);
+      const bool left_is_done = triangles_.is_done(left);
+      if (right_is_done) note_split(right, true);
+      if (left_is_done) note_split(left, false);
+      if (right_is_done && left_is_done) {
         result_.symbols.push_back(Symbol::e);
-        branches_.pop_back();
-        return;
+        return triangles_.end();
       }
-      if (!is_done(right) && !is_done(left)) return split(corner, left, right);
-      result_.symbols.push_back(is_done(right) ? Symbol::r : Symbol::l);
-      corner = is_done(right) ? left : right;
+      if (!right_is_done && !left_is_done) {
+        split_symbol_[corner / 3] = static_cast<std::uint32_t>(result_.symbols.size());
+        result_.symbols.push_back(Symbol::s);
+        ++result_.split_symbols;
+        return triangles_.split(left, right);
+      }
+      result_.symbols.push_back(right_is_done ? Symbol::r : Symbol::l);
+      corner = right_is_done ? left : right;
     }
-  }
-
-  void split(Corner corner, Corner left, Corner right) {
-    split_symbol_[corner / 3] = static_cast<std::uint32_t>(result_.symbols.size());
-    result_.symbols.push_back(Symbol::s);
-    ++result_.split_symbols;
-    branches_.back() = left;
-    branches_.push_back(right);
   }
 
   void note_split(Corner neighbor, bool right) {
@@ -102,10 +91,9 @@ class Walk {
   }
 
   const CornerTable& table_;
-  std::vector<bool> triangle_done_;
+  TriangleWalk triangles_;
   std::vector<bool> vertex_done_;
   std::vector<std::uint32_t> split_symbol_;
-  std::vector<Corner> branches_;
   Edgebreaker result_;
 };
 

@@ -56,6 +56,15 @@ std::vector<std::uint32_t> shares_of(std::span<const std::uint32_t> frequencies,
   return shares;
 }
 
+// What a stream ends with: how far its state is above the least one, with the number of its bytes in its two highest
+// bits. `target` has room for four bytes; returns the end.
+char* write_state(std::uint32_t rest, char* target) {
+  const std::uint32_t extra = rest < 1u << 6 ? 0 : rest < 1u << 14 ? 1 : rest < 1u << 22 ? 2 : 3;
+  const std::uint32_t last = rest | extra << (6 + 8 * extra);
+  std::memcpy(target, &last, sizeof last);
+  return target + extra + 1;
+}
+
 /// One stream in the making. The state stays below 2^31, so that a product with a reciprocal fits 64 bits.
 class RansCoder {
  public:
@@ -75,14 +84,7 @@ class RansCoder {
     state_ += quotient * ((1u << bits_) - symbol.probability) + symbol.cumulative;
   }
 
-  // The last state, with the number of its bytes in its two highest bits.
-  char* end() {
-    const std::uint32_t rest = state_ - (states_per_share << bits_);
-    const std::uint32_t extra = rest < 1u << 6 ? 0 : rest < 1u << 14 ? 1 : rest < 1u << 22 ? 2 : 3;
-    const std::uint32_t last = rest | extra << (6 + 8 * extra);
-    std::memcpy(target_, &last, sizeof last);
-    return target_ + extra + 1;
-  }
+  char* end() { return write_state(state_ - (states_per_share << bits_), target_); }
 
  private:
   const RansTable* table_;
@@ -197,10 +199,8 @@ void write_bits(const std::vector<bool>& bits, ByteWriter& bytes) {
     }
     state = state / probability * byte_values + state % probability + (bits[i] ? 0 : byte_values - zero);
   }
-  const std::uint32_t rest = state - least_state;
-  const int extra = rest < 1u << 6 ? 0 : rest < 1u << 14 ? 1 : 2;
-  const std::uint32_t last = rest | static_cast<std::uint32_t>(extra) << (6 + 8 * extra);
-  for (int byte = 0; byte <= extra; ++byte) coded.push_back(static_cast<char>(last >> (8 * byte)));
+  char last[4];
+  coded.append(last, write_state(state - least_state, last));
   bytes.byte(static_cast<std::uint8_t>(zero));
   bytes.block(coded);
 }

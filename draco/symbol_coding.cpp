@@ -55,8 +55,8 @@ struct Counts {
   std::int64_t plain_bits = 0;
 };
 
-template <int columns>
-std::uint32_t bits_of(const std::uint32_t* row) {
+// All bits that occur in a row.
+std::uint32_t bits_of(const std::uint32_t* row, int columns) {
   std::uint32_t bits = 0;
   for (int column = 0; column < columns; ++column) bits |= row[column];
   return bits;
@@ -66,7 +66,7 @@ std::uint32_t bits_of(const std::uint32_t* row) {
 template <int columns>
 Counts counts_of(const SymbolRows& symbols) {
   std::uint32_t all = 0;
-  for (std::size_t i = 0; i < symbols.count; ++i) all |= bits_of<columns>(symbols.row(i));
+  for (std::size_t i = 0; i < symbols.count; ++i) all |= bits_of(symbols.row(i), columns);
   Counts counts;
   Frequencies lengths[2] = {Frequencies(length_count, 0), Frequencies(length_count, 0)};
   Frequencies values[2];
@@ -74,7 +74,7 @@ Counts counts_of(const SymbolRows& symbols) {
   if (directly) values[0] = values[1] = Frequencies(std::size_t{1} << bit_length(all), 0);
   for (std::size_t i = 0; i < symbols.count; ++i) {
     const std::uint32_t* const row = symbols.row(i);
-    ++lengths[i % 2][bit_length(bits_of<columns>(row))];
+    ++lengths[i % 2][bit_length(bits_of(row, columns))];
     if (!directly) continue;
     for (int column = 0; column < columns; ++column) ++values[i % 2][row[column]];
   }
@@ -105,12 +105,6 @@ Counts counts_of(const SymbolRows& symbols) {
   }
 }
 
-std::uint32_t length_of(const SymbolRows& symbols, std::size_t row) {
-  std::uint32_t bits = 0;
-  for (int column = 0; column < symbols.columns; ++column) bits |= symbols.row(row)[column];
-  return bit_length(bits);
-}
-
 }  // namespace
 
 struct SymbolCoding::Choice {
@@ -134,7 +128,8 @@ SymbolCoding::Choice SymbolCoding::choose(const SymbolRows& symbols, TableEffort
     }
   }
   std::vector<std::uint32_t> lengths(symbols.count);
-  for (std::size_t row = 0; row < lengths.size(); ++row) lengths[row] = length_of(symbols, row);
+  for (std::size_t row = 0; row < lengths.size(); ++row)
+    lengths[row] = bit_length(bits_of(symbols.row(row), symbols.columns));
   return {std::move(lengths), 0, RansTable(counts.lengths, length_table_bits)};
 }
 

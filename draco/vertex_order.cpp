@@ -1,55 +1,42 @@
 #include "draco/vertex_order.h"
 
+#include "draco/triangle_walk.h"
+
 namespace dini {
 namespace {
 
 class Traversal {
  public:
   explicit Traversal(const CornerTable& table)
-      : table_(table), triangle_done_(table.triangles(), false), position_(table.vertices(), absent) {
+      : table_(table), triangles_(table.triangles()), position_(table.vertices(), absent) {
     order_.vertices.reserve(table.vertices());
     order_.parallelograms.reserve(table.vertices());
   }
 
   void from(Corner start) {
-    if (is_done(start)) return;
+    if (triangles_.is_done(start)) return;
     visit(next(start));
     visit(previous(start));
-    branches_.assign(1, start);
-    while (!branches_.empty()) {
-      const Corner corner = branches_.back();
-      if (is_done(corner)) {
-        branches_.pop_back();
-      } else {
-        follow(corner);
-      }
-    }
+    triangles_.from(start, [this](Corner corner) { follow(corner); });
   }
 
   VertexOrder take() { return std::move(order_); }
 
  private:
-  bool is_done(Corner corner) const { return corner == absent || triangle_done_[corner / 3]; }
-
   void follow(Corner corner) {
     while (true) {
-      triangle_done_[corner / 3] = true;
+      triangles_.mark(corner);
       const Corner right = table_.right(corner);
       const Corner left = table_.left(corner);
       if (visit(corner) && !table_.on_boundary(table_.vertex(corner))) {
         corner = right;
         continue;
       }
-      if (is_done(right) && is_done(left)) {
-        branches_.pop_back();
-        return;
-      }
-      if (!is_done(right) && !is_done(left)) {
-        branches_.back() = left;
-        branches_.push_back(right);
-        return;
-      }
-      corner = is_done(right) ? left : right;
+      const bool right_is_done = triangles_.is_done(right);
+      const bool left_is_done = triangles_.is_done(left);
+      if (right_is_done && left_is_done) return triangles_.end();
+      if (!right_is_done && !left_is_done) return triangles_.split(left, right);
+      corner = right_is_done ? left : right;
     }
   }
 
@@ -77,9 +64,8 @@ class Traversal {
   }
 
   const CornerTable& table_;
-  std::vector<bool> triangle_done_;
+  TriangleWalk triangles_;
   std::vector<std::uint32_t> position_;
-  std::vector<Corner> branches_;
   VertexOrder order_;
 };
 
