@@ -1,8 +1,8 @@
 // `dini diff`: graphs by what they mean, models by their shape.
 
+#include "tests/cli/graph_folder.h"
 #include "tests/cli/real_program.h"
 #include "tests/support/documents.h"
-#include "tests/support/folder.h"
 #include "tests/support/import_bytes.h"
 
 using namespace dini;
@@ -17,12 +17,7 @@ Json ball(double radius) {
   return graph;
 }
 
-struct Files : Folder {
-  std::string at(const std::string& name) const { return (path() / name).string(); }
-  std::string graph(const std::string& name, const Json& json) const {
-    write(name, json.dump());
-    return at(name);
-  }
+struct Files : GraphFolder {
   std::string model(const std::string& name, const Json& json) const {
     REQUIRE(run({"eval", graph("graph.json", json), "-o", at(name)}).code == 0);
     return at(name);

@@ -4,9 +4,9 @@
 #include <regex>
 #include <sstream>
 
+#include "tests/cli/graph_folder.h"
 #include "tests/cli/real_program.h"
 #include "tests/support/documents.h"
-#include "tests/support/folder.h"
 
 using namespace dini;
 using namespace dini::support;
@@ -70,13 +70,7 @@ Json slow() {
   return graph;
 }
 
-struct Files : Folder {
-  std::string at(const std::string& name) const { return (path() / name).string(); }
-  std::string graph(const std::string& name, const Json& json) const {
-    write(name, json.dump());
-    return at(name);
-  }
-};
+using Files = GraphFolder;
 
 }  // namespace
 
