@@ -28,17 +28,6 @@ void add(std::size_t bytes) {
   }
 }
 
-// Where large arrays are.
-std::array<std::atomic<void*>, 1024> arrays = {};
-
-bool replace(void* one, void* other) {
-  for (std::atomic<void*>& place : arrays) {
-    void* expected = one;
-    if (place.compare_exchange_strong(expected, other)) return true;
-  }
-  return false;
-}
-
 void take_away(std::size_t bytes) { held.fetch_sub(static_cast<std::int64_t>(bytes), std::memory_order_relaxed); }
 
 }  // namespace
@@ -67,6 +56,21 @@ const int installed = __sanitizer_install_malloc_and_free_hooks(on_allocation, o
 }  // namespace
 
 #else
+
+namespace {
+
+// Where large arrays are.
+std::array<std::atomic<void*>, 1024> arrays = {};
+
+bool replace(void* one, void* other) {
+  for (std::atomic<void*>& place : arrays) {
+    void* expected = one;
+    if (place.compare_exchange_strong(expected, other)) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 extern "C" {
 
