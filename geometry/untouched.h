@@ -28,11 +28,11 @@ struct Untouched : std::allocator<T> {
   T* allocate(std::size_t size) {
     if (size > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_array_new_length();
     if (!is_large_memory(size * sizeof(T))) return std::allocator<T>::allocate(size);
-    return static_cast<T*>(map_large_memory(size * sizeof(T)));
+    return static_cast<T*>(get_large_memory(size * sizeof(T)));
   }
   void deallocate(T* items, std::size_t size) {
     if (!is_large_memory(size * sizeof(T))) return std::allocator<T>::deallocate(items, size);
-    unmap_large_memory(items, size * sizeof(T));
+    free_large_memory(items, size * sizeof(T));
   }
 
   template <class Element>

@@ -34,7 +34,7 @@ class Zeroed {
   }
   ~Zeroed() {
     if (is_large_memory(size_ * sizeof(T))) {
-      unmap_large_memory(elements_, size_ * sizeof(T));
+      free_large_memory(elements_, size_ * sizeof(T));
     } else {
       std::free(elements_);
     }
@@ -56,7 +56,7 @@ class Zeroed {
  private:
   static T* allocate(std::size_t size) {
     if (size > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_alloc();
-    if (is_large_memory(size * sizeof(T))) return static_cast<T*>(map_large_memory(size * sizeof(T)));
+    if (is_large_memory(size * sizeof(T))) return static_cast<T*>(get_zeroed_large_memory(size * sizeof(T)));
     void* elements = std::calloc(size, sizeof(T));
     if (elements == nullptr) throw std::bad_alloc();
     return static_cast<T*>(elements);

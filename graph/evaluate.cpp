@@ -171,9 +171,14 @@ class Evaluator {
     gather_warnings(node, context.take_warnings(), *result);
     const std::size_t size = bytes(*result);
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
-    cache_.insert<NodeResult>(node.fingerprint, result, size);
+    cache_.insert<NodeResult>(node.fingerprint, result, size, place_of(node));
     step.run = {took.count(), false, std::move(result)};
     step.fate = Fate::well;
+  }
+
+  /// What the results of one node are versions of, whatever its inputs.
+  static Digest place_of(const PlannedNode& node) {
+    return DigestBuilder().text("place").text(node.type->id).text(node.id).finish();
   }
 
   void gather_warnings(const PlannedNode& node, std::vector<Warning> own, NodeResult& result) {

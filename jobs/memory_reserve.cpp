@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <new>
 
+#include "geometry/large_memory.h"
+
 namespace dini::jobs {
 namespace {
 
@@ -14,6 +16,7 @@ std::new_handler earlier_handler = nullptr;
 
 /// Lets the allocation be tried once more when there was something to give back.
 void give_back() {
+  if (give_back_spare_memory()) return;
   void* memory = reserve.exchange(nullptr);
   if (memory == nullptr) throw std::bad_alloc();
   std::free(memory);

@@ -6,6 +6,8 @@
 #include <string>
 #include <unistd.h>
 
+#include "geometry/large_memory.h"
+
 namespace dini::jobs {
 namespace {
 
@@ -32,7 +34,10 @@ void use_few_memory_pools() {
   mallopt(M_ARENA_MAX, pools);
 }
 
-void give_back_free_memory() { malloc_trim(0); }
+void give_back_free_memory() {
+  give_back_spare_memory();
+  malloc_trim(0);
+}
 
 std::size_t resident_bytes() {
   std::ifstream pages("/proc/self/statm");

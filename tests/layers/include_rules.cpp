@@ -69,7 +69,7 @@ std::span<const LayerRule> layer_rules() {
       {"store", {"graph/"}},
       {"jobs",
        {"store/", "service/", "graph/problem.h", "graph/digest.h", "graph/job.h", "graph/stopped.h",
-        "geometry/cancel.h"}},
+        "geometry/cancel.h", "geometry/large_memory.h"}},
       {"server",
        {"store/", "jobs/", "service/", "graph/problem.h", "graph/limits.h", "graph/nearest.h", "graph/cache.h",
         "graph/digest.h", "graph/file.h", "geometry/cancel.h", "geometry/markup.h"}},
