@@ -60,8 +60,7 @@ template <Falloff falloff, bool exact, bool pairs>
 void warp_by_sum(const kernels::WarpField& field, const kernels::WarpSettings& settings, kernels::ConstPoints in,
                  kernels::Points out, std::size_t count, kernels::Stop stop) {
   const Tag d;
-  const WarpLanes lanes{hn::Set(d, settings.strength), hn::Set(d, settings.softening),
-                        hn::Set(d, 0.5 * settings.power)};
+  const WarpLanes lanes = lanes_of(settings);
   const Triple<Lanes> half_tangents = broadcast((0.5 * settings.strength) * field.sum_of_tangents());
   const bool singular = settings.softening == 0 && settings.power > 0;
   Pieces pieces(field.sources(), stop);
@@ -92,8 +91,7 @@ template <Falloff falloff, bool exact, bool pairs>
 void warp_by_displacements(const kernels::WarpField& field, const kernels::WarpSettings& settings,
                            kernels::ConstPoints in, kernels::Points out, std::size_t count, kernels::Stop stop) {
   const Tag d;
-  const WarpLanes lanes{hn::Set(d, settings.strength), hn::Set(d, settings.softening),
-                        hn::Set(d, 0.5 * settings.power)};
+  const WarpLanes lanes = lanes_of(settings);
   const Lanes zero = hn::Zero(d);
   const Lanes at_generator = hn::Set(d, tolerance::at_generator * tolerance::at_generator);
   Pieces pieces(field.sources(), stop);
@@ -101,7 +99,7 @@ void warp_by_displacements(const kernels::WarpField& field, const kernels::WarpS
                                     Triple<Lanes>& moved) HWY_ATTR {
     const Triple<Lanes> y = broadcast(to_vector(source.position)) - p.position;
     const Lanes yy = dot(y, y);
-    const Lanes w = weight_at<falloff>(yy, lanes.strength, lanes.softening, lanes.half_power);
+    const Lanes w = weight_at<falloff>(yy, lanes);
     Triple<Lanes> step;
     if constexpr (pairs) {
       const Triple<Lanes> from_generator{zero - y.x, zero - y.y, zero - y.z};
@@ -145,9 +143,11 @@ void warp_lanes(const kernels::WarpField& field, const kernels::WarpSettings& se
   const bool exact = settings.rule == Rule::exact;
   const bool displacements =
       settings.method == kernels::WarpMethod::sum_displacements || (pairs && field.sources().size() == 1);
-  const Warp warp = settings.power != 2       ? choose_warp<Falloff::general>(displacements, exact, pairs)
-                    : settings.softening != 0 ? choose_warp<Falloff::softened_square>(displacements, exact, pairs)
-                                              : choose_warp<Falloff::inverse_square>(displacements, exact, pairs);
+  const auto choose = settings.power != 2       ? quarter_power(0.5 * settings.power) ? choose_warp<Falloff::quarters>
+                                                                                      : choose_warp<Falloff::general>
+                            : settings.softening != 0 ? choose_warp<Falloff::softened_square>
+                                                : choose_warp<Falloff::inverse_square>;
+  const Warp warp = choose(displacements, exact, pairs);
   warp(field, settings, in, out, count, stop);
 }
 

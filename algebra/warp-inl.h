@@ -10,6 +10,8 @@
 #define DINI_ALGEBRA_WARP_INL_H_
 #endif
 
+#include <cmath>
+#include <optional>
 #include <span>
 
 #include "algebra/kernels-inl.h"
@@ -21,19 +23,56 @@ namespace dini::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// How the weight strength / (d^power + softening) is computed.
-enum class Falloff { inverse_square, softened_square, general };
+enum class Falloff { inverse_square, softened_square, quarters, general };
 
-template <Falloff falloff>
-HWY_INLINE Lanes weight_at(Lanes squared_distance, Lanes strength, Lanes softening, Lanes half_power) {
-  if constexpr (falloff == Falloff::inverse_square) return strength / squared_distance;
-  if constexpr (falloff == Falloff::softened_square) return strength / (squared_distance + softening);
-  return strength / (power_of(Tag(), squared_distance, half_power) + softening);
+/// A power of the squared distance that takes no logarithm: `whole` factors, and of the fourth root as many as
+/// `quarters` says.
+struct QuarterPower {
+  int whole = 0, quarters = 0;
+};
+
+/// Nothing for powers that are no quarters, are negative, or so large that a logarithm is quicker.
+inline std::optional<QuarterPower> quarter_power(double half_power) {
+  constexpr int most = 8;
+  const double in_quarters = 4 * half_power;
+  if (!(in_quarters >= 0 && in_quarters <= 4 * most) || in_quarters != std::floor(in_quarters)) return std::nullopt;
+  const int number = static_cast<int>(in_quarters);
+  return QuarterPower{number / 4, number % 4};
+}
+
+/// x to such a power, x >= 0.
+HWY_INLINE Lanes power_by_roots(Lanes x, QuarterPower power) {
+  const Tag d;
+  Lanes result = hn::Set(d, 1.0);
+  for (int k = 0; k < power.whole; ++k) result = result * x;
+  if (power.quarters == 0) return result;
+  const Lanes root = hn::Sqrt(x);
+  if (power.quarters >= 2) result = result * root;
+  return power.quarters == 2 ? result : result * hn::Sqrt(root);
 }
 
 /// The settings of a warp in every lane.
 struct WarpLanes {
   Lanes strength, softening, half_power;
+  QuarterPower power;
 };
+
+inline WarpLanes lanes_of(const kernels::WarpSettings& settings) {
+  const Tag d;
+  const double half_power = 0.5 * settings.power;
+  return {hn::Set(d, settings.strength), hn::Set(d, settings.softening), hn::Set(d, half_power),
+          quarter_power(half_power).value_or(QuarterPower{})};
+}
+
+template <Falloff falloff>
+HWY_INLINE Lanes weight_at(Lanes squared_distance, const WarpLanes& settings) {
+  if constexpr (falloff == Falloff::inverse_square) return settings.strength / squared_distance;
+  if constexpr (falloff == Falloff::softened_square) return settings.strength / (squared_distance + settings.softening);
+  if constexpr (falloff == Falloff::quarters) {
+    return settings.strength / (power_by_roots(squared_distance, settings.power) + settings.softening);
+  }
+  return settings.strength / (power_of(Tag(), squared_distance, settings.half_power) + settings.softening);
+}
 
 HWY_INLINE Bivector<Lanes> no_generator() {
   const Lanes zero = hn::Zero(Tag());
@@ -51,7 +90,7 @@ HWY_INLINE void add_pairs(std::span<const kernels::WarpSource> sources, const Wa
     const Triple<Lanes> y = broadcast(to_vector(source.position)) - p;
     const Triple<Lanes> t = broadcast(source.generator.no_e);
     const Lanes yy = dot(y, y);
-    const Lanes w = weight_at<falloff>(yy, settings.strength, settings.softening, settings.half_power);
+    const Lanes w = weight_at<falloff>(yy, settings);
     const Triple<Lanes> tangent = w * t;
     const Lanes e = dot(y, tangent);
     sum.A = sum.A + tangent;
@@ -94,7 +133,7 @@ HWY_INLINE void add_generators(std::span<const kernels::WarpSource> sources, con
   for (const kernels::WarpSource& source : sources) {
     const Triple<Lanes> y = broadcast(to_vector(source.position)) - p;
     const Lanes yy = dot(y, y);
-    const Lanes w = weight_at<falloff>(yy, settings.strength, settings.softening, settings.half_power);
+    const Lanes w = weight_at<falloff>(yy, settings);
     const Bivector<Lanes> b = seen_from_point(source, y, yy);
     sum = {sum.A + w * b.A, sum.W + w * b.W, sum.e + w * b.e, sum.M + w * b.M};
   }

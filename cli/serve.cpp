@@ -45,6 +45,9 @@ struct Options {
 /// For --data: graphs are kept in memory, as long as the server runs.
 constexpr const char* no_data = "none";
 
+/// Of the memory for results, one part in so many may wait to be used again.
+constexpr std::size_t spare_share = 8;
+
 /// Enough to tell everybody that there is no more.
 constexpr std::size_t memory_reserve = std::size_t{8} << 20;
 
@@ -158,6 +161,7 @@ int run(Options& options, const EngineMaker& make_engine) {
   }
 
   jobs::use_few_memory_pools();
+  jobs::keep_spare_memory(options.limits.cache_bytes / spare_share);
   const jobs::MemoryReserve reserve(memory_reserve);
   const std::unique_ptr<Engine> engine = make_engine(options.limits);
   const auto server = server::Server::start(*engine, options.settings);

@@ -95,6 +95,17 @@ class Column {
 
   Column() = default;
   explicit Column(std::size_t size) : size_(size), data_(numeric ? width * size : size) {}
+  /// Elements that may hold anything, where all of them are written before one is read.
+  static Column unwritten(std::size_t size) {
+    if constexpr (numeric) {
+      Column column;
+      column.size_ = size;
+      column.data_ = Zeroed<double>::unwritten(width * size);
+      return column;
+    } else {
+      return Column(size);
+    }
+  }
 
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }

@@ -192,7 +192,7 @@ void GridNormals::row_of_normals(std::size_t row, kernels::Points normals, std::
 }
 
 Column<Vector> GridNormals::all(Zeroed<std::uint8_t>& doubtful, const Cancel& cancel) const {
-  Column<Vector> normals(samples_.size());
+  Column<Vector> normals = Column<Vector>::unwritten(samples_.size());
   const kernels::Points out = {normals.component(0), normals.component(1), normals.component(2)};
   const std::size_t rows_at_once = std::max<std::size_t>(1, usual_chunk / samples_.columns().size());
   for_chunks(cancel, samples_.rows().size(), rows_at_once, [&](std::size_t begin, std::size_t end) {

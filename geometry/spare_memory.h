@@ -13,8 +13,8 @@ class SpareMemory {
  public:
   using Unmap = void (*)(void* memory, std::size_t size) noexcept;
 
-  /// `unmap` gives a piece back to the system.
-  explicit SpareMemory(std::size_t limit, Unmap unmap) : limit_(limit), unmap_(unmap) {}
+  /// `unmap_piece` returns one to the system.
+  explicit SpareMemory(std::size_t limit, Unmap unmap_piece) : limit_(limit), unmap_(unmap_piece) {}
 
   /// A piece of exactly this size that was kept, the last one first; null when there is none. It holds what was written
   /// into it before.

@@ -62,7 +62,7 @@ void write_triangles(const GridSamples& samples, const std::vector<SurfaceTile>&
 /// Writes positions, normals and texture coordinates of the vertices.
 void write_vertices(const GridSamples& samples, const SurfaceVertices& vertices, Column<Vector> normals, Mesh& mesh,
                     const Cancel& cancel) {
-  Column<Point> positions(vertices.size());
+  Column<Point> positions = Column<Point>::unwritten(vertices.size());
   Column<Vector> kept_normals(vertices.are_samples() ? 0 : vertices.size());
   NumberList<std::array<double, 2>> uvs(vertices.size());
   std::vector<double> v(samples.columns().size());

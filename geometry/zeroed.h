@@ -22,7 +22,17 @@ class Zeroed {
  public:
   Zeroed() = default;
   explicit Zeroed(std::size_t size) : size_(size), elements_(size == 0 ? nullptr : allocate(size)) {}
-  Zeroed(const Zeroed& other) : Zeroed(other.size_) {
+  /// Elements that may hold anything, where all of them are written before one is read: then memory that was used
+  /// before need not be cleared.
+  static Zeroed unwritten(std::size_t size) {
+    if (!is_large_memory(size * sizeof(T))) return Zeroed(size);
+    check(size);
+    Zeroed result;
+    result.elements_ = static_cast<T*>(get_large_memory(size * sizeof(T)));
+    result.size_ = size;
+    return result;
+  }
+  Zeroed(const Zeroed& other) : Zeroed(unwritten(other.size_)) {
     if (size_ > 0) std::memcpy(static_cast<void*>(data()), other.data(), size_ * sizeof(T));
   }
   Zeroed(Zeroed&& other) noexcept
@@ -54,8 +64,12 @@ class Zeroed {
   }
 
  private:
-  static T* allocate(std::size_t size) {
+  static void check(std::size_t size) {
     if (size > static_cast<std::size_t>(-1) / sizeof(T)) throw std::bad_alloc();
+  }
+
+  static T* allocate(std::size_t size) {
+    check(size);
     if (is_large_memory(size * sizeof(T))) return static_cast<T*>(get_zeroed_large_memory(size * sizeof(T)));
     void* elements = std::calloc(size, sizeof(T));
     if (elements == nullptr) throw std::bad_alloc();

@@ -65,7 +65,7 @@ class BatchedFunction {
 
   template <class... T>
   static std::tuple<Column<T>...> make_columns(std::size_t count, std::type_identity<std::tuple<T...>>) {
-    return {Column<T>(count)...};
+    return {Column<T>::unwritten(count)...};
   }
 
   template <class... T>

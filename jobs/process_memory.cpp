@@ -34,6 +34,8 @@ void use_few_memory_pools() {
   mallopt(M_ARENA_MAX, pools);
 }
 
+void keep_spare_memory(std::size_t bytes) { limit_spare_memory(bytes); }
+
 void give_back_free_memory() {
   give_back_spare_memory();
   malloc_trim(0);

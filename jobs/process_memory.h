@@ -9,6 +9,9 @@ namespace dini::jobs {
 /// thread begins.
 void use_few_memory_pools();
 
+/// How much memory of large arrays that were freed may be kept for the next ones, beside what is in use.
+void keep_spare_memory(std::size_t bytes);
+
 /// Gives memory that is free within the process back to the machine.
 void give_back_free_memory();
 

@@ -169,7 +169,7 @@ TEST_CASE("Warps agree with the scalar algebra for every method, rule and fallof
   mixed.push_back(warp_source(0.1 * rotation_generator(line_from({1, 0, 0}, {0, 1, 1}))));
   mixed.push_back(warp_source(split_pair({-1, 0.5, 0}, {0.2, 0.1, 0}, 0.3)));
   for (const auto& sources : {random_sources(1), random_sources(5), mixed}) {
-    for (const double power : {2.0, 1.0, 3.5, 0.0}) {
+    for (const double power : {2.0, 1.0, 3.0, 4.0, 0.5, 1.5, 3.5, 2.7, -1.0, 0.0}) {
       for (const double softening : {0.0, 0.5}) {
         for (const Rule rule : {Rule::exact, Rule::paper}) {
           WarpSettings settings{0.7, power, softening, rule, WarpMethod::sum_generators};
