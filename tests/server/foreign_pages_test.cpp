@@ -98,7 +98,7 @@ TEST_CASE("Nothing is changed for a page of another origin, however its origin i
   }
 }
 
-TEST_CASE("No address that takes a body takes one that a page may send without being asked first") {
+TEST_CASE("No address takes a body that forms of pages send, and only files may be plain text") {
   const Running server;
   for (const server::Route& route : server::routes()) {
     if (route.body_limit == nullptr) continue;
@@ -107,6 +107,8 @@ TEST_CASE("No address that takes a body takes one that a page may send without b
     for (const std::string type : {"text/plain", "text/plain;charset=UTF-8", "application/x-www-form-urlencoded",
                                    "multipart/form-data; boundary=x", ""}) {
       CAPTURE(path, type);
+      // A mesh file may be plain text: a page that sends one names its origin, and is refused for that.
+      if (path == "/v1/assets" && type.starts_with("text/plain")) continue;
       const auto answer =
           ask(server.port(), std::string(route.method) + " " + path + " HTTP/1.1\r\nHost: localhost\r\n" +
                                  (type.empty() ? "" : "Content-Type: " + type + "\r\n") +
@@ -144,8 +146,7 @@ TEST_CASE("Every answer keeps browsers from guessing its type, framing it and sh
     CAPTURE(asked.method, asked.path);
     const auto answer = ask_for(server.port(), asked, "localhost");
     REQUIRE(answer);
-    const std::string frames = asked.path.starts_with("/embed/") ? "frame-ancestors 'self'" : "frame-ancestors 'none'";
-    CHECK(answer->header("content-security-policy").find(frames) != std::string::npos);
+    CHECK(answer->header("content-security-policy").find("frame-ancestors 'none'") != std::string::npos);
     CHECK(answer->header("x-content-type-options") == "nosniff");
     CHECK(answer->header("cross-origin-opener-policy") == "same-origin");
     CHECK(answer->header("cross-origin-resource-policy") == "same-origin");

@@ -16,10 +16,11 @@ namespace {
 Json balls() {
   Json graph =
       document({{"k", make("range", {{"from", 0}, {"to", 9}, {"count", 12}})},
-                {"place", make("vector", {{"x", from("k")}})},
+                {"offset", make("vector", {{"x", from("k")}})},
+                {"origin", make("point")},
+                {"place", make("translate", {{"shape", from("origin")}, {"vector", from("offset")}})},
                 {"row", make("sphere_mesh", {{"center", from("place")}, {"radius", {{"parameter", "radius"}}}})},
                 {"rings", make("circle", {{"center", from("place")}})},
-                {"points", make("point", {{"position", from("place")}})},
                 {"size", make("measure", {{"model", from("row")}})},
                 {"out", make("export", {{"model", from("row")}})}});
   graph["parameters"] = {{"radius", {{"type", "number"}, {"default", 1}}}};
@@ -98,7 +99,7 @@ std::map<std::string, Row> rows() {
       {"json_depth", {4, evaluated, "not-json"}},
       {"json_values", {10, evaluated, "limit-exceeded"}},
       {"string_bytes", {8, evaluated, "limit-exceeded"}},
-      {"nodes", {6, evaluated, "limit-exceeded"}},
+      {"nodes", {7, evaluated, "limit-exceeded"}},
       {"links", {6, evaluated, "limit-exceeded"}},
       {"samples", {11, evaluated, "limit-exceeded"}},
       {"vertices", {1000, evaluated, "limit-exceeded"}},
@@ -112,7 +113,7 @@ std::map<std::string, Row> rows() {
       {"cache_bytes", {0, repeated, "made again"}},
       {"previews", {1, asking("/v1/evaluate", {{"preview", {"row", "rings"}}}), "limit-exceeded"}},
       {"preview_elements", {1, drawing("rings"), ""}},
-      {"preview_points", {1, drawing("points"), ""}},
+      {"preview_points", {1, drawing("place"), ""}},
       {"measures", {1, asking("/v1/evaluate", {{"measures", {"size", "k"}}}), "limit-exceeded"}},
       {"measured_values", {2, asking("/v1/evaluate", {{"measures", {"k"}}}), "limit-exceeded"}},
       {"asset_bytes", {10, uploaded, "body-too-large"}},
