@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <set>
 
 #include "cli/commands.h"
 #include "cli/exit_codes.h"
@@ -114,7 +115,15 @@ Result<std::vector<Wanted>> wanted_of(const Options& options, const jobs::SweepR
   for (const auto& [name, value] : first.items()) known.push_back(name);
   const auto names = read_output_names({"./" + *options.out}, known);
   if (!names) return names.problems();
-  for (Wanted& each : wanted) each.file = filled(*options.out, names_of(options.graph.path(), each));
+  std::set<std::string> files;
+  for (Wanted& each : wanted) {
+    each.file = filled(*options.out, names_of(options.graph.path(), each));
+    if (files.insert(*each.file).second) continue;
+    const std::string all = request.outputs.size() > 1 ? "{index} and {output}" : "{index}, or all of its parameters,";
+    return Problem{.code = "usage",
+                   .detail = "-o " + *options.out + ": " + *each.file +
+                             " would be written twice; the name of each variant is its own with " + all + " in it"};
+  }
   return wanted;
 }
 

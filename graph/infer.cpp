@@ -243,6 +243,8 @@ class Inference {
           return too_many("vertices", each > limits_.vertices ? each : each * samples, limits_.vertices);
         }
         shape.vertices = each * samples;
+        // A closed grid has two for each vertex.
+        if (shape.vertices > limits_.triangles / 2) return too_many("triangles", 2 * shape.vertices, limits_.triangles);
         const VertexRule& bound = type.most_vertices ? type.most_vertices : type.vertices;
         shape.most_vertices = samples * vertices_per_run(bound, &WireShape::most_vertices);
       }

@@ -1,9 +1,11 @@
 #include "jobs/sweep.h"
 
 #include <algorithm>
-#include <optional>
+#include <atomic>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
+#include <utility>
 
 #include "graph/stopped.h"
 
@@ -16,7 +18,8 @@ constexpr std::chrono::milliseconds slice_time{100};
 /// How long a sweep waits that is not let in.
 constexpr std::chrono::milliseconds busy_pause{50};
 
-std::size_t at_once() { return static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency())); }
+/// So many variants are checked before their work is added up.
+constexpr std::size_t checked_together = 64;
 
 OutputOutcome evaluated(const Engine& engine, const EvaluateRequest& request, const Job& job) {
   Result<SharedPrepared> prepared = engine.prepare(request, job.cancel);
@@ -32,6 +35,19 @@ VariantOutcome evaluated(const Engine& engine, const SweepRequest& request, std:
     outcome.outputs.push_back(evaluated(engine, request.with(outcome.setting, output), job));
   }
   return outcome;
+}
+
+/// Nothing for a variant that is wrong.
+SweepCost cost_of_variant(const Engine& engine, const SweepRequest& request, std::size_t index, const Job& job) {
+  SweepCost cost;
+  const Json setting = request.variants.at(index);
+  for (const std::string& output : request.outputs_of_variant()) {
+    const Result<SharedPrepared> prepared = engine.prepare(request.with(setting, output), job.cancel);
+    if (!prepared) continue;
+    if ((*prepared)->work != ComputeQueue::unknown_work) cost.work += (*prepared)->work;
+    cost.bytes += (*prepared)->bytes;
+  }
+  return cost;
 }
 
 /// No two sweeps have an outcome in common.
@@ -82,36 +98,50 @@ std::vector<SharedFile> VariantOutcome::files() const {
 
 Result<std::shared_ptr<const SweepCost>> predict(const Engine& engine, const SweepRequest& request, const Job& job) {
   SweepCost cost;
-  for (std::size_t index = request.first; index < request.variants.size(); ++index) {
-    const Json setting = request.variants.at(index);
-    std::size_t bytes = 0;
-    for (const std::string& output : request.outputs_of_variant()) {
-      const Result<SharedPrepared> prepared = engine.prepare(request.with(setting, output), job.cancel);
-      if (job.cancel.stopped()) return stopped_problem(job.cancel.reason());
-      if (!prepared) continue;
-      if ((*prepared)->work != ComputeQueue::unknown_work) cost.work += (*prepared)->work;
-      bytes += (*prepared)->bytes;
+  const std::size_t size = request.variants.size();
+  for (std::size_t first = request.first; first < size; first += checked_together) {
+    std::vector<SweepCost> costs(std::min(checked_together, size - first));
+    tbb::parallel_for(std::size_t{0}, costs.size(),
+                      [&](std::size_t i) { costs[i] = cost_of_variant(engine, request, first + i, job); });
+    if (job.cancel.stopped()) return stopped_problem(job.cancel.reason());
+    for (std::size_t i = 0; i < costs.size(); ++i) {
+      cost.work += costs[i].work;
+      cost.bytes = std::max(cost.bytes, costs[i].bytes);
+      if (cost.work <= engine.limits().sweep_work) continue;
+      constexpr std::size_t units_per_second = 1'000'000'000;
+      return Problem{.code = "limit-exceeded",
+                     .detail = "up to variant " + std::to_string(first + i) + " the sweep would compute for about " +
+                               std::to_string(cost.work / units_per_second) + " seconds of one processor, at most " +
+                               std::to_string(engine.limits().sweep_work / units_per_second) + " are accepted",
+                     .in_request = true};
     }
-    cost.bytes = std::max(cost.bytes, bytes);
-    if (cost.work <= engine.limits().sweep_work) continue;
-    constexpr std::size_t units_per_second = 1'000'000'000;
-    return Problem{.code = "limit-exceeded",
-                   .detail = "up to variant " + std::to_string(index) + " the sweep would compute for about " +
-                             std::to_string(cost.work / units_per_second) + " seconds of one processor, at most " +
-                             std::to_string(engine.limits().sweep_work / units_per_second) + " are accepted",
-                   .in_request = true};
   }
   return std::make_shared<const SweepCost>(cost);
 }
 
-std::vector<VariantOutcome> evaluate_together(const Engine& engine, const SweepRequest& request, std::size_t first,
-                                              const Job& job) {
-  std::vector<std::optional<VariantOutcome>> outcomes(std::min(request.variants.size() - first, at_once()));
-  tbb::parallel_for(std::size_t{0}, outcomes.size(),
-                    [&](std::size_t i) { outcomes[i] = evaluated(engine, request, first + i, job); });
-  std::vector<VariantOutcome> all;
-  for (std::optional<VariantOutcome>& outcome : outcomes) all.push_back(*std::move(outcome));
-  return all;
+std::size_t most_at_once() {
+  return 1 + static_cast<std::size_t>(std::max(1, tbb::this_task_arena::max_concurrency()));
+}
+
+void evaluate_in_order(const Engine& engine, const SweepRequest& request, std::size_t first, const Job& job,
+                       const std::function<bool()>& go_on, const std::function<void(const VariantOutcome&)>& hand_on) {
+  using Made = std::shared_ptr<const VariantOutcome>;
+  const auto begin = [&](tbb::flow_control& control) {
+    if (first == request.variants.size() || job.cancel.stopped() || !go_on()) {
+      control.stop();
+      return first;
+    }
+    return first++;
+  };
+  const auto make = [&](std::size_t index) {
+    // A thread that waits for parts of this variant does not begin another one meanwhile, which would hold this one up.
+    return tbb::this_task_arena::isolate(
+        [&] { return std::make_shared<const VariantOutcome>(evaluated(engine, request, index, job)); });
+  };
+  const auto tell = [&](const Made& outcome) { hand_on(*outcome); };
+  tbb::parallel_pipeline(most_at_once(), tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, begin) &
+                                             tbb::make_filter<std::size_t, Made>(tbb::filter_mode::parallel, make) &
+                                             tbb::make_filter<Made, void>(tbb::filter_mode::serial_in_order, tell));
 }
 
 Sweep::Sweep(const Engine& engine, Flights& flights, SweepRequest request, const SweepCost& cost,
@@ -144,7 +174,7 @@ void Sweep::go_on() {
   const std::size_t left = request_.variants.size() - next_;
   interest_ = flights_.ask<bool>(
       {.key = name_,
-       .bytes = cost_.bytes * std::min(left, at_once()),
+       .bytes = cost_.bytes * std::min(left, most_at_once()),
        .work = static_cast<std::size_t>(std::chrono::nanoseconds(slice_time).count()),
        .deadline = request_.deadline},
       [self](const Job& job) { return self->run_slice(job); },
@@ -155,15 +185,19 @@ void Sweep::go_on() {
 
 Result<std::shared_ptr<const bool>> Sweep::run_slice(const Job& job) {
   const Clock::time_point until = Clock::now() + slice_time;
-  const std::size_t size = request_.variants.size();
-  bool has_room = true;
-  while (has_room && wanted_ && next_ < size && Clock::now() < until) {
-    const std::vector<VariantOutcome> outcomes = evaluate_together(engine_, request_, next_, job);
-    const std::lock_guard lock(taking_);  // who stops this work does not wait for it
-    if (job.cancel.stopped() || ended_) return stopped_problem(job.cancel.reason());
-    for (std::size_t i = 0; i < outcomes.size() && wanted_; ++i, ++next_) wanted_ = taker_->take(outcomes[i]);
-    has_room = taker_->has_room(nullptr);
-  }
+  std::atomic<bool> goes_on = true;
+  bool has_begun = false;  // each slice gets on, however late it is given its place
+  evaluate_in_order(
+      engine_, request_, next_, job,
+      [&] { return goes_on && (!std::exchange(has_begun, true) || Clock::now() < until); },
+      [&](const VariantOutcome& outcome) {
+        const std::lock_guard lock(taking_);  // who stops this work does not wait for it
+        if (job.cancel.stopped() || ended_ || !wanted_) return;
+        wanted_ = taker_->take(outcome);
+        ++next_;
+        goes_on = wanted_ && taker_->has_room(nullptr);
+      });
+  if (job.cancel.stopped()) return stopped_problem(job.cancel.reason());
   return std::make_shared<const bool>(true);
 }
 

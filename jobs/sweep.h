@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -57,12 +58,18 @@ struct VariantOutcome {
   std::vector<SharedFile> files() const;
 };
 
-/// Evaluates variants from that one on, as many as there are threads, all at once; their outcomes in their order.
-std::vector<VariantOutcome> evaluate_together(const Engine& engine, const SweepRequest& request, std::size_t first,
-                                              const Job& job);
+/// How many variants `evaluate_in_order` holds at once at the most: one for each thread, and one that is done and waits
+/// for an earlier one.
+std::size_t most_at_once();
 
-/// Evaluates variants, as many at once as there are threads, and tells how they fared in their order. It gives its
-/// place to compute up after every slice, so that nobody waits behind a long sweep, and while its taker has no room.
+/// Evaluates variants from that one on, with all threads, and hands on how they fared, in their order and one at a
+/// time, on any thread. No further one is begun once `go_on` says no or the job is stopped; those that were begun are
+/// handed on.
+void evaluate_in_order(const Engine& engine, const SweepRequest& request, std::size_t first, const Job& job,
+                       const std::function<bool()>& go_on, const std::function<void(const VariantOutcome&)>& hand_on);
+
+/// Evaluates variants with all threads and tells how they fared in their order. It gives its place to compute up after
+/// every slice, so that nobody waits behind a long sweep, and while its taker has no room.
 class Sweep : public std::enable_shared_from_this<Sweep> {
  public:
   /// Whoever is told. One call at a time, on a thread that computes but for `end`, which may be on any.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <poll.h>
 #include <random>
 #include <sys/epoll.h>
 #include <sys/eventfd.h>
@@ -33,6 +34,12 @@ std::size_t connection_limit(const Settings& settings) {
   const auto descriptors = static_cast<std::size_t>(limit.rlim_cur);
   const std::size_t spare = descriptors > 2 * other_descriptors ? descriptors - other_descriptors : descriptors / 2;
   return std::max<std::size_t>(1, std::min(settings.connections, spare));
+}
+
+/// Whether a client has connected that has yet to be accepted.
+bool someone_waits_at(int listener) {
+  pollfd ready{listener, POLLIN, 0};
+  return ::poll(&ready, 1, 0) > 0;
 }
 
 int milliseconds_until(Connection::Clock::time_point time) {
@@ -247,7 +254,11 @@ void Connections::pause_accepting() {
 void Connections::accept_all() {
   constexpr int most_at_once = 64;
   for (int i = 0; i < most_at_once; ++i) {
-    if (connections_.size() >= most_connections_ && !make_room()) return pause_accepting();
+    if (connections_.size() >= most_connections_) {
+      // Nobody is closed for one who does not come.
+      if (!someone_waits_at(listener_.descriptor())) return;
+      if (!make_room()) return pause_accepting();
+    }
     const int descriptor = listener_.accept();
     if (descriptor >= 0) {
       accept_one(descriptor);
@@ -289,7 +300,7 @@ bool Connections::make_room() {
 
 /// Accepts who has connected already, since closing the socket would reset them, then closes it.
 void Connections::stop_listening() {
-  while (connections_.size() < most_connections_ || make_room()) {
+  while (someone_waits_at(listener_.descriptor()) && (connections_.size() < most_connections_ || make_room())) {
     const int descriptor = listener_.accept();
     if (descriptor >= 0) {
       accept_one(descriptor);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "jobs/sweep.h"
@@ -73,8 +74,9 @@ Digest key_of(std::string_view work, const Context& context, const jobs::SweepRe
 /// Lets all variants be put into one file, which is the answer.
 void begin_file(const Context& context, const SharedRequest& request, const SharedCost& cost) {
   const Digest key = key_of("sweep file", context, *request);
+  const std::size_t at_once = std::min(request->variants.size() - request->first, jobs::most_at_once());
   ask<File>(
-      context, {.key = key, .bytes = cost->bytes, .work = cost->work, .deadline = request->deadline},
+      context, {.key = key, .bytes = cost->bytes * at_once, .work = cost->work, .deadline = request->deadline},
       [&engine = context.engine(), request](const Job& job) { return jobs::sweep_file(engine, *request, job); },
       [](const SharedFile& file) {
         return Reply{.type = file->media_type,

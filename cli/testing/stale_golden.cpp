@@ -61,6 +61,42 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return files;
 }
 
+/// A folder and all below it, but for those where graphs keep golden results of their own.
+std::vector<fs::path> folders_of(const fs::path& folder) {
+  std::vector<fs::path> folders = {folder};
+  std::error_code error;
+  for (fs::recursive_directory_iterator entry(folder, error); !error && entry != fs::recursive_directory_iterator();
+       entry.increment(error)) {
+    if (!entry->is_directory(error)) continue;
+    if (entry->path().filename() == "golden") {
+      entry.disable_recursion_pending();
+    } else {
+      folders.push_back(entry->path());
+    }
+  }
+  std::ranges::sort(folders);
+  return folders;
+}
+
+/// The golden results below a folder of --golden that are of no graph below the folders that were tested; none where a
+/// graph was named by itself, for then the folder is that of others as well.
+std::vector<CaseResult> of_no_graph(const fs::path& golden, const std::vector<std::string>& paths) {
+  std::error_code error;
+  if (!std::ranges::all_of(paths, [&](const std::string& path) { return fs::is_directory(path, error); })) return {};
+  std::vector<CaseResult> stale;
+  for (const fs::path& folder : folders_of(golden)) {
+    const fs::path below = folder.lexically_relative(golden);
+    for (const fs::path& file : files_in(folder)) {
+      const std::string base = base_of(file);
+      const auto has_graph = [&](const fs::path& root) { return !owner_of(base, root / below).empty(); };
+      if (std::ranges::any_of(paths, has_graph)) continue;
+      const std::string graph = (fs::path(paths.front()) / below / (base + ".json")).lexically_normal().string();
+      stale.push_back(left_over(graph, "", file, "no graph in the folders that were tested"));
+    }
+  }
+  return stale;
+}
+
 }  // namespace
 
 std::vector<CaseResult> stale_golden(const GoldenOptions& options, const std::vector<TestGraph>& graphs,
@@ -73,12 +109,13 @@ std::vector<CaseResult> stale_golden(const GoldenOptions& options, const std::ve
     tested[normal(path)] = &graph;
     const fs::path folder = golden_file(options, path, graph.found.root, "").path.parent_path();
     const bool is_named = std::ranges::find(paths, path) != paths.end();
-    places[{folder, fs::path(path).parent_path()}] |= !is_named && !options.folder;
+    places[{folder, fs::path(path).parent_path()}] |= !is_named && !options.folder;  // else see `of_no_graph`
     for (const TestCase& each : graph.cases) {
       if (each.fails.empty()) expected.insert(normal(golden_file(options, path, graph.found.root, each.name).path));
     }
   }
   std::vector<CaseResult> stale;
+  if (options.folder) stale = of_no_graph(*options.folder, paths);
   for (const auto& [place, is_whole] : places) {
     for (const fs::path& file : files_in(place.golden)) {
       if (expected.contains(normal(file))) continue;

@@ -8,10 +8,10 @@
 
 namespace dini::cli {
 
-/// A failed case for each golden result that no case has any more: of a graph that was tested and has no such case, or,
-/// in the folder `golden` beside graphs of a folder that was tested, of no graph at all. `paths` are what the user
-/// named. Those of graphs that were not tested, or cannot be read, are left alone, and so are those of unknown graphs
-/// in the folder of --golden, for others may use it too.
+/// A failed case for each golden result that no case has any more: of a graph that was tested and has no such case, or
+/// of no graph at all, in the folder `golden` beside graphs of a folder that was tested, or in that of --golden where
+/// whole folders were tested. `paths` are what the user named. Those of graphs that were not tested, or cannot be read,
+/// are left alone.
 std::vector<CaseResult> stale_golden(const GoldenOptions& options, const std::vector<TestGraph>& graphs,
                                      const std::vector<std::string>& paths);
 

@@ -164,17 +164,47 @@ TEST_CASE("Golden results of graphs that were not tested, cannot be read or are 
   project.write("other.cases.json", "{");
   CHECK(project.test({"--update-golden"}).code == 3);
   CHECK(std::filesystem::exists(project.at("golden/other.golden.json")));
-  // A graph that is gone: its folder knows, and a folder that was named may be for others too.
+  // A graph that is gone is told of where the folder was tested, and not where others were tested by their names.
   std::filesystem::remove(project.at("other.cases.json"));
   std::filesystem::remove(project.at("other.json"));
   CHECK(test({project.at("ball.json")}).code == 0);
-  CHECK(project.test({"--golden", project.at("golden")}).code == 0);
   const Outcome gone = project.test();
   CHECK(gone.code == 1);
   CHECK(has(gone.err, "is of no graph that is here"));
   CHECK(project.test({"--update-golden"}).code == 0);
   CHECK_FALSE(std::filesystem::exists(project.at("golden/other.golden.json")));
   CHECK(project.read("golden/notes.txt") == "by hand");
+}
+
+TEST_CASE("In a folder of all golden results those of graphs that are gone are told of") {
+  const Project project;
+  std::filesystem::create_directories(project.at("more/deep"));
+  project.write_json("more/deep/ball.json", ball());
+  project.write_json("more/deep/other.json", ball());
+  const Folder kept("kept");
+  const std::string golden = kept.path().string(), left = golden + "/more/deep/other.golden.json";
+  const auto test = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), "test");
+    words.insert(words.end(), {"--golden", golden});
+    return run(words);
+  };
+  REQUIRE(test({project.at(""), "--update-golden"}).code == 0);
+  REQUIRE(std::filesystem::exists(left));
+  std::filesystem::remove(project.at("more/deep/other.json"));
+  const Outcome gone = test({project.at("")});
+  CHECK(gone.code == 1);
+  CHECK(has(gone.err, "the golden result " + left + " is of no graph in the folders that were tested"));
+  CHECK(has(gone.err, "[golden-stale]"));
+  // Who tests one graph says nothing of the others.
+  CHECK(test({project.at("ball.json")}).code == 0);
+  CHECK(test({project.at("ball.json"), "--update-golden"}).code == 0);
+  CHECK(std::filesystem::exists(left));
+  const Outcome updated = test({project.at(""), "--update-golden"});
+  CHECK(updated.code == 0);
+  CHECK(has(updated.out, "removed  " + left));
+  CHECK_FALSE(std::filesystem::exists(left));
+  CHECK(std::filesystem::exists(golden + "/more/deep/ball.golden.json"));
+  CHECK(test({project.at("")}).code == 0);
 }
 
 TEST_CASE("Each case of a graph is evaluated, and may have to fail") {

@@ -1,8 +1,12 @@
 // Documents as strangers send them, to the real engine: each is refused for what it is, before it costs anything.
 
 #include <catch2/catch.hpp>
+#include <fstream>
+#include <iterator>
+#include <set>
 
 #include "tests/server/fixture.h"
+#include "tests/support/damage.h"
 
 namespace {
 
@@ -53,6 +57,7 @@ std::vector<Refused> texts() {
       {"NaN", ball_of("NaN"), "not-json"},
       {"infinity", ball_of("Infinity"), "not-json"},
       {"a number past every range", ball_of("1e400"), "not-json"},
+      {"a number of a million digits", ball_of(std::string(1'000'000, '9')), "not-json"},
       {"a number in hexadecimal", ball_of("0x10"), "not-json"},
       {"a comment", "/* */" + good, "not-json"},
       {"a list", "[]", "type-mismatch"},
@@ -90,6 +95,7 @@ std::vector<Refused> values() {
 std::vector<Refused> graphs() {
   Json many = Json::object();
   for (int i = 0; i < 2001; ++i) many["n" + std::to_string(i)] = node("number", {{"value", i}});
+  const Json links(10'000, Json{{"from", "c"}});
   return {
       {"a node that feeds itself", body_of({{"a", node("sphere_mesh", {{"radius", {{"from", "a"}}}})}}),
        "graph-has-cycle"},
@@ -107,6 +113,8 @@ std::vector<Refused> graphs() {
       {"an id that scripts take for something else", body_of({{"__proto__", node("sphere_mesh", Json::object())}}),
        "invalid-id"},
       {"too many nodes", body_of(std::move(many)), "limit-exceeded"},
+      {"more links than there may be",
+       body_of({{"c", node("number", Json::object())}, {"a", node("list", {{"items", links}})}}), "limit-exceeded"},
       {"a file of this machine", body_of({{"a", node("import", {{"asset", "/etc/passwd"}})}}), "unknown-asset"},
       {"an address to fetch", body_of({{"a", node("import", {{"asset", "http://127.0.0.1/a.obj"}})}}), "unknown-asset"},
   };
@@ -140,4 +148,28 @@ TEST_CASE("A graph whose paths double at every node is read in one go") {
   }
   nodes["a"] = node("sphere_mesh", {{"radius", {{"from", "n64"}}}});
   CHECK(post(server.port(), "/v1/evaluate", body_of(std::move(nodes)))->status == 200);
+}
+
+TEST_CASE("Damaged documents are evaluated or refused, and nothing worse") {
+  auto settings = quick_settings();
+  settings.compute_queue = 8;
+  dini::Limits limits;
+  limits.vertices = 60'000;
+  const RunningReal server(settings, limits);
+  std::mt19937 random(23);
+  std::ifstream file(DINI_EXAMPLES "/fig04_boosted_ring.json");
+  const std::string good =
+      R"({"graph":)" + std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()) + "}";
+  std::set<int> seen;
+  for (int i = 0; i < 400; ++i) {
+    const std::string body = damaged(good, random);
+    const auto answer = post(server.port(), "/v1/evaluate", body);
+    CAPTURE(body);
+    REQUIRE(answer);
+    seen.insert(answer->status);
+    CHECK((answer->status == 200 || answer->status == 400 || answer->status == 422));
+    if (answer->status != 200) CHECK(answer->header("content-type") == "application/problem+json");
+  }
+  CHECK(seen == std::set<int>{200, 400, 422});
+  CHECK(post(server.port(), "/v1/evaluate", ball_of("1"))->status == 200);
 }

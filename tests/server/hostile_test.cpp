@@ -168,6 +168,9 @@ TEST_CASE("Several ranges are answered with everything, however many they are") 
     CHECK(answer->status == 200);
     CHECK(answer->json().is_object());
   }
+  std::string longest = "Range: bytes=0-1";
+  for (int i = 1; i < 2700; ++i) longest += ",0-1";
+  CHECK(get(server.port(), "/v1/nodes", longest + "\r\n")->status == 431);
   CHECK(resident_kib() - before < memory_slack_kib);
 }
 

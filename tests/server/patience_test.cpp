@@ -144,6 +144,18 @@ TEST_CASE("A reader that takes nothing is cut") {
   CHECK(client.rest().size() < 50'000'000);
 }
 
+TEST_CASE("A thousand who connect at once are all answered") {
+  const Running server;
+  std::vector<std::unique_ptr<Client>> clients;
+  for (int i = 0; i < 1000; ++i) clients.push_back(std::make_unique<Client>(server.port()));
+  for (const auto& client : clients) client->send("GET /healthz HTTP/1.1\r\n" + host + "\r\n");
+  for (const auto& client : clients) {
+    const auto answer = client->receive();
+    REQUIRE(answer);
+    CHECK(answer->status == 200);
+  }
+}
+
 TEST_CASE("Who has connected before the server stops is answered") {
   Running server;
   std::vector<std::unique_ptr<Client>> clients;

@@ -155,6 +155,7 @@ Result<SharedPrepared> ToyEngine::prepare(const EvaluateRequest& request, const 
   const Digest report = digest.text(prepared->nodes.dump()).finish();
   prepared->model_tag = "\"toy-" + to_hex(prepared->content) + "\"";
   prepared->report_tag = "\"toy-" + to_hex(report) + "\"";
+  prepared->bytes = 1;
   ++counters().prepared;
   return SharedPrepared(std::move(prepared));
 }
