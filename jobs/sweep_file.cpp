@@ -1,6 +1,7 @@
 #include "jobs/sweep_file.h"
 
 #include "graph/stopped.h"
+#include "jobs/variant_outcome.h"
 #include "service/variant_file.h"
 
 namespace dini::jobs {
