@@ -54,6 +54,7 @@ int run(Options& options, const EngineMaker& make_engine) {
   spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
   jobs::use_few_memory_pools();
   const std::unique_ptr<Engine> engine = make_engine(options.limits);
+  signals.running();  // from here on there is something to put in order
   jobs::Worker worker(*engine, {.address = *address,
                                 .threads = options.computing.threads(),
                                 .silence = std::chrono::milliseconds(options.silence)});
@@ -62,7 +63,6 @@ int run(Options& options, const EngineMaker& make_engine) {
     const bool is_wrong = fault.kind == queue::Fault::Kind::denied || fault.kind == queue::Fault::Kind::refused;
     return refused({{.code = "queue-failed", .detail = fault.detail}}, is_wrong ? exit_usage : exit_try_again);
   }
-  signals.running();
   write_at_once(STDOUT_FILENO, "Dini computes for " + address->text() + " as " + worker.name() + ", engine " +
                                    jobs::queue_identity(*engine) + "\n");
   signals.wait();

@@ -67,7 +67,7 @@ std::span<const LayerRule> layer_rules() {
       {"nodes", {"graph/", "formats/", "gltf/", "geometry/", "algebra/"}},
       {"service", {"nodes/", "graph/", "gltf/", "draco/", "geometry/", "algebra/"}},
       {"store", {"graph/"}},
-      {"queue", {"graph/problem.h", "graph/digest.h", "geometry/expected.h"}},
+      {"queue", {"graph/", "geometry/expected.h"}},
       {"jobs",
        {"store/", "queue/", "service/", "graph/problem.h", "graph/digest.h", "graph/job.h", "graph/stopped.h",
         "geometry/cancel.h"}},
