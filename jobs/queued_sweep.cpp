@@ -10,10 +10,12 @@
 namespace dini::jobs {
 namespace {
 
-/// While lines come, while none comes, and while Redis is away.
+/// While a few lines come, while none comes, and while Redis is away.
 constexpr std::chrono::milliseconds short_pause{4};
 constexpr std::chrono::milliseconds long_pause{40};
 constexpr std::chrono::milliseconds trouble_pause{200};
+/// So many at once, and workers may be waiting for the next variants.
+constexpr std::size_t many_lines = 6;
 /// The sweep must be asked about so often that it is not taken for abandoned, even while nobody takes its lines.
 constexpr std::chrono::milliseconds room_pause{1000};
 
@@ -127,6 +129,7 @@ void QueuedSweep::run() {
       const std::lock_guard lock(mutex_);
       has_room = has_room_;
     }
+    if (has_room && have_.size() >= many_lines) continue;
     if (next_ < queued_.total) pause(has_room ? waited : room_pause);
   }
   const StopReason why = reason();

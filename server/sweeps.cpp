@@ -131,8 +131,7 @@ Operation describe_sweep() {
                    .contents = {{.type = std::string(line_type), .schema = schema::reference("SweepLine")},
                                 {.type = std::string(file_type)}},
                    .headers = {"Cache-Control"}}},
-      .problems =
-          codes_of(ProblemKind::graph, {"not-acceptable", "deadline", "shutting-down", "busy", "queue-failed"})};
+      .problems = codes_of(ProblemKind::graph, {"not-acceptable", "deadline", "shutting-down", "queue-failed"})};
 }
 
 void sweep(const Context& context) {
