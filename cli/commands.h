@@ -11,6 +11,8 @@ namespace dini::cli {
 /// answers the exit code. `make_engine` must outlive that.
 using Command = std::function<int()>;
 void add_serve(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
+void add_worker(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
+void add_queue(CLI::App& program, Command& chosen);
 void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_sweep(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_test(CLI::App& program, Command& chosen, const EngineMaker& make_engine);

@@ -16,6 +16,7 @@ enum ExitCode {
   exit_limit = 5,  ///< a limit or the deadline
   exit_io = 6,
   exit_our_bug = 70,
+  exit_try_again = 75,  ///< of workers: the same may work later
 };
 
 /// The stage a problem turned up in: the same code (`out-of-range`, say) is the graph's fault before evaluation and a

@@ -21,8 +21,12 @@ void add_option(CLI::App& command, Configuration& configuration, const Limit<Own
 
 }  // namespace
 
-void add_limit_options(CLI::App& command, Configuration& configuration, Limits& limits, server::Settings& settings) {
+void add_limit_options(CLI::App& command, Configuration& configuration, Limits& limits) {
   for (const Limit<Limits>& limit : evaluation_limits()) add_option(command, configuration, limit, limits);
+}
+
+void add_limit_options(CLI::App& command, Configuration& configuration, Limits& limits, server::Settings& settings) {
+  add_limit_options(command, configuration, limits);
   for (const Limit<server::Settings>& limit : server::server_limits())
     add_option(command, configuration, limit, settings);
 }

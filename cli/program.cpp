@@ -44,6 +44,8 @@ int run(int count, const char* const* words, const EngineMaker& make_engine) {
   program.set_version_flag("--version", engine_version);
   Command chosen;
   add_serve(program, chosen, make_engine);
+  add_worker(program, chosen, make_engine);
+  add_queue(program, chosen);
   add_eval(program, chosen, make_engine);
   add_sweep(program, chosen, make_engine);
   add_test(program, chosen, make_engine);

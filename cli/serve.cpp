@@ -35,6 +35,7 @@ struct Options {
   std::string web;
   std::string examples;
   std::string data;
+  std::string queue;
   std::string port_file;
   std::string log_level = "info";
   std::string log_format = "text";
@@ -132,6 +133,11 @@ Problems check(Options& options) {
       return {{.code = "usage", .detail = "--allow-origin " + origin + ": " + wrong}};
     }
   }
+  if (!options.queue.empty()) {
+    auto address = queue::read_address(options.queue);
+    if (!address) return {{.code = "usage", .detail = "--queue: " + address.problems().front().detail}};
+    options.settings.queue = *std::move(address);
+  }
   if (!server::is_loopback(host) && options.settings.token.empty()) {
     return {{.code = "usage", .detail = "--host " + host + " can be reached from elsewhere: give a --token"}};
   }
@@ -217,6 +223,10 @@ void add_serve(CLI::App& program, Command& chosen, const EngineMaker& make_engin
   command->add_option("--data", options->data,
                       "The folder that graphs are kept in, or `none` to keep them as long as the server runs (default: "
                       "dini in the user's data folder)");
+  configuration.hide(command->add_option("--queue", options->queue,
+                                         "The Redis whose workers compute sweeps, as "
+                                         "redis://[[user]:password@]host[:port][/database]; without it they are "
+                                         "computed here"));
   configuration.usual(command->add_option("--log-level", options->log_level, "Least level to log (default info)")
                           ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"})),
                       options->log_level);

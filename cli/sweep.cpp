@@ -1,5 +1,3 @@
-#include "jobs/sweep.h"
-
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -17,6 +15,7 @@
 #include "cli/sweeping/ledger.h"
 #include "cli/sweeping/progress.h"
 #include "cli/sweeping/table.h"
+#include "jobs/sweep_request.h"
 #include "service/requests/requests.h"
 
 namespace dini::cli {

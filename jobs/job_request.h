@@ -5,7 +5,7 @@
 #include <string>
 #include <variant>
 
-#include "jobs/sweep.h"
+#include "jobs/sweep_request.h"
 #include "service/requests/requests.h"
 
 namespace dini::jobs {

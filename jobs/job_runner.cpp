@@ -40,16 +40,12 @@ struct JobRunner::Live {
 };
 
 /// Keeps the lines of a sweep.
-class JobRunner::SweepTaker final : public Sweep::Taker {
+class JobRunner::SweepTaker final : public LineTaker {
  public:
   SweepTaker(JobRunner& runner, std::string id, SharedLive live, std::size_t first, std::size_t total)
       : runner_(runner), id_(std::move(id)), live_(std::move(live)), told_(first), total_(total) {}
 
-  bool take(const VariantOutcome& outcome) override {
-    store::JobLine line{.index = outcome.index,
-                        .failed = outcome.failed(),
-                        .text = runner_.line_of_(outcome),
-                        .files = outcome.files()};
+  bool take(store::JobLine line) override {
     bytes_ += line.text.size();
     for (const SharedFile& file : line.files) bytes_ += file->bytes->size();
     lines_.push_back(std::move(line));
@@ -95,9 +91,8 @@ class JobRunner::SweepTaker final : public Sweep::Taker {
   Problems failure_;
 };
 
-JobRunner::JobRunner(const Engine& engine, Flights& flights, store::JobStore jobs, const Terms& terms,
-                     LineWriter line_of)
-    : engine_(engine), flights_(flights), jobs_(std::move(jobs)), terms_(terms), line_of_(std::move(line_of)) {}
+JobRunner::JobRunner(const Engine& engine, Flights& flights, Sweeps& sweeps, store::JobStore jobs, const Terms& terms)
+    : engine_(engine), flights_(flights), sweeps_(sweeps), jobs_(std::move(jobs)), terms_(terms) {}
 
 void JobRunner::start() {
   if (const auto left = jobs_.unfinished()) waiting_.assign(left->begin(), left->end());
@@ -253,6 +248,7 @@ void JobRunner::begin(const std::string& id, const SharedLive& live) {
     return evaluate(id, live, std::get<EvaluateRequest>(request->asked), within(terms_.deadline));
   }
   SweepRequest asked = std::get<SweepRequest>(std::move(request->asked));
+  asked.text = share(*body);
   asked.first = std::min(asked.variants.size(), asked.first + static_cast<std::size_t>((*record)->done));
   const auto limit = static_cast<std::int64_t>(engine_.limits().sweep_milliseconds);
   sweep(id, live, std::move(asked), within(std::chrono::milliseconds(limit)));
@@ -309,7 +305,9 @@ void JobRunner::sweep(const std::string& id, const SharedLive& live, SweepReques
                                                   Flights::Begun) {
     if (!cost) return end_with(id, cost.problems());
     auto taker = std::make_unique<SweepTaker>(*this, id, live, shared->first, shared->variants.size());
-    const auto sweep = std::make_shared<Sweep>(engine_, flights_, *shared, **cost, std::move(taker));
+    const auto made = sweeps_.make(*shared, **cost, std::move(taker), Sweeps::Waiting::job);
+    if (!made) return end_with(id, made.problems());
+    const std::shared_ptr<Sweep>& sweep = *made;
     bool canceled = false;
     {
       const std::lock_guard lock(mutex_);

@@ -15,6 +15,7 @@
 #include "jobs/alarms.h"
 #include "jobs/flights.h"
 #include "jobs/job_request.h"
+#include "jobs/sweep.h"
 #include "store/job_store.h"
 
 namespace dini::jobs {
@@ -35,10 +36,8 @@ class JobRunner {
     std::chrono::milliseconds deadline{600'000};        ///< for one evaluation
     std::chrono::milliseconds result_time{86'400'000};  ///< how long what came of a job is kept
   };
-  /// Writes what came of a variant as JSON in one line.
-  using LineWriter = std::function<std::string(const VariantOutcome&)>;
 
-  JobRunner(const Engine& engine, Flights& flights, store::JobStore jobs, const Terms& terms, LineWriter line_of);
+  JobRunner(const Engine& engine, Flights& flights, Sweeps& sweeps, store::JobStore jobs, const Terms& terms);
   ~JobRunner();
   JobRunner(const JobRunner&) = delete;
   JobRunner& operator=(const JobRunner&) = delete;
@@ -107,9 +106,9 @@ class JobRunner {
 
   const Engine& engine_;
   Flights& flights_;
+  Sweeps& sweeps_;
   store::JobStore jobs_;
   const Terms terms_;
-  const LineWriter line_of_;
   mutable std::mutex mutex_;  ///< of what follows
   std::condition_variable changed_;
   std::deque<std::string> waiting_;

@@ -3,6 +3,7 @@
 #include <atomic>
 
 #include "graph/stopped.h"
+#include "jobs/variant_outcome.h"
 #include "service/variant_file.h"
 
 namespace dini::jobs {

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "jobs/sweep.h"
+#include "graph/job.h"
+#include "jobs/sweep_request.h"
 
 namespace dini::jobs {
 

@@ -7,6 +7,8 @@
 #include "graph/cache.h"
 #include "jobs/flights.h"
 #include "jobs/job_runner.h"
+#include "jobs/queued_sweeps.h"
+#include "jobs/shared_results.h"
 #include "jobs/supersede.h"
 #include "server/answer_threads.h"
 #include "server/artifacts.h"
@@ -40,6 +42,10 @@ struct Application {
   Cache known;  ///< bodies that were read, by their bytes, and requests that were checked, by their identity
   Artifacts artifacts;
   store::GraphStore& graphs;
+  jobs::Sweeps& sweeps;
+  const jobs::QueuedSweeps* queued_sweeps = nullptr;  ///< the same, where there is a queue
+  queue::Link* queue_link = nullptr;                  ///< to that queue
+  jobs::SharedResults* shared_results = nullptr;      ///< that lie there
   jobs::JobRunner& jobs;
   JobFeeds& job_feeds;
   StaticAnswer catalogue;
@@ -48,6 +54,9 @@ struct Application {
   StaticAnswer openapi;
   StaticAnswer docs;
   StaticAnswer docs_style;
+
+  /// What a request comes to, from wherever that is had.
+  Result<SharedComputed> compute(const Prepared& prepared, const Job& job) const;
 
   /// Lets go of everything that could be made again: memory has run out, and the next request shall find some.
   void release_memory();

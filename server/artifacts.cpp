@@ -23,10 +23,6 @@ void Artifacts::add(const SharedFile& file) {
 
 SharedFile Artifacts::find(std::string_view sha256) { return files_.find<File>(key_of(sha256)); }
 
-std::string artifact_address(const File& file, std::string_view base) {
-  return std::string(base) + "/v1/artifacts/" + to_hex(file.sha256);
-}
-
 Operation describe_artifact() {
   std::vector<Content> contents;
   for (const FileFormat& format : usual_formats()) contents.push_back({.type = format.media_types.front()});

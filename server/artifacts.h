@@ -21,7 +21,4 @@ class Artifacts {
   Cache files_;
 };
 
-/// The address of a file.
-std::string artifact_address(const File& file, std::string_view base);
-
 }  // namespace dini::server

@@ -215,7 +215,7 @@ void answer_evaluation(const Context& context, std::string_view type, const std:
        .bytes = prepared->bytes,
        .work = prepared->work,
        .deadline = deadline_of(context, body->deadline_milliseconds)},
-      [&engine = context.engine(), prepared](const Job& job) { return engine.compute(*prepared, job); },
+      [&application = context.application, prepared](const Job& job) { return application.compute(*prepared, job); },
       [context, request](const SharedComputed& computed) { return evaluated_reply(context, request, *computed); });
 }
 

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <thread>
 
+#include "jobs/local_sweep.h"
 #include "jobs/process_memory.h"
 #include "server/addresses.h"
 #include "server/base_path.h"
@@ -14,7 +15,6 @@
 #include "server/openapi.h"
 #include "server/request_log.h"
 #include "server/routes.h"
-#include "server/sweep_line.h"
 #include "server/text.h"
 #include "server/wrong_tokens.h"
 #include "service/document_schema.h"
@@ -92,8 +92,11 @@ struct Server::State {
             [this](const Access& access, const Exchange& exchange) { note(access, exchange); }),
         threads(settings.answer_threads),
         flights(queue, alarms),
-        runner(engine, flights, store::JobStore(graphs->database()), job_terms(settings),
-               [this](const jobs::VariantOutcome& outcome) { return sweep_line(application, outcome); }),
+        link(settings.queue ? std::make_unique<queue::Link>(*settings.queue) : nullptr),
+        queued(link ? std::make_unique<jobs::QueuedSweeps>(engine, *link, settings.base_path) : nullptr),
+        shared(link ? std::make_unique<jobs::SharedResults>(engine, *link) : nullptr),
+        local(engine, flights, settings.base_path),
+        runner(engine, flights, sweeps(), store::JobStore(graphs->database()), job_terms(settings)),
         job_feeds(runner, alarms, threads, settings.base_path),
         application{.engine = engine,
                     .settings = settings,
@@ -108,6 +111,10 @@ struct Server::State {
                     .known = Cache(settings.known_bytes),
                     .artifacts = Artifacts(settings.artifact_bytes),
                     .graphs = *graphs,
+                    .sweeps = sweeps(),
+                    .queued_sweeps = queued.get(),
+                    .queue_link = link.get(),
+                    .shared_results = shared.get(),
                     .jobs = runner,
                     .job_feeds = job_feeds,
                     .catalogue = static_answer(dump(engine.catalogue())),
@@ -129,6 +136,11 @@ struct Server::State {
   }
 
   ~State() { application.engine.keep_assets_in(nullptr); }
+
+  jobs::Sweeps& sweeps() {
+    if (queued) return *queued;
+    return local;
+  }
 
   const Settings settings;
   const std::shared_ptr<spdlog::logger> request_log = make_request_log();
@@ -154,6 +166,10 @@ struct Server::State {
   jobs::Alarms alarms;
   AnswerThreads threads;
   jobs::Flights flights;
+  const std::unique_ptr<queue::Link> link;            ///< where there is a queue
+  const std::unique_ptr<jobs::QueuedSweeps> queued;   ///< likewise
+  const std::unique_ptr<jobs::SharedResults> shared;  ///< likewise
+  jobs::LocalSweeps local;
   jobs::JobRunner runner;
   JobFeeds job_feeds;
   Application application;
@@ -196,10 +212,12 @@ void Server::stop() {
   state_->connections.drain();
   state_->runner.stop();
   if (!state_->connections.wait_closed(Clock::now() + state_->settings.drain_deadline)) {
+    state_->sweeps().stop_all(StopReason::shutting_down);
     state_->flights.stop_all(StopReason::shutting_down);
     state_->connections.wait_closed(Clock::now() + farewell);
   }
   state_->connections.cut();
+  state_->sweeps().finish();
   state_->flights.stop_all(StopReason::shutting_down);
   state_->threads.finish();
 }

@@ -3,9 +3,11 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "queue/address.h"
 #include "server/network.h"
 
 namespace dini::server {
@@ -27,6 +29,8 @@ struct Settings {
 
   std::filesystem::path data;  ///< where graphs are kept; empty: in memory, as long as the server runs
   bool needs_data = true;      ///< false: a server that cannot use that folder starts and keeps nothing
+
+  std::optional<queue::Address> queue;  ///< of the workers that compute sweeps; nothing: they are computed here
 
   std::size_t connections = 4096;  ///< open at once; past that the one that has been idle longest makes room
   std::size_t answer_threads = 0;  ///< that read, check and write requests; 0 for two per core

@@ -3,12 +3,12 @@
 
 #include "jobs/sweep.h"
 #include "jobs/sweep_file.h"
+#include "jobs/variant_outcome.h"
 #include "server/computing.h"
 #include "server/graph_body.h"
 #include "server/handlers.h"
 #include "server/negotiation.h"
 #include "server/responses.h"
-#include "server/sweep_line.h"
 #include "service/requests/requests.h"
 #include "service/requests/schema.h"
 
@@ -22,13 +22,14 @@ using SharedRequest = std::shared_ptr<const jobs::SweepRequest>;
 using SharedCost = std::shared_ptr<const jobs::SweepCost>;
 
 /// Writes the line of each variant into the body of an answer.
-class LineWriter final : public jobs::Sweep::Taker {
+class LineWriter final : public jobs::LineTaker {
  public:
   LineWriter(Application& application, std::shared_ptr<BodyWriter> body)
       : application_(application), body_(std::move(body)) {}
 
-  bool take(const jobs::VariantOutcome& outcome) override {
-    return body_->add(sweep_line(application_, outcome) + "\n");
+  bool take(store::JobLine line) override {
+    for (const SharedFile& file : line.files) application_.artifacts.add(file);
+    return body_->add(line.text + "\n");
   }
 
   bool has_room(std::function<void()> resume) override { return body_->has_room(std::move(resume)); }
@@ -55,8 +56,9 @@ jobs::Flights::Clock::time_point end_of(const Context& context, std::optional<st
 Reply begin(const Context& context, const jobs::SweepRequest& request, const jobs::SweepCost& cost) {
   BodyStream stream = make_body_stream();
   auto lines = std::make_unique<LineWriter>(context.application, stream.writer);
-  const auto sweep =
-      std::make_shared<jobs::Sweep>(context.engine(), context.application.flights, request, cost, std::move(lines));
+  const auto made = context.application.sweeps.make(request, cost, std::move(lines), jobs::Sweeps::Waiting::answer);
+  if (!made) return problem_reply(made.problems(), context.exchange());
+  const std::shared_ptr<jobs::Sweep>& sweep = *made;
   stream.writer->when_abandoned([weak = std::weak_ptr(sweep)] {
     if (const auto left = weak.lock()) left->stop(StopReason::client_gone);
   });
@@ -91,12 +93,15 @@ void begin_file(const Context& context, const SharedRequest& request, const Shar
 Result<jobs::SweepRequest> read_request(const Context& context, bool as_file) {
   auto given = read_graph_body(context);
   if (!given) return given.problems();
+  // Only workers read it again.
+  SharedBytes text = context.application.settings.queue ? share(dump(given->json)) : nullptr;
   auto read = jobs::read_sweep_request(std::move(given->json), context.engine());
   if (!read) return read.problems();
   const auto end = as_file ? deadline_of : end_of;
   const auto deadline = end(context, read->deadline_milliseconds);
   auto asked = std::get<jobs::SweepRequest>(std::move(read->asked));
   asked.deadline = deadline;
+  asked.text = std::move(text);
   if (as_file && asked.base.without_output) {
     return Problem{.code = "nothing-to-export",
                    .detail = "Without 'models' there is nothing to put into a file; ask for lines.",
@@ -129,7 +134,7 @@ Operation describe_sweep() {
                    .contents = {{.type = std::string(line_type), .schema = schema::reference("SweepLine")},
                                 {.type = std::string(file_type)}},
                    .headers = {"Cache-Control"}}},
-      .problems = codes_of(ProblemKind::graph, {"not-acceptable", "deadline", "shutting-down"})};
+      .problems = codes_of(ProblemKind::graph, {"not-acceptable", "deadline", "shutting-down", "queue-failed"})};
 }
 
 void sweep(const Context& context) {

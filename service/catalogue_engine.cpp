@@ -16,6 +16,7 @@
 #include "service/interface.h"
 #include "service/places.h"
 #include "service/preview.h"
+#include "service/shared_form.h"
 #include "service/version.h"
 
 namespace dini {
@@ -237,6 +238,27 @@ Result<SharedComputed> CatalogueEngine::compute(const Prepared& asked, const Job
   }
   computed->evaluation = *std::move(evaluation);
   return SharedComputed(std::move(computed));
+}
+
+bool CatalogueEngine::is_shareable(const Prepared& asked) const {
+  const PreparedGraph& prepared = own(asked);
+  return prepared.export_node && prepared.previews.empty() && prepared.targets == std::vector{*prepared.export_node};
+}
+
+std::string CatalogueEngine::kept_form(const Prepared& asked, const Computed& computed) const {
+  const PreparedGraph& prepared = own(asked);
+  const auto& evaluation = static_cast<const ComputedGraph&>(computed).evaluation;
+  return shared_form(*evaluation.run(prepared.plan.nodes[*prepared.export_node])->result);
+}
+
+SharedComputed CatalogueEngine::restore(const Prepared& asked, std::string_view kept) const {
+  const PreparedGraph& prepared = own(asked);
+  std::optional<NodeResult> read = read_shared_form(kept);
+  if (!read) return nullptr;
+  const auto result = std::make_shared<const NodeResult>(*std::move(read));
+  const std::size_t size = bytes(*result);
+  cache_.insert<NodeResult>(prepared.plan.nodes[*prepared.export_node].fingerprint, result, size);
+  return find(prepared);
 }
 
 Json CatalogueEngine::report(const Prepared& prepared, const Computed& computed, Sent sent, Extent extent) const {

@@ -29,6 +29,9 @@ class CatalogueEngine final : public Engine {
   Json explain(const Prepared& prepared) const override;
   SharedComputed find(const Prepared& prepared) const override;
   Result<SharedComputed> compute(const Prepared& prepared, const Job& job) const override;
+  bool is_shareable(const Prepared& prepared) const override;
+  std::string kept_form(const Prepared& prepared, const Computed& computed) const override;
+  SharedComputed restore(const Prepared& prepared, std::string_view kept) const override;
   using Engine::report;
   Json report(const Prepared& prepared, const Computed& computed, Sent sent, Extent extent) const override;
   CacheState cache_state() const override { return {cache_.bytes(), cache_.size(), cache_.evictions()}; }

@@ -160,6 +160,14 @@ class Engine {
   /// Evaluates and encodes. Problems with the codes of `stopped_problem` mean that the job was stopped.
   virtual Result<SharedComputed> compute(const Prepared& prepared, const Job& job) const = 0;
 
+  /// Whether all that comes of it is one file and what was said on the way, which `kept_form` holds.
+  virtual bool is_shareable(const Prepared&) const { return false; }
+  /// What was computed for a shareable request, as bytes for engines of the same version.
+  virtual std::string kept_form(const Prepared&, const Computed&) const { return {}; }
+  /// What `kept_form` told of a request of equal content, from now on known as if it had been computed here; null for
+  /// other bytes.
+  virtual SharedComputed restore(const Prepared&, std::string_view) const { return nullptr; }
+
   /// Times, sizes, checks and warnings per node: see docs/http.md. `computed` is for the same content, and was not
   /// found without what a report needs.
   virtual Json report(const Prepared& prepared, const Computed& computed, Sent sent, Extent extent) const = 0;

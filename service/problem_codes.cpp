@@ -74,6 +74,8 @@ constexpr std::array codes = {
     ProblemCode{"degenerate", graph, 422, "A value has no meaning for the node: a zero vector as an axis, say."},
     ProblemCode{"at-infinity", graph, 422, "Points of the result lie at infinity, and the node was told to fail then."},
     ProblemCode{"check-failed", graph, 422, "A `check` of the graph does not hold, or cannot run."},
+    ProblemCode{"poisoned-input", graph, 422,
+                "A variant of a sweep ended every worker that computed it, and is given to no other for an hour."},
     ProblemCode{"nothing-to-export", graph, 422, "An `export` node was given nothing that can be drawn."},
     ProblemCode{"encode-failed", graph, 422, "A mesh could not be written."},
     ProblemCode{"more-problems", graph, 422, "Stands last when more than 100 problems were found, with their number."},
@@ -81,6 +83,8 @@ constexpr std::array codes = {
     ProblemCode{"invalid-asset", file, 422, "The file is no OBJ, PLY, STL or GLB that can be read."},
 
     ProblemCode{"busy", service, 503, "All places are taken just now; try again after `Retry-After` seconds."},
+    ProblemCode{"queue-failed", service, 503,
+                "The queue before the workers cannot be reached, or no worker is there; try again later."},
     ProblemCode{"out-of-memory", service, 503, "There is not enough memory for this now."},
     ProblemCode{"storage-full", service, 507, "There is no room to keep what was sent; what is kept can be read."},
     ProblemCode{"storage-failed", service, 503, "What is kept cannot be read or written just now."},

@@ -6,7 +6,7 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 export const root = join(dirname(fileURLToPath(import.meta.url)), "../..");
-export const program = join(root, "build/release/dini");
+export const program = process.env.DINI_PROGRAM ?? join(root, "build/release/dini");
 
 /** `dini serve` with some words more, once it listens. `portFile` is a name that no other server has; `before` stands before the program. */
 export async function startServer(portFile, words, { port = 0, before = [], stderr = "inherit" } = {}) {

@@ -67,15 +67,16 @@ std::span<const LayerRule> layer_rules() {
       {"nodes", {"graph/", "formats/", "gltf/", "geometry/", "algebra/"}},
       {"service", {"nodes/", "graph/", "gltf/", "draco/", "geometry/", "algebra/"}},
       {"store", {"graph/"}},
+      {"queue", {"graph/", "geometry/expected.h"}},
       {"jobs",
-       {"store/", "service/", "graph/problem.h", "graph/digest.h", "graph/job.h", "graph/stopped.h",
+       {"store/", "queue/", "service/", "graph/problem.h", "graph/digest.h", "graph/job.h", "graph/stopped.h",
         "geometry/cancel.h", "geometry/large_memory.h"}},
       {"server",
-       {"store/", "jobs/", "service/", "graph/problem.h", "graph/limits.h", "graph/nearest.h", "graph/cache.h",
-        "graph/digest.h", "graph/file.h", "geometry/cancel.h", "geometry/markup.h"}},
+       {"store/", "queue/", "jobs/", "service/", "graph/problem.h", "graph/limits.h", "graph/nearest.h",
+        "graph/cache.h", "graph/digest.h", "graph/file.h", "geometry/cancel.h", "geometry/markup.h"}},
       {"cli",
-       {"server/", "store/", "jobs/", "service/", "golden/", "graph/problem.h", "graph/nearest.h", "graph/stopped.h",
-        "geometry/cancel.h", "geometry/markup.h", "algebra/kernels.h"}},
+       {"server/", "store/", "queue/", "jobs/", "service/", "golden/", "graph/problem.h", "graph/nearest.h",
+        "graph/stopped.h", "geometry/cancel.h", "geometry/markup.h", "algebra/kernels.h"}},
   };
   return rules;
 }

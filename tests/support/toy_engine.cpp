@@ -1,6 +1,7 @@
 #include "tests/support/toy_engine.h"
 
 #include <chrono>
+#include <cstdlib>
 #include <functional>
 #include <new>
 #include <stdexcept>
@@ -28,6 +29,7 @@ class ToyPrepared final : public Prepared {
   Json nodes;
   std::vector<std::string> preview;
   const FileFormat* format = nullptr;
+  bool is_fatal = false;
 };
 
 Json inputs_of(const Json& graph) {
@@ -142,6 +144,7 @@ Result<SharedPrepared> ToyEngine::prepare(const EvaluateRequest& request, const 
   auto prepared = std::make_shared<ToyPrepared>();
   prepared->inputs = inputs_of(document);
   prepared->nodes = document["nodes"];
+  prepared->is_fatal = request.parameters.value("fatal", Json()) == 1;
   prepared->preview = request.preview;
   prepared->output = request.output.empty() && request.preview.empty() ? "out" : request.output;
   prepared->format = request.format.empty() ? &formats_.front() : format_named(formats_, request.format);
@@ -180,6 +183,7 @@ Result<SharedComputed> ToyEngine::compute(const Prepared& asked, const Job& job)
   struct Finish {
     ~Finish() { counters().finished++; }
   } const finish;
+  if (prepared.is_fatal) std::abort();
   if (!spend(prepared.inputs, job.cancel)) return stopped_problem(job.cancel.reason());
   if (prepared.inputs.value("throws", false)) throw std::runtime_error("a secret of the inside");
   if (prepared.inputs.value("memory", false)) throw std::bad_alloc();

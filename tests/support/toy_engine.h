@@ -9,9 +9,10 @@
 //   invalid       the code of the problem that checking finds
 //   throws        true: an exception escapes, as if by a bug of ours
 //   memory        true: memory runs out
-// Its formats are "glb" and "toy", whose files begin with that word. Everything but `milliseconds` is its content; what
-// was computed once is known from then on, but for `throws`. Every evaluation is predicted to need one byte of memory.
-// Its files are refused when they begin with "broken" (invalid-asset) or "large" (limit-exceeded).
+// A value of its parameter `fatal` that is 1 ends the process. Its formats are "glb" and "toy", whose files begin with
+// that word. Everything but `milliseconds` is its content; what was computed once is known from then on, but for
+// `throws`. Every evaluation is predicted to need one byte of memory. Its files are refused when they begin with
+// "broken" (invalid-asset) or "large" (limit-exceeded).
 
 #include <atomic>
 #include <cstddef>

@@ -1,0 +1,99 @@
+#include "jobs/worker.h"
+
+#include <csignal>
+#include <iostream>
+#include <memory>
+#include <spdlog/spdlog.h>
+
+#include "cli/commands.h"
+#include "cli/computing.h"
+#include "cli/configuration.h"
+#include "cli/ending_signals.h"
+#include "cli/exit_codes.h"
+#include "cli/limit_options.h"
+#include "cli/log_sink.h"
+#include "cli/terminal.h"
+#include "jobs/process_memory.h"
+#include "jobs/queue_identity.h"
+
+namespace dini::cli {
+namespace {
+
+struct Options {
+  std::string queue;
+  std::uint64_t silence = 15'000;
+  Limits limits;
+  Computing computing;
+  std::optional<Configuration> configuration;
+};
+
+/// A variant that is being computed is finished when the worker is told to end; one that takes longer than this is left
+/// to another worker.
+constexpr std::chrono::seconds patience{25};
+
+/// What a worker ends with: whoever started it need not start it again, must not, or should.
+int refused(const Problems& problems, ExitCode code) { return fail(problems, code); }
+
+int run(Options& options, const EngineMaker& make_engine) {
+  if (const Problems unread = options.configuration->read(); !unread.empty()) return refused(unread, exit_usage);
+  if (options.configuration->is_to_be_printed()) {
+    std::cout << options.configuration->text();
+    return exit_ok;
+  }
+  if (options.queue.empty()) {
+    return refused({{.code = "usage", .detail = "a worker needs a --queue, as redis://127.0.0.1:6379"}}, exit_usage);
+  }
+  const auto address = queue::read_address(options.queue);
+  if (!address) {
+    return refused({{.code = "usage", .detail = "--queue: " + address.problems().front().detail}}, exit_usage);
+  }
+  if (const Problems wrong = options.computing.apply(); !wrong.empty()) return refused(wrong, exit_usage);
+  std::signal(SIGPIPE, SIG_IGN);
+  EndingSignals signals(patience);
+  spdlog::set_default_logger(std::make_shared<spdlog::logger>("dini", log_sink()));
+  spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
+  jobs::use_few_memory_pools();
+  const std::unique_ptr<Engine> engine = make_engine(options.limits);
+  signals.running();  // from here on there is something to put in order
+  jobs::Worker worker(*engine, {.address = *address,
+                                .threads = options.computing.threads(),
+                                .silence = std::chrono::milliseconds(options.silence)});
+  if (const auto started = worker.start(); !started) {
+    const queue::Fault& fault = started.error();
+    const bool is_wrong = fault.kind == queue::Fault::Kind::denied || fault.kind == queue::Fault::Kind::refused;
+    return refused({{.code = "queue-failed", .detail = fault.detail}}, is_wrong ? exit_usage : exit_try_again);
+  }
+  write_at_once(STDOUT_FILENO, "Dini computes for " + address->text() + " as " + worker.name() + ", engine " +
+                                   jobs::queue_identity(*engine) + "\n");
+  signals.wait();
+  spdlog::info("draining");
+  return exit_ok;
+}
+
+}  // namespace
+
+void add_worker(CLI::App& program, Command& chosen, const EngineMaker& make_engine) {
+  auto* command = program.add_subcommand("worker", "Compute sweeps of servers that have the same --queue");
+  command->footer(
+      "dini worker --queue redis://:secret@10.0.0.5:6379 --threads 8\n"
+      "Ends with 0 when it was told to, 2 when it would fail again in the same way, 75 when it may be tried again.");
+  const auto options = std::make_shared<Options>();
+  Configuration& configuration = options->configuration.emplace(*command);
+  configuration.hide(
+      command->add_option("--queue", options->queue,
+                          "The Redis that gives the work, as redis://[[user]:password@]host[:port][/database]; "
+                          "workers compute for servers of the same version and limits"));
+  configuration.usual(
+      command
+          ->add_option("--silent-milliseconds", options->silence,
+                       "Without a heartbeat for so long, a worker's variants are given to others (default 15000)")
+          ->check(CLI::Range(std::uint64_t{3'000}, std::uint64_t{3'600'000})),
+      std::to_string(options->silence));
+  options->computing.add_options(*command);
+  add_limit_options(*command, configuration, options->limits);
+  configuration.name_variables();
+  command->callback(
+      [options, &chosen, &make_engine] { chosen = [options, &make_engine] { return run(*options, make_engine); }; });
+}
+
+}  // namespace dini::cli

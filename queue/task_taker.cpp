@@ -1,0 +1,67 @@
+#include "queue/task_taker.h"
+
+#include "queue/scripts.h"
+
+namespace dini::queue {
+
+std::string name_of(Lane lane) { return lane == Lane::interactive ? "interactive" : "batch"; }
+
+TaskTaker::TaskTaker(const Address& address, const Patience& patience, Terms terms)
+    : connection_(address, patience), terms_(std::move(terms)), base_(base_of(terms_.identity)) {}
+
+Answered<std::optional<Task>> TaskTaker::take(std::chrono::milliseconds wait) {
+  const std::vector<std::string> words = {base_, terms_.worker, std::to_string(terms_.silence.count()),
+                                          std::to_string(terms_.most_deliveries)};
+  for (const bool again : {true, false}) {
+    const auto reply = connection_.run(scripts::take, {}, words);
+    if (!reply) return reply.error();
+    const std::vector<Reply>& told = reply->list;
+    if (told.size() == 5) {
+      return std::optional(Task{told[0].text, told[1].text, told[2].text, std::stoul(told[3].text),
+                                static_cast<std::size_t>(told[4].number)});
+    }
+    if (!again || told.size() != 3 || wait.count() <= 0) break;
+    // Wakes up at once when something was added since.
+    const auto woken = connection_.wait({"XREAD", "COUNT", "1", "BLOCK", std::to_string(wait.count()), "STREAMS",
+                                         base_ + ":interactive", base_ + ":batch", told[1].text, told[2].text},
+                                        wait);
+    if (!woken) return woken.error();
+    if (woken->empty()) break;
+  }
+  return std::optional<Task>();
+}
+
+Answered<std::optional<TaskedSweep>> TaskTaker::find(const std::string& sweep) {
+  auto reply = connection_.call({"HMGET", base_ + ":sweep:" + sweep, "body", "about"});
+  if (!reply) return reply.error();
+  if (reply->list.size() != 2 || reply->list[0].empty()) return std::optional<TaskedSweep>();
+  return std::optional(TaskedSweep{std::move(reply->list[0].text), std::move(reply->list[1].text)});
+}
+
+Answered<TaskTaker::Finished> TaskTaker::finish(const Task& task, const std::string& line) {
+  const auto reply = connection_.run(scripts::finish, {},
+                                     {base_, task.lane, task.entry, task.sweep, std::to_string(task.index), line});
+  if (!reply) return reply.error();
+  return reply->text == "counted" ? Finished::counted : reply->text == "twice" ? Finished::twice : Finished::unwanted;
+}
+
+Answered<std::vector<std::string>> TaskTaker::beat(const std::vector<Task>& running) {
+  std::vector<std::string> words = {base_, terms_.worker};
+  for (const Task& task : running) words.insert(words.end(), {task.lane, task.entry, task.sweep});
+  const auto reply = connection_.run(scripts::beat, {}, words);
+  if (!reply) return reply.error();
+  std::vector<std::string> stop;
+  for (const Reply& entry : reply->list) stop.push_back(entry.text);
+  return stop;
+}
+
+Answered<Reply> TaskTaker::leave() { return connection_.run(scripts::leave, {}, {base_, terms_.worker}); }
+
+Answered<std::optional<std::string>> TaskTaker::offered(const std::string& sha256) {
+  auto reply = connection_.call({"GET", offered_file(sha256)});
+  if (!reply) return reply.error();
+  if (reply->empty()) return std::optional<std::string>();
+  return std::optional(std::move(reply->text));
+}
+
+}  // namespace dini::queue
