@@ -22,8 +22,14 @@ import { recallOpen, tabName } from "./tab";
 export interface FilesState {
   dialog: "model-file" | "recover" | "share" | null;
   /** What was done, or went wrong, for a moment. */
-  note: { text: string; tone: "good" | "bad" } | null;
+  note: { text: string; tone: "good" | "bad"; action?: NoteAction } | null;
   link: string;
+}
+
+/** What may be done about what was said. */
+export interface NoteAction {
+  title: string;
+  run(): void;
 }
 
 /** What a page begins with instead of an example. */
@@ -51,7 +57,7 @@ export class Files {
   private timer = 0;
 
   constructor(private readonly session: Session) {
-    this.autosave = new Autosave(session, this.drafts, this.tab);
+    this.autosave = new Autosave(session, this.drafts, this.tab, (draft) => this.sayKept(draft));
   }
 
   /** What this load of the page takes up: the graph in its address, else what was open in the same tab. */
@@ -159,10 +165,19 @@ export class Files {
     this.store.set({ dialog });
   }
 
-  say(text: string, tone: "good" | "bad" = "good"): void {
+  say(text: string, tone: "good" | "bad" = "good", action?: NoteAction): void {
     window.clearTimeout(this.timer);
-    this.store.set({ note: { text, tone } });
-    this.timer = window.setTimeout(() => this.store.set({ note: null }), NOTE_MILLISECONDS);
+    this.store.set({ note: { text, tone, action } });
+    const milliseconds = action ? 2 * NOTE_MILLISECONDS : NOTE_MILLISECONDS;
+    this.timer = window.setTimeout(() => this.store.set({ note: null }), milliseconds);
+  }
+
+  /** Another document was opened over one that was not saved. */
+  private sayKept(draft: Draft): void {
+    this.say(`“${draft.title}” was not saved. It is kept under File, Recover.`, "good", {
+      title: "Go back to it",
+      run: () => this.recover(draft),
+    });
   }
 
   private open(json: Json, origin: Parameters<Session["openDocument"]>[1], name: string): boolean {

@@ -28,6 +28,18 @@ export function FilesLayer(): ReactElement {
           <p className="files-note" data-tone={note.tone}>
             <Icon name={note.tone === "good" ? "check" : "alert"} />
             <span>{note.text}</span>
+            {note.action && (
+              <button
+                type="button"
+                className="button"
+                onClick={() => {
+                  files.store.set({ note: null });
+                  note.action?.run();
+                }}
+              >
+                {note.action.title}
+              </button>
+            )}
             <button type="button" className="button quiet" onClick={() => files.store.set({ note: null })}>
               Dismiss
             </button>

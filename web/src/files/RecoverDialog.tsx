@@ -5,6 +5,7 @@ import { useCurrentSession } from "../widgets/context";
 import { Dialog } from "../widgets/Dialog";
 import type { Draft } from "./drafts";
 import { filesOf } from "./Files";
+import { GraphPicture } from "./GraphPicture";
 
 /** The last drafts: what was edited and not saved, in any tab. */
 export function RecoverDialog(): ReactElement {
@@ -19,16 +20,17 @@ export function RecoverDialog(): ReactElement {
     <Dialog title="Recover" onClose={() => files.show(null)}>
       <p className="dialog-note">Changes that were not saved are kept in this browser, for the last ten graphs.</p>
       {drafts?.length === 0 && <p className="empty">There are no drafts.</p>}
-      <ul className="draft-list">
+      <ul className="kept-list">
         {drafts?.map((draft) => (
-          <li key={draft.id}>
-            <button type="button" className="draft" onClick={() => files.recover(draft)}>
+          <li key={draft.id} aria-label={draft.title}>
+            <GraphPicture id={`draft ${draft.id} ${draft.time}`} read={() => Promise.resolve(draft.json)} />
+            <span className="kept-text">
               <strong>{draft.title}</strong>
               <span>
                 {agoText(Date.now() - draft.time)} · {plural(Object.keys(asObject(draft.json["nodes"])).length, "node")}
                 {draft.name && ` · ${draft.name}`}
               </span>
-            </button>
+            </span>
             <button
               type="button"
               className="button quiet"
@@ -36,6 +38,14 @@ export function RecoverDialog(): ReactElement {
               onClick={() => void forget(draft)}
             >
               Delete
+            </button>
+            <button
+              type="button"
+              className="button primary"
+              aria-label={`Open the draft ${draft.title}`}
+              onClick={() => files.recover(draft)}
+            >
+              Open
             </button>
           </li>
         ))}

@@ -23,7 +23,8 @@ import type { EvaluateBody } from "../net/requests";
 import { validate } from "../net/validation";
 import { finest, inOrderOfFigures, readExample } from "./examples";
 import { Renderer } from "./renderer";
-import { EMPTY, type Origin, type PictureViewer, type SessionState } from "./state";
+import { EMPTY, type Origin, type PictureViewer, type SessionState, type Sight } from "./state";
+import { Thumbnails } from "./thumbnails";
 
 const RETRY_MILLISECONDS = 1500;
 const VALIDATE_MILLISECONDS = 150;
@@ -46,21 +47,25 @@ export interface EditOptions {
 export class Session {
   readonly store: Store<SessionState> = createStore(EMPTY);
   private readonly renderer = new Renderer(this.store);
+  readonly thumbnails = new Thumbnails(this.store, () => this.renderer.loaded);
   private readonly history = new History<Snapshot>();
   private saved: Json;
   private savedValues: ParameterValues = {};
   private validateTimer = 0;
   private validation: AbortController | undefined;
+  /** How the document that is opened next is looked at. */
+  private sight: Sight | undefined;
 
   /**
    * Loads catalogue and examples and opens a document: `first` if there is one, else the wanted example, else the first.
-   * Tries again until the server answers.
+   * It is looked at as `sight` says. Tries again until the server answers.
    */
-  async start(wanted: string | null, first?: { json: Json; origin: Origin }): Promise<void> {
+  async start(wanted: string | null, first?: { json: Json; origin: Origin }, sight?: Sight): Promise<void> {
     try {
       const [nodes, list] = await Promise.all([getJson("v1/nodes"), getJson("v1/examples")]);
       const examples = inOrderOfFigures(asArray(asObject(list)["examples"]).map(readExample));
       this.store.set({ catalogue: readCatalogue(nodes), examples, away: false });
+      this.sight = sight;
       const isOpen = first && this.openDocument(first.json, first.origin) === undefined;
       const example = examples.find((item) => item.id === wanted) ?? finest(examples);
       if (isOpen) return;
@@ -68,7 +73,7 @@ export class Session {
       else this.newDocument();
     } catch {
       this.store.set({ away: true });
-      window.setTimeout(() => void this.start(wanted, first), RETRY_MILLISECONDS);
+      window.setTimeout(() => void this.start(wanted, first, sight), RETRY_MILLISECONDS);
     }
   }
 
@@ -178,6 +183,11 @@ export class Session {
     return { graph: document.json, parameters: values, output };
   }
 
+  /** How the document is looked at now. */
+  lookedAt(): Sight {
+    return { camera: this.renderer.cameraPlace, selection: [...this.store.get().selection] };
+  }
+
   viewerLoaded(viewer: PictureViewer): void {
     this.renderer.viewerLoaded(viewer);
   }
@@ -194,12 +204,15 @@ export class Session {
     this.saved = document.json;
     this.savedValues = values;
     this.history.clear();
-    this.renderer.reset();
+    const { sight } = this;
+    this.sight = undefined;
+    this.renderer.reset(sight?.camera);
     this.store.set({
       ...{ document, origin, opened: opened + 1, exampleId: exampleOf(origin), view: viewGraph(document, catalogue) },
       ...{ values, isChanged: false, isAdjusted: false, shown: null, problem: null, checked: null },
       ...{ selection: new Set<string>(), areas: new Set<string>(), selected: null, ...this.steps() },
     });
+    if (sight) this.select(sight.selection);
     this.evaluate(false);
     this.validateSoon();
   }

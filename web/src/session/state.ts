@@ -27,6 +27,12 @@ export type Origin =
   | { kind: "shared" }
   | { kind: "draft"; id: string };
 
+/** How a document is looked at: where the camera stands, and what is selected. */
+export interface Sight {
+  camera: CameraPlace | null;
+  selection: readonly string[];
+}
+
 /** A decoded model, as far as the session needs to know it. */
 export interface Picture {
   triangles: number;
@@ -46,8 +52,10 @@ export interface ControlInfo {
 export interface PictureViewer {
   decode(model: Uint8Array<ArrayBuffer>): Promise<Picture>;
   show(picture: Picture): void;
-  /** Shows the first picture of a document, from its camera if it has one. */
-  open(picture: Picture, camera: CameraPlace | null): void;
+  /** Shows the first picture of a document, from `place`, else from its camera, to which Home leads, if it has one. */
+  open(picture: Picture, camera: CameraPlace | null, place?: CameraPlace | null): void;
+  /** Where the camera stands. */
+  readonly camera: CameraPlace;
   /** Shows control geometry over the model; null takes it away. */
   showControl(picture: Picture | null, info: ControlInfo): void;
   clear(): void;

@@ -60,7 +60,7 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
         stop = showGizmosOf(session, made);
         setViewer(made);
         session.viewerLoaded(made);
-        if (!picture) void makeThumbnails(session, made);
+        if (!picture) void makeThumbnails(session.store, made);
       })
       .catch((error: unknown) => {
         const reason = "The 3D view could not start. It needs WebGL 2.";

@@ -107,10 +107,16 @@ export class Viewer {
   }
 
   /** Shows the first model of a document, and puts the camera where the document says. */
-  open(model: DecodedModel, camera: CameraPlace | null): void {
+  open(model: DecodedModel, camera: CameraPlace | null, place: CameraPlace | null = null): void {
     this.show(model);
     this.opening = camera;
     this.home();
+    // It was found by hand in a view of this shape, so it is not stepped back from.
+    if (place) this.moveTo(...framingOf(place, samplePositions(model.scene), Infinity));
+  }
+
+  get camera(): CameraPlace {
+    return { position: inGraph(this.rig.perspective.position), target: inGraph(this.rig.target) };
   }
 
   /** Replaces the control geometry over the model. */
@@ -282,9 +288,10 @@ export class Viewer {
     setRatio(this.renderer, fine ? Math.max(this.ratio, fineRatio(clientWidth, clientHeight)) : this.ratio);
     this.renderer.render(this.scene, this.rig.camera);
     this.handles.update();
-    // What tests watch: that nothing is drawn for nothing, and that nothing is kept for nothing.
+    // What tests watch: that nothing is drawn for nothing, that nothing is kept for nothing, and from where it is seen.
     const { geometries, textures } = this.renderer.info.memory;
-    Object.assign(this.renderer.domElement.dataset, { frames: ++this.frames, geometries, textures });
+    const eye = this.rig.perspective.position.toArray().map((value) => value.toPrecision(5));
+    Object.assign(this.renderer.domElement.dataset, { frames: ++this.frames, geometries, textures, eye });
     this.rest.drawn(fine);
   }
 
