@@ -3,6 +3,7 @@ import { plural } from "../model/format";
 import { asObject } from "../model/json";
 import { useCurrentSession } from "../widgets/context";
 import { Dialog } from "../widgets/Dialog";
+import { agoText } from "./ago";
 import type { Draft } from "./drafts";
 import { filesOf } from "./Files";
 import { GraphPicture } from "./GraphPicture";
@@ -52,13 +53,4 @@ export function RecoverDialog(): ReactElement {
       </ul>
     </Dialog>
   );
-}
-
-/** "12 minutes ago". */
-export function agoText(milliseconds: number): string {
-  const minutes = Math.floor(milliseconds / 60_000);
-  if (minutes < 1) return "just now";
-  if (minutes < 60) return `${plural(minutes, "minute")} ago`;
-  const hours = Math.floor(minutes / 60);
-  return hours < 48 ? `${plural(hours, "hour")} ago` : `${plural(Math.floor(hours / 24), "day")} ago`;
 }

@@ -4,7 +4,7 @@
 import { documentWithValues } from "../model/saved_values";
 import type { Session } from "../session/session";
 import type { SessionState } from "../session/state";
-import type { Draft } from "./drafts";
+import { type Draft, storedPlace } from "./drafts";
 import type { KeptDrafts } from "./kept_drafts";
 import { newId, rememberOpen } from "./tab";
 
@@ -129,6 +129,7 @@ export class Autosave {
       tab: this.tab,
       title: document.title,
       name: origin.kind === "file" ? origin.name : "",
+      stored: storedPlace(origin),
       address: location.hash,
       time: Date.now(),
       isAdjustment: !isChanged && origin.kind === "example",

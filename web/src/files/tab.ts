@@ -1,11 +1,11 @@
 // What a tab knows over a reload: its own name, and which document was open in it.
 
 import { readCamera } from "../model/document";
-import { asArray, asObject, asString, isObject, type Json, type JsonObject, parseJson } from "../model/json";
+import { asArray, asNumber, asObject, asString, isObject, type Json, type JsonObject, parseJson } from "../model/json";
 import { documentWithValues } from "../model/saved_values";
 import type { Session } from "../session/session";
 import type { Origin, Sight } from "../session/state";
-import type { Draft } from "./drafts";
+import { type Draft, originOf } from "./drafts";
 
 const TAB_KEY = "dini.tab";
 const OPEN_KEY = "dini.open";
@@ -49,7 +49,7 @@ export function recallOpen(): OpenDocument | undefined {
   if (!isObject(draft)) return { json, origin: readOrigin(origin) };
   return {
     json,
-    origin: { kind: "draft", id: asString(draft["id"]) },
+    origin: originOf(draft as unknown as Draft),
     draft: { ...(draft as unknown as Draft), json },
   };
 }
@@ -62,8 +62,9 @@ export function recallSight(): Sight | undefined {
 }
 
 function readOrigin(json: Json): Origin {
-  const { kind, name } = asObject(json);
+  const { kind, name, id, version, tag } = asObject(json);
   if (kind === "file") return { kind, name: asString(name) };
+  if (kind === "stored") return { kind, id: asString(id), version: asNumber(version) ?? 0, tag: asString(tag) };
   return { kind: kind === "shared" ? kind : "new" };
 }
 

@@ -100,7 +100,7 @@ export class Renderer {
     return this.viewer;
   }
 
-  /** Where the camera stands; null before there is a picture of this document. */
+  /** Where the camera stands; null while that is where the document opens. */
   get cameraPlace(): CameraPlace | null {
     return this.isFirst ? this.place : (this.shownViewer?.camera ?? null);
   }

@@ -25,7 +25,15 @@ export type Origin =
   | { kind: "file"; name: string }
   | { kind: "new" }
   | { kind: "shared" }
-  | { kind: "draft"; id: string };
+  | ({ kind: "stored" } & StoredPlace)
+  | { kind: "draft"; id: string; stored?: StoredPlace };
+
+/** The version of a graph that the server keeps. */
+export interface StoredPlace {
+  id: string;
+  version: number;
+  tag: string;
+}
 
 /** How a document is looked at: where the camera stands, and what is selected. */
 export interface Sight {
@@ -54,8 +62,8 @@ export interface PictureViewer {
   show(picture: Picture): void;
   /** Shows the first picture of a document, from `place`, else from its camera, to which Home leads, if it has one. */
   open(picture: Picture, camera: CameraPlace | null, place?: CameraPlace | null): void;
-  /** Where the camera stands. */
-  readonly camera: CameraPlace;
+  /** Where the camera stands; null while that is where the document opens. */
+  readonly camera: CameraPlace | null;
   /** Shows control geometry over the model; null takes it away. */
   showControl(picture: Picture | null, info: ControlInfo): void;
   clear(): void;

@@ -47,6 +47,8 @@ export class Viewer {
   private model: DecodedModel | undefined;
   private control: ControlGeometry | undefined;
   private opening: CameraPlace | null = null;
+  /** Where the camera stood when it was last at home. */
+  private readonly homePlace = { position: new Vector3(), target: new Vector3() };
   private center = new Vector3();
   private radius = 1;
   private requested = 0;
@@ -115,8 +117,10 @@ export class Viewer {
     if (place) this.moveTo(...framingOf(place, samplePositions(model.scene), Infinity));
   }
 
-  get camera(): CameraPlace {
-    return { position: inGraph(this.rig.perspective.position), target: inGraph(this.rig.target) };
+  get camera(): CameraPlace | null {
+    const { position } = this.rig.perspective;
+    if (position.equals(this.homePlace.position) && this.rig.target.equals(this.homePlace.target)) return null;
+    return { position: inGraph(position), target: inGraph(this.rig.target) };
   }
 
   /** Replaces the control geometry over the model. */
@@ -197,11 +201,10 @@ export class Viewer {
 
   /** The view that the document opened with: its own camera's, else the model framed from the standard direction. */
   home(): void {
-    if (!this.opening || !this.model) {
-      this.frameAlong(HOME);
-      return;
-    }
-    this.moveTo(...framingOf(this.opening, samplePositions(this.model.scene), this.rig.perspective.aspect));
+    if (!this.opening || !this.model) this.frameAlong(HOME);
+    else this.moveTo(...framingOf(this.opening, samplePositions(this.model.scene), this.rig.perspective.aspect));
+    this.homePlace.position.copy(this.rig.perspective.position);
+    this.homePlace.target.copy(this.rig.target);
   }
 
   thumbnail(model: DecodedModel, width: number, height: number): Promise<string> {
