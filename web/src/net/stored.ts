@@ -109,7 +109,7 @@ export async function fetchOutput(address: string, signal: AbortSignal): Promise
     const response = await fetch(address, { signal });
     if (BUSY_STATUS.has(response.status)) {
       const seconds = Number(response.headers.get("retry-after"));
-      return { kind: "away", retryAfter: seconds > 0 ? seconds * 1000 : undefined };
+      return { kind: "away", retryAfter: seconds > 0 ? seconds * 1000 : undefined, isCrowded: true };
     }
     if (!response.ok) return { kind: "problem", problem: await problemIn(response) };
     const model = new Uint8Array(await response.arrayBuffer());

@@ -58,7 +58,7 @@ export class Renderer {
         control?.dispose();
       },
       fail: (problem) => store.set({ problem, away: false }),
-      away: () => this.lost(),
+      away: (isCrowded) => this.lost(isCrowded),
       busy: (busy) => store.set({ busy }),
       clock: {
         now: () => performance.now(),
@@ -85,6 +85,11 @@ export class Renderer {
     this.evaluator.reset();
     const detail = "The evaluation was stopped. The next change starts it again.";
     this.store.set({ busy: false, problem: localProblem("Stopped", detail) });
+  }
+
+  /** Waits for no answer that is under way. */
+  giveUp(): void {
+    this.evaluator.reset();
   }
 
   /** Another document: the next picture is its first, seen from `place` if that is given. */
@@ -157,8 +162,8 @@ export class Renderer {
     this.store.set({ shown, problem: null, away: false });
   }
 
-  private lost(): void {
-    this.store.set({ away: true });
+  private lost(isCrowded: boolean): void {
+    this.store.set({ away: true, isCrowded });
     if (this.pinging) return;
     this.pinging = true;
     const ping = async (): Promise<void> => {

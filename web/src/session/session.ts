@@ -162,6 +162,14 @@ export class Session {
     this.renderer.stop();
   }
 
+  /** Asks again for the picture, and waits for no answer to what was asked before. */
+  retry(): void {
+    if (!this.store.get().document) return;
+    this.renderer.giveUp();
+    this.evaluate(false);
+    this.validateSoon();
+  }
+
   /** Selects nodes by their names, frames and notes by their keys, and nothing else. */
   select(ids: Iterable<string>): void {
     const { document, selection, areas, selected } = this.store.get();

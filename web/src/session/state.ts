@@ -103,6 +103,8 @@ export interface SessionState {
   shown: Shown | null;
   busy: boolean;
   away: boolean;
+  /** While it is away: it answers, but has too much to do. */
+  isCrowded: boolean;
   problem: Problem | null;
   /** What the server says of the whole graph without evaluating it; null before it has. */
   checked: Validation | null;
@@ -133,6 +135,7 @@ export const EMPTY: SessionState = {
   shown: null,
   busy: true,
   away: false,
+  isCrowded: false,
   problem: null,
   checked: null,
   selection: new Set(),

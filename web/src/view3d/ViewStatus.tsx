@@ -2,8 +2,9 @@ import { type ReactElement, useEffect, useState } from "react";
 import { byteText, grouped, millisecondText } from "../model/format";
 import { fileOutput } from "../model/graph";
 import { problemText } from "../net/problem";
+import type { SessionState } from "../session/state";
 import { useCurrent, useCurrentSession } from "../widgets/context";
-import { useLasting } from "../widgets/hooks";
+import { OVERDUE_MILLISECONDS, useLasting } from "../widgets/hooks";
 import { Icon } from "../widgets/Icon";
 
 /** From here on a person may want to stop it. */
@@ -14,9 +15,7 @@ export function Progress({ failure }: { failure: string }): ReactElement {
   const busy = useCurrent((state) => state.busy && !state.away);
   const isEmpty = useCurrent((state) => state.shown === null);
   const problem = useCurrent((state) => state.problem);
-  const noOutput = useCurrent(({ document, catalogue }) =>
-    Boolean(document && catalogue && fileOutput(document, catalogue) === undefined),
-  );
+  const noOutput = useCurrent((state) => state.document !== null && !hasOutput(state));
   const empty = noOutput ? "The model appears here once a node makes a file." : "";
   const waiting = busy ? "Evaluating…" : empty;
   const slow = useLasting(busy, 250);
@@ -34,6 +33,7 @@ export function Progress({ failure }: { failure: string }): ReactElement {
             {!isEmpty && <strong>Out of date. </strong>}
             {problemText(problem)}
           </span>
+          {problem.errors.length === 0 && <RetryButton />}
         </div>
       )}
     </>
@@ -42,6 +42,7 @@ export function Progress({ failure }: { failure: string }): ReactElement {
 
 function Waiting(): ReactElement {
   const session = useCurrentSession();
+  const isOverdue = useLasting(true, OVERDUE_MILLISECONDS - LONG_MILLISECONDS);
   const [seconds, setSeconds] = useState(Math.round(LONG_MILLISECONDS / 1000));
   useEffect(() => {
     const timer = window.setInterval(() => setSeconds((before) => before + 1), 1000);
@@ -49,12 +50,29 @@ function Waiting(): ReactElement {
   }, []);
   return (
     <div className="view-waiting">
-      <span>Evaluating… {seconds} s</span>
+      <span>{isOverdue ? `No answer for ${seconds} s` : `Evaluating… ${seconds} s`}</span>
+      {isOverdue && <RetryButton />}
       <button type="button" className="button quiet" onClick={() => session.stop()}>
         Stop
       </button>
     </div>
   );
+}
+
+/** For what is no fault of the graph. */
+function RetryButton(): ReactElement | null {
+  const session = useCurrentSession();
+  const canRetry = useCurrent(hasOutput);
+  if (!canRetry) return null;
+  return (
+    <button type="button" className="button" onClick={() => session.retry()}>
+      Try again
+    </button>
+  );
+}
+
+function hasOutput({ document, catalogue }: SessionState): boolean {
+  return document !== null && catalogue !== null && fileOutput(document, catalogue) !== undefined;
 }
 
 export function Statistics(): ReactElement | null {
