@@ -57,7 +57,10 @@ export class Renderer {
         model.dispose();
         control?.dispose();
       },
-      fail: (problem) => store.set({ problem, away: false }),
+      fail: (problem) => {
+        store.set({ problem, away: false });
+        this.control.renew();
+      },
       away: (isCrowded) => this.lost(isCrowded),
       busy: (busy) => store.set({ busy }),
       clock: {
@@ -78,6 +81,7 @@ export class Renderer {
   rest(): void {
     this.evaluator.reset();
     this.store.set({ busy: false });
+    this.control.renew();
   }
 
   /** Gives up what is under way. */

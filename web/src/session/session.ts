@@ -3,6 +3,7 @@
 
 import { readCatalogue } from "../model/catalogue";
 import { emptyDocument, type GraphDocument, readDocument } from "../model/document";
+import { type DrawnGraph, drawnGraph } from "../model/drawn_graph";
 import { type Edit, moveNodes, setInput } from "../model/edit";
 import { fileOutput, viewGraph } from "../model/graph";
 import { History } from "../model/history";
@@ -52,6 +53,8 @@ export class Session {
   private saved: Json;
   private savedValues: ParameterValues = {};
   private validateTimer = 0;
+  /** What is drawn in a graph that makes no file; empty in others. */
+  private drawnSource = "";
   private validation: AbortController | undefined;
   /** How the document that is opened next is looked at. */
   private sight: Sight | undefined;
@@ -180,9 +183,10 @@ export class Session {
     const kept = selected !== null && nodes.has(selected) && nodes.size > 1 ? selected : last;
     if (isSameSet(nodes, selection) && isSameSet(others, areas)) return;
     this.store.set({ selection: nodes, areas: others, selected: kept });
+    this.drawSelected();
   }
 
-  /** What would be sent for the present state; undefined where there is nothing that leaves the graph. */
+  /** What evaluates the present state elsewhere; undefined where there is nothing that leaves the graph. */
   body(): EvaluateBody | undefined {
     const { document, catalogue, values } = this.store.get();
     if (!document || !catalogue) return undefined;
@@ -254,16 +258,27 @@ export class Session {
   }
 
   private evaluate(moving: boolean): void {
-    const body = this.body();
-    if (body) {
-      this.store.set({ revision: this.renderer.input(body, moving) });
+    const { document, catalogue, view, values, selected } = this.store.get();
+    const drawn = document && catalogue && view && drawnGraph(document, catalogue, view, selected);
+    this.drawnSource = drawn && drawn.graph !== document.json ? sourceText(drawn) : "";
+    this.store.set({ drawn: drawn?.output ?? null });
+    if (drawn) {
+      this.store.set({ revision: this.renderer.input({ ...drawn, parameters: values }, moving) });
       return;
     }
     this.renderer.rest();
     const isStale = this.store.get().shown !== null;
     this.store.set({
-      problem: isStale ? localProblem("Nothing to show", "No node of this graph makes a file.") : null,
+      problem: isStale ? localProblem("Nothing to show", "No node of this graph makes anything to be seen.") : null,
     });
+  }
+
+  /** In a graph that makes no file, the selected node is drawn. */
+  private drawSelected(): void {
+    const { document, catalogue, view, selected } = this.store.get();
+    if (!document || !catalogue || !view || selected === null || fileOutput(document, catalogue) !== undefined) return;
+    const drawn = drawnGraph(document, catalogue, view, selected);
+    if (drawn && sourceText(drawn) !== this.drawnSource) this.evaluate(false);
   }
 
   /** Asks what the whole graph looks like to the server, once changes have paused for a moment. */
@@ -281,6 +296,11 @@ export class Session {
     const checked = await validate({ graph: document.json, parameters: values }, request.signal);
     if (checked && this.validation === request && !request.signal.aborted) this.store.set({ checked });
   }
+}
+
+/** From where what is drawn comes: the same for the same. */
+function sourceText({ graph, output }: DrawnGraph): string {
+  return JSON.stringify(asObject(graph["nodes"])[output]);
 }
 
 function exampleOf(origin: Origin): string | null {

@@ -101,6 +101,8 @@ export interface SessionState {
   redoLabel: string | undefined;
   revision: number;
   shown: Shown | null;
+  /** The node whose file is drawn; null where there is nothing to draw. */
+  drawn: string | null;
   busy: boolean;
   away: boolean;
   /** While it is away: it answers, but has too much to do. */
@@ -133,6 +135,7 @@ export const EMPTY: SessionState = {
   redoLabel: undefined,
   revision: 0,
   shown: null,
+  drawn: null,
   busy: true,
   away: false,
   isCrowded: false,

@@ -1,9 +1,12 @@
 import { type ReactElement, type ReactNode, useEffect, useRef, useState } from "react";
 import { fileName } from "../model/format";
 import { saveBlob } from "../session/download";
+import { keyText } from "../session/shortcuts";
 import { makeThumbnails } from "../session/thumbnails";
 import { useCurrent, useCurrentSession } from "../widgets/context";
+import { Icon } from "../widgets/Icon";
 import { showGizmosOf, writeGizmo } from "./gizmo_link";
+import type { OutOfView } from "./in_view";
 import { Legend } from "./Legend";
 import type { CurvatureScale } from "./model_look";
 import { SectionPanel } from "./SectionPanel";
@@ -34,6 +37,7 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
   const [viewer, setViewer] = useState<Viewer | null>(null);
   const [failure, setFailure] = useState("");
   const [scale, setScale] = useState<CurvatureScale | null>(null);
+  const [outOfView, setOutOfView] = useState<OutOfView>("");
   const choice = useViewSettings(light, picture);
   const [showing, setShowing] = useShowMode();
   const stale = useCurrent((state) => state.problem !== null && state.shown !== null);
@@ -53,6 +57,7 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
         if (isGone || !place.current) return;
         made = new Made(place.current, LABEL, picture, {
           section: (section) => newest.current.set({ section }),
+          outOfView: setOutOfView,
           scale: setScale,
           write: (gizmo, value, gesture) => writeGizmo(session, gizmo, value, gesture),
           end: (_, gesture, cancelled) => (cancelled ? session.cancelGesture(gesture) : session.endGesture()),
@@ -100,6 +105,15 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
       <div className="canvas-place" ref={place} />
       {!picture && <ViewTools choice={choice} actions={actions} showing={showing} onSection={startSection} />}
       <Progress failure={failure} />
+      {outOfView && !picture && (
+        <button type="button" className="view-pill" onClick={() => viewer?.frameModel()}>
+          <Icon name="frame" />
+          <span>
+            {outOfView === "out" ? "Model is out of view" : "Model is cut off"} · Frame{" "}
+            <kbd>{keyText("model-fill")}</kbd>
+          </span>
+        </button>
+      )}
       {!picture && (
         <div className="view-foot" data-showing={showing}>
           <Statistics />

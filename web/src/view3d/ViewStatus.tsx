@@ -1,6 +1,5 @@
 import { type ReactElement, useEffect, useState } from "react";
 import { byteText, grouped, millisecondText } from "../model/format";
-import { fileOutput } from "../model/graph";
 import { problemText } from "../net/problem";
 import type { SessionState } from "../session/state";
 import { useCurrent, useCurrentSession } from "../widgets/context";
@@ -16,7 +15,7 @@ export function Progress({ failure }: { failure: string }): ReactElement {
   const isEmpty = useCurrent((state) => state.shown === null);
   const problem = useCurrent((state) => state.problem);
   const noOutput = useCurrent((state) => state.document !== null && !hasOutput(state));
-  const empty = noOutput ? "The model appears here once a node makes a file." : "";
+  const empty = noOutput ? "What the graph makes appears here." : "";
   const waiting = busy ? "Evaluating…" : empty;
   const slow = useLasting(busy, 250);
   const long = useLasting(busy, LONG_MILLISECONDS);
@@ -71,8 +70,8 @@ function RetryButton(): ReactElement | null {
   );
 }
 
-function hasOutput({ document, catalogue }: SessionState): boolean {
-  return document !== null && catalogue !== null && fileOutput(document, catalogue) !== undefined;
+function hasOutput({ drawn }: SessionState): boolean {
+  return drawn !== null;
 }
 
 export function Statistics(): ReactElement | null {

@@ -13,6 +13,7 @@ import type { Gizmo } from "./gizmo_values";
 import { type GizmoHost, GizmoLayer } from "./gizmos";
 import { Ground } from "./ground";
 import { HandleLayer } from "./handles";
+import { InView, type OutOfView } from "./in_view";
 import { Materials } from "./materials";
 import { ModelLook } from "./model_look";
 import { pointsInward } from "./orientation";
@@ -41,6 +42,8 @@ export class Viewer {
   private readonly section: SectionPlane;
   private readonly ground = new Ground();
   private readonly observer: ResizeObserver;
+  private readonly inView = new InView();
+  private outOfView: OutOfView = "";
   private readonly rest: Rest;
   /** Pixels of a drawing to one of the page while things move. */
   private readonly ratio: number;
@@ -103,6 +106,7 @@ export class Viewer {
     this.clearModel();
     this.model = model;
     this.scene.add(model.scene);
+    this.inView.setModel(samplePositions(model.scene));
     this.materials.setInward(pointsInward(model.meshes.map((mesh) => mesh.geometry)));
     this.dressModel();
     this.draw();
@@ -179,6 +183,11 @@ export class Viewer {
   /** The range of a section along its axis. */
   get sectionReach(): { minimum: number; maximum: number } {
     return this.section.reach;
+  }
+
+  /** Brings the whole model into view, from where the camera looks now. */
+  frameModel(): void {
+    this.frameAlong(this.rig.direction);
   }
 
   /** Frames the control geometry of what is selected, else the model, from where the camera looks now. */
@@ -291,11 +300,19 @@ export class Viewer {
     setRatio(this.renderer, fine ? Math.max(this.ratio, fineRatio(clientWidth, clientHeight)) : this.ratio);
     this.renderer.render(this.scene, this.rig.camera);
     this.handles.update();
+    this.tellInView();
     // What tests watch: that nothing is drawn for nothing, that nothing is kept for nothing, and from where it is seen.
     const { geometries, textures } = this.renderer.info.memory;
     const eye = this.rig.perspective.position.toArray().map((value) => value.toPrecision(5));
     Object.assign(this.renderer.domElement.dataset, { frames: ++this.frames, geometries, textures, eye });
     this.rest.drawn(fine);
+  }
+
+  private tellInView(): void {
+    const how = this.model ? this.inView.look(this.rig.camera) : "";
+    if (how === this.outOfView) return;
+    this.outOfView = how;
+    this.host.outOfView(how);
   }
 
   private resize(): void {
@@ -321,6 +338,7 @@ export class Viewer {
 
   private moveTo(direction: Vector3, framing: Framing): void {
     this.rig.look(direction, framing);
+    this.inView.framed();
     this.radius = framing.radius;
     this.center.copy(framing.target);
     this.ground.set(this.radius, this.settings);
