@@ -39,6 +39,7 @@ function Page(): ReactElement {
   const [theme, setTheme] = useTheme();
   const [gallery, setGallery] = useRemembered("dini.gallery", "closed");
   const [tab, setTab] = useState("model");
+  const [arrangement, setArrangement] = useRemembered("dini.arrangement", "beside");
   const narrow = useMedia(NARROW);
   const opened = useCurrent((state) => state.opened);
 
@@ -53,8 +54,15 @@ function Page(): ReactElement {
   if (isPicture) return view;
 
   const isOpen = gallery === "open";
+  const isBelow = arrangement === "below" && !narrow;
   const model = (
-    <SplitPane name="model" label="Border between model and controls" direction="column" initial={0.62}>
+    <SplitPane
+      key={isBelow ? "row" : "column"}
+      name={isBelow ? "model.row" : "model"}
+      label="Border between model and controls"
+      direction={isBelow ? "row" : "column"}
+      initial={0.62}
+    >
       {[view, <Panel key="panel" />]}
     </SplitPane>
   );
@@ -65,6 +73,8 @@ function Page(): ReactElement {
         onTheme={setTheme}
         galleryOpen={isOpen}
         onGallery={() => setGallery(isOpen ? "closed" : "open")}
+        graphBelow={isBelow}
+        onGraphBelow={narrow ? undefined : (below) => setArrangement(below ? "below" : "beside")}
       />
       <Banner />
       <UnkeptBanner />
@@ -82,8 +92,29 @@ function Page(): ReactElement {
               { id: "examples", title: "Examples", content: <Examples /> },
             ]}
           />
+        ) : isBelow ? (
+          <SplitPane
+            key="below"
+            name="graph.below"
+            label="Border between model and graph"
+            direction="column"
+            initial={0.5}
+          >
+            {[
+              model,
+              <SplitPane
+                key="foot"
+                name="gallery.row"
+                label="Border between graph and examples"
+                direction="row"
+                initial={0.6}
+              >
+                {[<GraphPane key="graph" />, isOpen && <Examples />]}
+              </SplitPane>,
+            ]}
+          </SplitPane>
         ) : (
-          <SplitPane name="graph" label="Border between graph and model" direction="row" initial={0.54}>
+          <SplitPane key="beside" name="graph" label="Border between graph and model" direction="row" initial={0.54}>
             {[
               <SplitPane
                 key="left"

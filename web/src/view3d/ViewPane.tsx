@@ -116,7 +116,7 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
       )}
       {!picture && (
         <div className="view-foot" data-showing={showing}>
-          <Statistics />
+          {!showing && <Statistics />}
           <StandardViews choice={choice} actions={actions} />
         </div>
       )}

@@ -77,20 +77,15 @@ function hasOutput({ drawn }: SessionState): boolean {
 export function Statistics(): ReactElement | null {
   const shown = useCurrent((state) => state.shown);
   if (!shown) return null;
-  const parts = [
-    `${grouped(shown.triangles)} triangles`,
+  const more = [
     `${grouped(shown.vertices)} vertices`,
     byteText(shown.model.byteLength),
     `${millisecondText(shown.report.evaluate)} evaluate`,
     `${millisecondText(shown.decodeMilliseconds)} decode`,
   ];
   return (
-    <div className="statistics" role="group" aria-label="Statistics">
-      {parts.map((part) => (
-        <span key={part.replace(/^[\d\s.]+/, "")} data-minor={part.endsWith("vertices")}>
-          {part}
-        </span>
-      ))}
+    <div className="statistics" role="group" aria-label="Statistics" title={more.join(" · ")}>
+      <span>{grouped(shown.triangles)} triangles</span>
       {shown.quality === "draft" && <span className="statistics-draft">draft</span>}
     </div>
   );
