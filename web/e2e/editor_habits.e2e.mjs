@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { addNode, choose, withEditor } from "./editing.mjs";
 import { useServer } from "./fixture.mjs";
-import { eventually, settled, still } from "./harness.mjs";
+import { canvasOf, eventually, settled, still } from "./harness.mjs";
 
 const RING = "#example=fig04_boosted_ring";
 const used = useServer();
@@ -85,4 +85,57 @@ test("selected nodes are aligned and distributed in one step, and Alt and a pres
       () => page.locator(`.react-flow__node[data-id="${first}"] .node-eye`).getAttribute("aria-pressed"),
       "true",
     );
+  }));
+
+test("the rows of the form are put in another order by dragging and by keys, each in one step", () =>
+  withEditor(used, SIZE, async (page) => {
+    const labels = () => page.locator(".parameter-label").allTextContents();
+    const before = await eventually(labels, (list) => list.length === 3);
+    const grip = (label) => page.getByRole("button", { name: `Move ${label}`, exact: true });
+    const [first, second, third] = before;
+    const box = await still(grip(first));
+    const last = await still(grip(third));
+    await page.mouse.move(box.x + 8, box.y + 12);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 8, last.y + 60, { steps: 12 });
+    await page.mouse.up();
+    await eventually(labels, [second, third, first]);
+    await page.getByRole("button", { name: "Undo" }).click();
+    await eventually(labels, before);
+    await grip(third).focus();
+    await page.keyboard.press("ArrowUp");
+    await eventually(labels, [first, third, second]);
+    await page.waitForFunction((name) => document.activeElement?.ariaLabel === name, `Move ${third}`);
+    await page.keyboard.press("ArrowUp");
+    await eventually(labels, [third, first, second]);
+  }));
+
+test("a view that is kept is the one that the graph opens with", () =>
+  withEditor(used, SIZE, async (page) => {
+    const eye = () => canvasOf(page).getAttribute("data-eye");
+    const near = (wanted) => (place) =>
+      place.split(",").every((part, axis) => Math.abs(Number(part) - Number(wanted.split(",")[axis])) < 1e-3);
+    const home = await eye();
+    await canvasOf(page).press("ArrowLeft");
+    const turned = await eventually(eye, (place) => place !== home);
+    await page.getByRole("button", { name: "Keep this view" }).click();
+    await page.getByRole("button", { name: "Front", exact: true }).click();
+    await eventually(eye, (place) => !near(turned)(place));
+    await page.getByRole("button", { name: "Home view" }).click();
+    await eventually(eye, near(turned));
+    await page.reload();
+    await settled(page);
+    await eventually(eye, near(turned));
+    await page
+      .getByText("edited", { exact: true })
+      .or(page.getByText("draft", { exact: true }))
+      .waitFor();
+  }));
+
+test("opening an example shows its form", () =>
+  withEditor(used, SIZE, async (page) => {
+    await page.getByRole("tab", { name: "Problems" }).click();
+    await page.getByRole("button", { name: "New graph" }).click();
+    await page.getByText("An empty graph").waitFor();
+    await page.getByRole("tab", { name: "Controls", selected: true }).waitFor();
   }));

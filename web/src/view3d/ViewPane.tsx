@@ -1,4 +1,5 @@
 import { type ReactElement, type ReactNode, useEffect, useRef, useState } from "react";
+import { setCamera } from "../model/edit";
 import { fileName } from "../model/format";
 import { saveBlob } from "../session/download";
 import { keyText } from "../session/shortcuts";
@@ -87,6 +88,10 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
   const actions: ViewActions = {
     frame: () => viewer?.frame(),
     home: () => viewer?.home(),
+    keep: () => {
+      const camera = viewer?.keepView();
+      if (camera) session.edit("Keep the view", setCamera(camera));
+    },
     view: (view) => viewer?.standardView(view),
     screenshot: () => void viewer?.screenshot(groundOf(pane.current)).then((blob) => savePicture(blob)),
     show: () => setShowing(!showing),

@@ -8,7 +8,7 @@ import { ControlGeometry } from "./control_geometry";
 import { ControlMaterials } from "./control_materials";
 import { type DecodedModel, Decoder } from "./decode";
 import { inGraph, tidy } from "./drag";
-import { type Framing, frame, framingOf, samplePositions } from "./framing";
+import { type Framing, frame, framingOf, PICTURE_ASPECT, samplePositions } from "./framing";
 import type { Gizmo } from "./gizmo_values";
 import { type GizmoHost, GizmoLayer } from "./gizmos";
 import { Ground } from "./ground";
@@ -214,6 +214,22 @@ export class Viewer {
     else this.moveTo(...framingOf(this.opening, samplePositions(this.model.scene), this.rig.perspective.aspect));
     this.homePlace.position.copy(this.rig.perspective.position);
     this.homePlace.target.copy(this.rig.target);
+  }
+
+  /** From now on Home leads to where the camera stands now. Answers that place. */
+  keepView(): CameraPlace {
+    const position = inGraph(this.rig.perspective.position);
+    // A document's camera is for a picture; a narrower view steps back from there.
+    const [x, y, z] = inGraph(this.rig.target);
+    const back = Math.max(1, PICTURE_ASPECT / this.rig.perspective.aspect);
+    const nearer = (at: number, target: number): number => target + (at - target) / back;
+    this.opening = {
+      position: [nearer(position[0], x), nearer(position[1], y), nearer(position[2], z)],
+      target: [x, y, z],
+    };
+    this.homePlace.position.copy(this.rig.perspective.position);
+    this.homePlace.target.copy(this.rig.target);
+    return this.opening;
   }
 
   thumbnail(model: DecodedModel, width: number, height: number): Promise<string> {

@@ -15,7 +15,7 @@ import type { CameraPlace, Triple } from "../model/document";
 const FILL = 0.8;
 const MOST_SAMPLES = 6000;
 /** Width to height of the pictures that a document's camera is chosen for. */
-const PICTURE_ASPECT = 1.6;
+export const PICTURE_ASPECT = 1.6;
 
 export interface Framing {
   target: Vector3;
