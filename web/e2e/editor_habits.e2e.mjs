@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { addNode, choose, withEditor } from "./editing.mjs";
 import { useServer } from "./fixture.mjs";
-import { canvasOf, eventually, settled, still } from "./harness.mjs";
+import { canvasOf, eventually, saved, settled, still } from "./harness.mjs";
 
 const RING = "#example=fig04_boosted_ring";
 const used = useServer();
@@ -138,4 +138,34 @@ test("opening an example shows its form", () =>
     await page.getByRole("button", { name: "New graph" }).click();
     await page.getByText("An empty graph").waitFor();
     await page.getByRole("tab", { name: "Controls", selected: true }).waitFor();
+  }));
+
+test("variants of the form's values are kept in the document with their pictures, and brought back by a press", () =>
+  withEditor(used, SIZE, async (page) => {
+    const value = page.getByRole("textbox", { name: "Reach value", exact: true });
+    const before = await value.inputValue();
+    const variants = page.getByRole("region", { name: "Variants" });
+    await variants.getByRole("button", { name: "Keep as a variant" }).click();
+    await value.fill("1.75");
+    await value.press("Enter");
+    await variants.getByRole("button", { name: "Keep as a variant" }).click();
+    const name = variants.getByRole("textbox", { name: "Name of Variant 2" });
+    await name.fill("Far");
+    await name.press("Enter");
+    await eventually(() => variants.locator("li img").count(), 2);
+    await variants.getByRole("button", { name: "Use Variant 1" }).click();
+    await eventually(() => value.inputValue(), before);
+    await variants.getByRole("button", { name: "Use Far", exact: true }).click();
+    await eventually(() => value.inputValue(), "1.75");
+    const json = await saved(page);
+    assert.deepEqual(
+      json.ui.variants.map(({ name: called, values }) => [called, values]),
+      [
+        ["Variant 1", {}],
+        ["Far", { reach: 1.75 }],
+      ],
+    );
+    await variants.getByRole("button", { name: "Delete Far" }).click();
+    await page.getByRole("button", { name: "Undo" }).click();
+    await variants.getByRole("button", { name: "Use Far", exact: true }).waitFor();
   }));

@@ -8,6 +8,7 @@ import { Panel } from "../panels/Panel";
 import type { Editor } from "../session/editor";
 import { ViewPane } from "../view3d/ViewPane";
 import { EditorContext, useCurrent } from "../widgets/context";
+import { Dialog } from "../widgets/Dialog";
 import { useMedia, useRemembered } from "../widgets/hooks";
 import { Tabs } from "../widgets/Tabs";
 import { Tips } from "../widgets/Tip";
@@ -37,7 +38,7 @@ export function App({ editor }: { editor: Editor }): ReactElement {
 
 function Page(): ReactElement {
   const [theme, setTheme] = useTheme();
-  const [gallery, setGallery] = useRemembered("dini.gallery", "closed");
+  const [isGalleryOpen, setGalleryOpen] = useState(false);
   const [tab, setTab] = useState("model");
   const [arrangement, setArrangement] = useRemembered("dini.arrangement", "beside");
   const narrow = useMedia(NARROW);
@@ -53,7 +54,6 @@ function Page(): ReactElement {
   const view = <ViewPane light={theme === "light"} picture={isPicture} controls={<Controls />} />;
   if (isPicture) return view;
 
-  const isOpen = gallery === "open";
   const isBelow = arrangement === "below" && !narrow;
   const model = (
     <SplitPane
@@ -71,8 +71,8 @@ function Page(): ReactElement {
       <TopBar
         theme={theme}
         onTheme={setTheme}
-        galleryOpen={isOpen}
-        onGallery={() => setGallery(isOpen ? "closed" : "open")}
+        galleryOpen={isGalleryOpen}
+        onGallery={() => setGalleryOpen(true)}
         graphBelow={isBelow}
         onGraphBelow={narrow ? undefined : (below) => setArrangement(below ? "below" : "beside")}
       />
@@ -100,36 +100,19 @@ function Page(): ReactElement {
             direction="column"
             initial={0.5}
           >
-            {[
-              model,
-              <SplitPane
-                key="foot"
-                name="gallery.row"
-                label="Border between graph and examples"
-                direction="row"
-                initial={0.6}
-              >
-                {[<GraphPane key="graph" />, isOpen && <Examples />]}
-              </SplitPane>,
-            ]}
+            {[model, <GraphPane key="graph" />]}
           </SplitPane>
         ) : (
           <SplitPane key="beside" name="graph" label="Border between graph and model" direction="row" initial={0.54}>
-            {[
-              <SplitPane
-                key="left"
-                name="gallery"
-                label="Border between graph and examples"
-                direction="column"
-                initial={0.515}
-              >
-                {[<GraphPane key="graph" />, isOpen && <Examples />]}
-              </SplitPane>,
-              model,
-            ]}
+            {[<GraphPane key="graph" />, model]}
           </SplitPane>
         )}
       </main>
+      {isGalleryOpen && !narrow && (
+        <Dialog title="Examples" className="gallery-dialog" onClose={() => setGalleryOpen(false)}>
+          <Examples onOpened={() => setGalleryOpen(false)} />
+        </Dialog>
+      )}
       <Hint />
       <StatusBar />
       <FilesLayer />

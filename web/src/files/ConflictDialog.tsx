@@ -1,10 +1,10 @@
 import type { ReactElement } from "react";
 import { useCurrent, useCurrentSession } from "../widgets/context";
 import { Dialog } from "../widgets/Dialog";
+import { GraphPicture } from "../widgets/GraphPicture";
 import { useStore } from "../widgets/hooks";
 import { agoText } from "./ago";
 import { filesOf } from "./Files";
-import { GraphPicture } from "./GraphPicture";
 import { StoredPicture } from "./OpenStoredDialog";
 
 /** Two graphs for one name: the open one, and what the server keeps there by now. Nothing is replaced without a word. */

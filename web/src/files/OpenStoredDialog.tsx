@@ -3,9 +3,9 @@ import { listGraphs, listVersions, readGraph, type StoredList, type StoredVersio
 import { problemText } from "../net/problem";
 import { useCurrentSession } from "../widgets/context";
 import { Dialog } from "../widgets/Dialog";
+import { GraphPicture } from "../widgets/GraphPicture";
 import { agoText } from "./ago";
 import { filesOf } from "./Files";
-import { GraphPicture } from "./GraphPicture";
 
 /** The graphs that the server keeps, with their pictures and versions. */
 export function OpenStoredDialog(): ReactElement {

@@ -3,10 +3,10 @@ import { plural } from "../model/format";
 import { asObject } from "../model/json";
 import { useCurrentSession } from "../widgets/context";
 import { Dialog } from "../widgets/Dialog";
+import { GraphPicture } from "../widgets/GraphPicture";
 import { agoText } from "./ago";
 import type { Draft } from "./drafts";
 import { filesOf } from "./Files";
-import { GraphPicture } from "./GraphPicture";
 
 /** The last drafts: what was edited and not saved, in any tab. */
 export function RecoverDialog(): ReactElement {

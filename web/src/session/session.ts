@@ -142,6 +142,14 @@ export class Session {
     this.replace({ document, values: {} }, true);
   }
 
+  /** Gives the form other values, in one step. */
+  takeValues(values: ParameterValues, label: string): void {
+    const { document, values: present } = this.store.get();
+    if (!document || sameValues(values, present)) return;
+    this.history.record({ document, values: present }, label);
+    this.replace({ document, values }, false);
+  }
+
   undo(): void {
     this.travel((present) => this.history.undo(present));
   }

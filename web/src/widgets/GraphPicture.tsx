@@ -1,6 +1,6 @@
 import { type ReactElement, useEffect, useState } from "react";
 import type { Json } from "../model/json";
-import { useCurrentSession } from "../widgets/context";
+import { useCurrentSession } from "./context";
 
 interface GraphPictureProps {
   /** The same for the same graph. */
