@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { addNode, choose, inPanel, withEditor } from "./editing.mjs";
+import { addNode, choose, inPanel, node, untilApart, untilGraph, withEditor } from "./editing.mjs";
 import { useServer } from "./fixture.mjs";
 import { canvasOf, covered, eventually, settled, turnWheel } from "./harness.mjs";
 
@@ -38,6 +38,25 @@ test("a graph without an export shows its last node solid, or the selected one, 
     await page.keyboard.press("Delete");
     await page.getByText("An empty graph").waitFor();
     await model(page).getByText("No node of this graph makes anything to be seen.").waitFor();
+  }));
+
+test("an input that lacks its wire offers the likeliest node, and the search for others", () =>
+  withEditor(used, { ...SIZE, isEmpty: true }, async (page) => {
+    const boost = await addNode(page, "boost", 420, 200);
+    const box = node(page, boost);
+    await box.getByRole("button", { name: "Add Circle", exact: true }).click();
+    await untilGraph(page, ({ nodes }) => nodes[boost].inputs.shape?.from !== undefined);
+    await box.getByRole("button", { name: "Add Point pair", exact: true }).click();
+    await untilGraph(page, ({ nodes }) => nodes[boost].inputs.generator?.from !== undefined);
+    await settled(page);
+    await model(page).getByLabel("Statistics").waitFor();
+    await untilApart(page);
+    const twist = await addNode(page, "twist", 420, 560);
+    await node(page, twist).getByRole("button", { name: "Find a node for shape of Twist" }).click();
+    const search = page.getByRole("combobox", { name: "Add a node" });
+    await search.fill("sphere mesh");
+    await page.keyboard.press("Enter");
+    await untilGraph(page, ({ nodes }) => nodes[twist].inputs.shape?.from === "sphere_mesh");
   }));
 
 test("a model that leaves the view, or grows out of it, is said so, and a press brings it back", () =>
