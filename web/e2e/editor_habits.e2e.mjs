@@ -169,3 +169,25 @@ test("variants of the form's values are kept in the document with their pictures
     await page.getByRole("button", { name: "Undo" }).click();
     await variants.getByRole("button", { name: "Use Far", exact: true }).waitFor();
   }));
+
+test("a link is seen as whoever shared it saw the graph", () =>
+  withEditor(used, SIZE, async (page) => {
+    const eye = (from) => canvasOf(from).getAttribute("data-eye");
+    const home = await eye(page);
+    await canvasOf(page).press("ArrowLeft");
+    const turned = await eventually(
+      () => eye(page),
+      (place) => place !== home,
+    );
+    await page.getByRole("button", { name: "Share", exact: true }).click();
+    await page.getByRole("menuitem", { name: "Link to this graph…" }).click();
+    const link = page.getByRole("dialog", { name: "Share" }).getByRole("textbox", { name: "Link" });
+    const { hash } = new URL(await link.inputValue());
+    const numbers = (place) => place.split(",").map(Number);
+    await withEditor(used, { ...SIZE, hash }, (other) =>
+      eventually(
+        () => eye(other),
+        (place) => numbers(place).every((value, axis) => Math.abs(value - numbers(turned)[axis]) < 0.01),
+      ),
+    );
+  }));

@@ -161,7 +161,7 @@ export class Files {
   async share(): Promise<void> {
     const { document, values } = this.session.store.get();
     if (!document) return;
-    const { camera } = this.session.lookedAt();
+    const camera = this.session.view();
     const seen = camera ? setCamera(camera)(document) : document;
     const packed = await packGraph(documentWithValues(seen, values));
     const address = new URL(location.href);

@@ -114,6 +114,11 @@ export class Renderer {
     return this.isFirst ? this.place : (this.shownViewer?.camera ?? null);
   }
 
+  /** The same as a document says it. */
+  get pictureCamera(): CameraPlace | null {
+    return this.isFirst ? null : (this.shownViewer?.pictureCamera ?? null);
+  }
+
   /** Takes a viewer into use; one that replaces another is given what is shown. */
   viewerLoaded(viewer: PictureViewer): void {
     this.giveViewer(viewer);

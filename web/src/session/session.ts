@@ -2,7 +2,7 @@
 // reads the store, the viewer is handed in once it has loaded.
 
 import { readCatalogue } from "../model/catalogue";
-import { emptyDocument, type GraphDocument, readDocument } from "../model/document";
+import { type CameraPlace, emptyDocument, type GraphDocument, readDocument } from "../model/document";
 import { type DrawnGraph, drawnGraph } from "../model/drawn_graph";
 import { type Edit, moveNodes, setInput } from "../model/edit";
 import { fileOutput, viewGraph } from "../model/graph";
@@ -206,6 +206,11 @@ export class Session {
   /** How the document is looked at now. */
   lookedAt(): Sight {
     return { camera: this.renderer.cameraPlace, selection: [...this.store.get().selection] };
+  }
+
+  /** The view as a document keeps it; null while it is the one that the document opens with. */
+  view(): CameraPlace | null {
+    return this.renderer.pictureCamera;
   }
 
   viewerLoaded(viewer: PictureViewer): void {

@@ -64,6 +64,8 @@ export interface PictureViewer {
   open(picture: Picture, camera: CameraPlace | null, place?: CameraPlace | null): void;
   /** Where the camera stands; null while that is where the document opens. */
   readonly camera: CameraPlace | null;
+  /** The same as a document says it, for a picture of the usual shape. */
+  readonly pictureCamera: CameraPlace | null;
   /** Shows control geometry over the model; null takes it away. */
   showControl(picture: Picture | null, info: ControlInfo): void;
   clear(): void;

@@ -122,9 +122,12 @@ export class Viewer {
   }
 
   get camera(): CameraPlace | null {
-    const { position } = this.rig.perspective;
-    if (position.equals(this.homePlace.position) && this.rig.target.equals(this.homePlace.target)) return null;
-    return { position: inGraph(position), target: inGraph(this.rig.target) };
+    if (this.isAtHome()) return null;
+    return { position: inGraph(this.rig.perspective.position), target: inGraph(this.rig.target) };
+  }
+
+  get pictureCamera(): CameraPlace | null {
+    return this.isAtHome() ? null : this.asPicture();
   }
 
   /** Replaces the control geometry over the model. */
@@ -218,15 +221,7 @@ export class Viewer {
 
   /** From now on Home leads to where the camera stands now. Answers that place. */
   keepView(): CameraPlace {
-    const position = inGraph(this.rig.perspective.position);
-    // A document's camera is for a picture; a narrower view steps back from there.
-    const [x, y, z] = inGraph(this.rig.target);
-    const back = Math.max(1, PICTURE_ASPECT / this.rig.perspective.aspect);
-    const nearer = (at: number, target: number): number => target + (at - target) / back;
-    this.opening = {
-      position: [nearer(position[0], x), nearer(position[1], y), nearer(position[2], z)],
-      target: [x, y, z],
-    };
+    this.opening = this.asPicture();
     this.homePlace.position.copy(this.rig.perspective.position);
     this.homePlace.target.copy(this.rig.target);
     return this.opening;
@@ -261,6 +256,21 @@ export class Viewer {
     this.decoder.dispose();
     this.renderer.dispose();
     this.renderer.domElement.remove();
+  }
+
+  private isAtHome(): boolean {
+    const { position, target } = this.homePlace;
+    // Looking around rounds.
+    const moved = this.rig.perspective.position.distanceTo(position) + this.rig.target.distanceTo(target);
+    return moved < 1e-6 * position.distanceTo(target);
+  }
+
+  /** Where the camera stands, for a picture of the usual shape: a narrower view steps back from there. */
+  private asPicture(): CameraPlace {
+    const { position, aspect } = this.rig.perspective;
+    const back = Math.max(1, PICTURE_ASPECT / aspect);
+    const nearer = position.clone().sub(this.rig.target).divideScalar(back).add(this.rig.target);
+    return { position: inGraph(nearer), target: inGraph(this.rig.target) };
   }
 
   private gizmoHost(): GizmoHost {
