@@ -13,7 +13,7 @@ import type { Gizmo } from "./gizmo_values";
 import { type GizmoHost, GizmoLayer } from "./gizmos";
 import { Ground } from "./ground";
 import { HandleLayer } from "./handles";
-import { InView, type OutOfView } from "./in_view";
+import { InView, MOST_SEEN, type OutOfView } from "./in_view";
 import { Materials } from "./materials";
 import { ModelLook } from "./model_look";
 import { pointsInward } from "./orientation";
@@ -106,7 +106,7 @@ export class Viewer {
     this.clearModel();
     this.model = model;
     this.scene.add(model.scene);
-    this.inView.setModel(samplePositions(model.scene));
+    this.inView.setModel(samplePositions(model.scene, MOST_SEEN));
     this.materials.setInward(pointsInward(model.meshes.map((mesh) => mesh.geometry)));
     this.dressModel();
     this.draw();

@@ -5,22 +5,22 @@ import { type Camera, Vector3 } from "three";
 /** How the model and the picture miss each other; empty while they do not. */
 export type OutOfView = "" | "out" | "cut";
 
-const MOST_POINTS = 300;
+/** How many places of a model tell where it is. */
+export const MOST_SEEN = 300;
 /** A smaller share of the model than this in sight is nothing that can be looked at. */
 const LOST = 0.02;
 /** A model that has become another may lose this share at the border without a word. */
 const BORDER = 0.05;
 
 export class InView {
-  private points: Vector3[] = [];
+  private points: readonly Vector3[] = [];
   private seen = 1;
   private isNew = false;
   private isCut = false;
 
-  /** Another model is shown: a few of its points tell where it is. */
+  /** Another model is shown, with some of its places. */
   setModel(positions: readonly Vector3[]): void {
-    const stride = Math.max(1, Math.ceil(positions.length / MOST_POINTS));
-    this.points = positions.filter((_, at) => at % stride === 0);
+    this.points = positions;
     this.isNew = true;
   }
 
