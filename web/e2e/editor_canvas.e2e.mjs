@@ -21,7 +21,7 @@ import {
   withEditor,
 } from "./editing.mjs";
 import { useServer } from "./fixture.mjs";
-import { covered, eventually, openPage, settled, still } from "./harness.mjs";
+import { covered, eventually, openPage, settled, still, wholeGraph } from "./harness.mjs";
 
 const RING = "#example=fig04_boosted_ring";
 const used = useServer();
@@ -254,6 +254,7 @@ test("menus open with the right button on canvas, node and wire, and name their 
 test("a long press opens the menu, and a finger moves the canvas", async () => {
   const page = await openPage(used.browser, used.server.url, { hash: RING, width: 1200, height: 800, touch: true });
   await settled(page);
+  await wholeGraph(page);
   await canvasReady(page);
   const session = await page.context().newCDPSession(page);
   const touch = (type, points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points });

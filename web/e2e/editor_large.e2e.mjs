@@ -56,6 +56,23 @@ async function measure(count, maps) {
   );
   await eventually(() => page.getByRole("img", { name: "Map of the graph" }).count(), maps, "maps");
   await page.keyboard.press("Control+z");
+  await page.mouse.move(area.x + 40, area.y + 120);
+  await page.keyboard.press("Home");
+  // Whatever the number, Home shows all of them, with titles as large as ever.
+  await eventually(
+    () => page.locator(".react-flow__node").count(),
+    (nodes) => nodes === count,
+    "all nodes in sight",
+  );
+  const letters = () =>
+    page
+      .locator(".node-title")
+      .first()
+      .evaluate((title) => {
+        const { a } = new DOMMatrix(getComputedStyle(title.closest(".react-flow__viewport")).transform);
+        return Math.round(a * Number.parseFloat(getComputedStyle(title).fontSize));
+      });
+  await eventually(letters, 12, "the size of the titles on the screen");
   await page.keyboard.press("Control+f");
   await page.getByRole("combobox", { name: "Find a node" }).fill(`n${count - 1}`);
   await page.keyboard.press("Enter");

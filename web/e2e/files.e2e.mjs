@@ -132,7 +132,7 @@ test("what was not saved is open again after a reload, is listed, and goes when 
     await page.getByRole("button", { name: "File", exact: true }).click();
     await page.getByRole("menuitem", { name: "Recover…" }).click();
     const dialog = page.getByRole("dialog", { name: "Recover" });
-    await dialog.getByRole("button", { name: /^More work/ }).click();
+    await dialog.getByRole("button", { name: "Open the draft More work" }).click();
     await settled(page);
     await titled(page, "More work");
     await rename(page, "Saved work");

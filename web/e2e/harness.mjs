@@ -86,7 +86,7 @@ export function launchBrowser(more = []) {
 /** A page that keeps account of everything that must not happen: `page.offences`. */
 export async function openPage(browser, url, options = {}) {
   const { hash = "", theme = "dark", width = 1280, height = 720, expectOutage = false, firstRun = false } = options;
-  const { touch = false, clipboard = false, count = false } = options;
+  const { touch = false, clipboard = false, count = false, expectStatus = 422 } = options;
   const context = await browser.newContext({
     ...{ viewport: { width, height }, colorScheme: theme, acceptDownloads: true, hasTouch: touch },
     permissions: clipboard ? ["clipboard-read", "clipboard-write"] : [],
@@ -112,12 +112,13 @@ export async function openPage(browser, url, options = {}) {
   const origin = new URL(url).origin;
   page.on("console", (message) => {
     // The browser itself reports refused evaluations (422) and a server that is away as errors.
-    const isAnswer =
-      /Failed to load resource: (the server responded with a status of 422|net::ERR_(CONNECTION|EMPTY))/.test(
-        message.text(),
-      );
-    const isAllowed = isAnswer && (expectOutage || message.text().includes("422"));
-    if (message.type() === "error" && !isAllowed) offences.push(`console: ${message.text()}`);
+    const text = message.text();
+    const isRefused = [422, expectStatus].some((status) =>
+      text.startsWith(`Failed to load resource: the server responded with a status of ${status}`),
+    );
+    const isAway = /^Failed to load resource: net::ERR_(CONNECTION|EMPTY)/.test(text);
+    const isAllowed = isRefused || (isAway && expectOutage);
+    if (message.type() === "error" && !isAllowed) offences.push(`console: ${text}`);
   });
   // Whoever listens has file dialogs go to the test. Begun with the first dialog, that may be too late for it.
   page.on("filechooser", () => undefined);

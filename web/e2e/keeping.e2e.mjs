@@ -3,9 +3,9 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { choose, said, untilGraph, withEditor } from "./editing.mjs";
+import { choose, said, untilGraph, untilSelected, withEditor } from "./editing.mjs";
 import { useServer, withCleanPage } from "./fixture.mjs";
-import { eventually, factsOf, openPage, saved, settled } from "./harness.mjs";
+import { canvasOf, eventually, factsOf, openPage, saved, settled } from "./harness.mjs";
 
 const RING = "#example=fig04_boosted_ring";
 const used = useServer();
@@ -94,7 +94,7 @@ for (const [what, script, reason] of [
       await page.getByRole("alert").getByRole("button", { name: "Recover…" }).click();
       await page
         .getByRole("dialog", { name: "Recover" })
-        .getByRole("button", { name: /^Fragile/ })
+        .getByRole("button", { name: "Open the draft Fragile" })
         .click();
       await titled(page, "Fragile");
       await rename(page, "Saved now");
@@ -259,4 +259,38 @@ test("what is pasted brings the parameters that drive it, with their values, and
     );
     await page.keyboard.press("Control+v");
     await said(page, "value of k lost the parameter nowhere, which this graph does not have");
+  }));
+
+test("a reload looks from where the camera stood, at what was selected, and Home still leads to the graph's own view", () =>
+  withEditor(used, { hash: RING, width: 1500, height: 900 }, async (page) => {
+    await choose(page, "ring");
+    const eye = () => canvasOf(page).getAttribute("data-eye");
+    const home = await eye();
+    await canvasOf(page).press("ArrowLeft");
+    const turned = await eventually(eye, (place) => place !== home);
+    await page.reload();
+    await settled(page);
+    await untilSelected(page, ["ring"]);
+    await eventually(eye, turned, "the place of the camera before the reload");
+    await page.getByRole("button", { name: "Home view" }).click();
+    await eventually(eye, home, "the graph's own view");
+  }));
+
+test("another graph over unsaved work says where that is, and leads back to it", () =>
+  withPage({}, async (page) => {
+    await rename(page, "Left behind");
+    await page.getByRole("button", { name: "New graph" }).click();
+    const note = page.getByRole("status").filter({ hasText: "“Left behind” was not saved" });
+    await note.getByRole("button", { name: "Go back to it" }).click();
+    await titled(page, "Left behind");
+    // What is as it was opened is not lost, and nothing is said of it.
+    await page.getByRole("button", { name: "New graph" }).click();
+    await page.getByText("An empty graph").waitFor();
+    await page.getByRole("button", { name: "File", exact: true }).click();
+    await page.getByRole("menuitem", { name: "Recover…" }).click();
+    const draft = page.getByRole("dialog", { name: "Recover" }).getByRole("listitem", { name: "Left behind" });
+    await draft.locator("img").waitFor();
+    await draft.getByRole("button", { name: "Delete the draft Left behind" }).waitFor();
+    await draft.getByRole("button", { name: "Open the draft Left behind" }).click();
+    await titled(page, "Left behind");
   }));

@@ -33,7 +33,12 @@ test("the page opens with a finished example, and the gallery opens another", ()
     await page.getByRole("button", { name: "Examples" }).click();
     const gallery = page.getByRole("navigation", { name: "Examples" });
     await eventually(() => gallery.getByRole("listitem").count(), count);
+    // It lies over the page, five beside each other where there is room, and is searched.
+    await gallery.getByRole("searchbox", { name: "Find an example" }).fill("no such thing");
+    await gallery.getByText("No example says “no such thing”.").waitFor();
+    await gallery.getByRole("searchbox", { name: "Find an example" }).fill(ring.title.toLowerCase());
     await gallery.getByRole("button", { name: new RegExp(`^${ring.title}`) }).click();
+    await gallery.waitFor({ state: "detached" });
     await page.waitForFunction((id) => location.hash === `#example=${id}`, RING);
     await settled(page);
     await eventually(() => page.getByRole("heading", { level: 1 }).textContent(), ring.title);

@@ -3,6 +3,7 @@ import { App } from "./app/App";
 import { exampleInAddress, keepAddress, showStateOn } from "./app/address";
 import { leaveKeysToInputMethods } from "./app/input_method";
 import { filesOf } from "./files/Files";
+import { recallSight } from "./files/tab";
 import { Editor } from "./session/editor";
 import { Session } from "./session/session";
 
@@ -18,4 +19,4 @@ const root = document.getElementById("root");
 if (root) createRoot(root).render(<App editor={new Editor(session)} />);
 void filesOf(session)
   .beginning()
-  .then((first) => session.start(exampleInAddress(), first));
+  .then((first) => session.start(exampleInAddress(), first, recallSight()));

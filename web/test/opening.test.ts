@@ -16,6 +16,8 @@ function columns(...sizes: number[]): Map<string, Box> {
   return boxes;
 }
 
+const NONE: ReadonlySet<string> = new Set();
+
 /** The zoom at which the chosen nodes fill the pane. */
 function zoomOf(boxes: Map<string, Box>, ids: readonly string[]): number {
   const chosen = ids.map((id) => boxes.get(id)).filter((box) => box !== undefined);
@@ -25,31 +27,39 @@ function zoomOf(boxes: Map<string, Box>, ids: readonly string[]): number {
 }
 
 test("a graph that is readable as a whole opens as a whole", () => {
-  assert.equal(openingNodes(columns(2, 1, 1), "2.0", PANE), undefined);
-  assert.equal(openingNodes(new Map(), undefined, PANE), undefined);
-  assert.equal(openingNodes(columns(9, 9, 9, 9, 9, 9), "5.0", { width: 0, height: 0 }), undefined);
+  assert.equal(openingNodes(columns(2, 1), "1.0", NONE, PANE), undefined);
+  assert.equal(openingNodes(new Map(), undefined, NONE, PANE), undefined);
+  assert.equal(openingNodes(columns(9, 9, 9, 9, 9, 9), "5.0", NONE, { width: 0, height: 0 }), undefined);
 });
 
 test("a wide graph opens at its end, at a zoom at which it can be read", () => {
   const boxes = columns(1, 4, 3, 2, 1, 1, 1);
-  const seen = openingNodes(boxes, "6.0", PANE) ?? [];
-  assert.deepEqual(seen, ["6.0", "5.0", "4.0"]);
+  const seen = openingNodes(boxes, "6.0", NONE, PANE) ?? [];
+  assert.deepEqual(seen, ["6.0", "5.0"]);
   assert.ok(zoomOf(boxes, seen) >= READABLE_ZOOM);
 });
 
 test("of a tall graph the nodes beside the end are in sight", () => {
   const boxes = columns(20, 20, 1);
-  const seen = openingNodes(boxes, "2.0", PANE) ?? [];
+  const seen = openingNodes(boxes, "2.0", NONE, PANE) ?? [];
   assert.equal(seen[0], "2.0");
-  assert.ok(seen.includes("1.10") && seen.includes("0.10") && !seen.includes("1.0") && !seen.includes("1.19"));
+  assert.ok(seen.includes("1.10") && !seen.includes("1.0") && !seen.includes("1.19"));
+  assert.ok(zoomOf(boxes, seen) >= READABLE_ZOOM);
+});
+
+test("a graph opens at the nodes that its form drives", () => {
+  const boxes = columns(1, 4, 3, 2, 1, 1, 1);
+  const seen = openingNodes(boxes, "6.0", new Set(["1.1", "1.2", "2.1"]), PANE) ?? [];
+  assert.deepEqual(seen.slice(0, 3), ["2.1", "1.1", "1.2"]);
+  assert.ok(!seen.includes("6.0"));
   assert.ok(zoomOf(boxes, seen) >= READABLE_ZOOM);
 });
 
 test("a graph without an output opens at its rightmost node", () => {
-  assert.equal(openingNodes(columns(1, 1, 1, 1, 1, 1), undefined, PANE)?.[0], "5.0");
+  assert.equal(openingNodes(columns(1, 1, 1, 1, 1, 1), undefined, NONE, PANE)?.[0], "5.0");
 });
 
 test("an end that is wider than the pane is still what is shown", () => {
   const boxes = columns(1, 1, 1);
-  assert.deepEqual(openingNodes(boxes, "1.0", { width: 50, height: 50 }), ["1.0"]);
+  assert.deepEqual(openingNodes(boxes, "1.0", NONE, { width: 50, height: 50 }), ["1.0"]);
 });

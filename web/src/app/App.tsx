@@ -8,6 +8,7 @@ import { Panel } from "../panels/Panel";
 import type { Editor } from "../session/editor";
 import { ViewPane } from "../view3d/ViewPane";
 import { EditorContext, useCurrent } from "../widgets/context";
+import { Dialog } from "../widgets/Dialog";
 import { useMedia, useRemembered } from "../widgets/hooks";
 import { Tabs } from "../widgets/Tabs";
 import { Tips } from "../widgets/Tip";
@@ -37,8 +38,9 @@ export function App({ editor }: { editor: Editor }): ReactElement {
 
 function Page(): ReactElement {
   const [theme, setTheme] = useTheme();
-  const [gallery, setGallery] = useRemembered("dini.gallery", "closed");
+  const [isGalleryOpen, setGalleryOpen] = useState(false);
   const [tab, setTab] = useState("model");
+  const [arrangement, setArrangement] = useRemembered("dini.arrangement", "beside");
   const narrow = useMedia(NARROW);
   const opened = useCurrent((state) => state.opened);
 
@@ -52,9 +54,15 @@ function Page(): ReactElement {
   const view = <ViewPane light={theme === "light"} picture={isPicture} controls={<Controls />} />;
   if (isPicture) return view;
 
-  const isOpen = gallery === "open";
+  const isBelow = arrangement === "below" && !narrow;
   const model = (
-    <SplitPane name="model" label="Border between model and controls" direction="column" initial={0.62}>
+    <SplitPane
+      key={isBelow ? "row" : "column"}
+      name={isBelow ? "model.row" : "model"}
+      label="Border between model and controls"
+      direction={isBelow ? "row" : "column"}
+      initial={0.62}
+    >
       {[view, <Panel key="panel" />]}
     </SplitPane>
   );
@@ -63,8 +71,10 @@ function Page(): ReactElement {
       <TopBar
         theme={theme}
         onTheme={setTheme}
-        galleryOpen={isOpen}
-        onGallery={() => setGallery(isOpen ? "closed" : "open")}
+        galleryOpen={isGalleryOpen}
+        onGallery={() => setGalleryOpen(true)}
+        graphBelow={isBelow}
+        onGraphBelow={narrow ? undefined : (below) => setArrangement(below ? "below" : "beside")}
       />
       <Banner />
       <UnkeptBanner />
@@ -82,23 +92,27 @@ function Page(): ReactElement {
               { id: "examples", title: "Examples", content: <Examples /> },
             ]}
           />
+        ) : isBelow ? (
+          <SplitPane
+            key="below"
+            name="graph.below"
+            label="Border between model and graph"
+            direction="column"
+            initial={0.5}
+          >
+            {[model, <GraphPane key="graph" />]}
+          </SplitPane>
         ) : (
-          <SplitPane name="graph" label="Border between graph and model" direction="row" initial={0.54}>
-            {[
-              <SplitPane
-                key="left"
-                name="gallery"
-                label="Border between graph and examples"
-                direction="column"
-                initial={0.515}
-              >
-                {[<GraphPane key="graph" />, isOpen && <Examples />]}
-              </SplitPane>,
-              model,
-            ]}
+          <SplitPane key="beside" name="graph" label="Border between graph and model" direction="row" initial={0.54}>
+            {[<GraphPane key="graph" />, model]}
           </SplitPane>
         )}
       </main>
+      {isGalleryOpen && !narrow && (
+        <Dialog title="Examples" className="gallery-dialog" onClose={() => setGalleryOpen(false)}>
+          <Examples onOpened={() => setGalleryOpen(false)} />
+        </Dialog>
+      )}
       <Hint />
       <StatusBar />
       <FilesLayer />

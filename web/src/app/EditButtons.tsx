@@ -1,5 +1,6 @@
 import type { ReactElement } from "react";
 import { addNoteHere, frameSelection, layout, remove, selectAll, toggleBypass, toggleFlag } from "../session/actions";
+import { align, distribute } from "../session/arrange";
 import { copy, cut, duplicate, pasteClipboard } from "../session/clipboard";
 import { keyText } from "../session/shortcuts";
 import { IconButton } from "../widgets/Button";
@@ -90,6 +91,10 @@ function EditMenu(): ReactElement {
         { title: "Frame the selection", shortcut: "frame", run: () => frameSelection(editor), isNewGroup: true },
         { title: "Add a note", shortcut: "note", run: () => addNoteHere(editor) },
         { title: "Lay out", shortcut: "layout", run: () => layout(editor) },
+        { title: "Align left edges", isDisabled: !hasNodes, run: () => align(editor, "left"), isNewGroup: true },
+        { title: "Align upper edges", isDisabled: !hasNodes, run: () => align(editor, "top") },
+        { title: "Distribute across", isDisabled: !hasNodes, run: () => distribute(editor, "across") },
+        { title: "Distribute downward", isDisabled: !hasNodes, run: () => distribute(editor, "down") },
       ]}
     >
       <span>Edit</span>

@@ -17,7 +17,8 @@ const POINTER: readonly [string, string][] = [
   ["Select", "drag a box; Shift adds"],
   ["Move the canvas", "middle or right button, or Space, and drag"],
   ["Zoom", "wheel, or pinch"],
-  ["Change a number", "drag it: Shift finer, Ctrl in larger steps; click to type, also 2*pi/3"],
+  ["Preview a node", "Alt and a press on it"],
+  ["Change a number", "drag it: Shift finer, Ctrl in larger steps; click to type, also 2*pi/3 or 3 mm"],
   ["Back to the default", "double-click the input's name"],
   ["Menu", "right button, or press for long"],
 ];

@@ -2,24 +2,26 @@ import type { ReactElement } from "react";
 import { millisecondText, plural } from "../model/format";
 import { useProblemCount } from "../panels/Problems";
 import { useCurrent } from "../widgets/context";
-import { useLasting } from "../widgets/hooks";
+import { OVERDUE_MILLISECONDS, useLasting } from "../widgets/hooks";
 
 /** The line at the bottom: whether the picture is up to date, how large the graph is, what the server took. */
 export function StatusBar(): ReactElement {
-  const busy = useLasting(
-    useCurrent((state) => state.busy),
-    250,
-  );
+  const isBusy = useCurrent((state) => state.busy);
+  const busy = useLasting(isBusy, 250);
+  const isOverdue = useLasting(isBusy, OVERDUE_MILLISECONDS);
   const away = useCurrent((state) => state.away);
+  const isCrowded = useCurrent((state) => state.isCrowded);
   const problem = useCurrent((state) => state.problem);
   const view = useCurrent((state) => state.view);
   const shown = useCurrent((state) => state.shown);
   const engine = useCurrent((state) => state.catalogue?.engine);
   const count = useProblemCount();
   const [tone, text] = away
-    ? ["warning", "Server away"]
-    : busy
-      ? ["busy", "Evaluating…"]
+    ? ["warning", isCrowded ? "Server busy" : "Server away"]
+    : busy && isBusy
+      ? isOverdue
+        ? ["warning", "No answer yet"]
+        : ["busy", "Evaluating…"]
       : problem
         ? ["error", shown ? "Out of date" : "Not shown"]
         : ["ok", shown ? "Up to date" : "Ready"];

@@ -2,7 +2,10 @@ import { type ReactElement, useState } from "react";
 import { setTitle } from "../model/edit";
 import { useCurrent, useCurrentSession } from "../widgets/context";
 
-const STATES = { example: "example", file: "saved", new: "not saved", shared: "shared", draft: "draft" };
+const STATES = {
+  ...{ example: "example", file: "saved", stored: "on the server" },
+  ...{ new: "not saved", shared: "shared", draft: "draft" },
+};
 
 /** The document's title, to read and to type, and whether it was changed since it was opened or saved. */
 export function TitleField(): ReactElement | null {

@@ -14,9 +14,14 @@ interface TopBarProps {
   onTheme(theme: Theme): void;
   galleryOpen: boolean;
   onGallery(): void;
+  /** The graph takes the whole width, below the model. */
+  graphBelow: boolean;
+  /** Missing where the window has room for one pane only. */
+  onGraphBelow?(below: boolean): void;
 }
 
-export function TopBar({ theme, onTheme, galleryOpen, onGallery }: TopBarProps): ReactElement {
+export function TopBar(props: TopBarProps): ReactElement {
+  const { theme, onTheme, galleryOpen, onGallery, graphBelow, onGraphBelow } = props;
   const session = useCurrentSession();
   const editor = useEditor();
   const other = theme === "dark" ? "light" : "dark";
@@ -51,6 +56,13 @@ export function TopBar({ theme, onTheme, galleryOpen, onGallery }: TopBarProps):
         shortcut="help"
         onClick={() => editor.store.set({ help: true })}
       />
+      {onGraphBelow && (
+        <IconButton
+          label={graphBelow ? "Graph beside the model" : "Graph below the model"}
+          icon={graphBelow ? "beside" : "below"}
+          onClick={() => onGraphBelow(!graphBelow)}
+        />
+      )}
       <IconButton
         label={`Use the ${other} theme`}
         icon={theme === "dark" ? "sun" : "moon"}

@@ -10,6 +10,7 @@ import type { Answer, Quality } from "../net/requests";
 import { saveBlob } from "../session/download";
 import { useCurrent, useCurrentSession } from "../widgets/context";
 import { Dialog } from "../widgets/Dialog";
+import { OVERDUE_MILLISECONDS, useLasting } from "../widgets/hooks";
 import { ValueField } from "../widgets/ValueField";
 import { documentText } from "./document_text";
 import { type ExportOption, exportOptions, withOptions } from "./export_options";
@@ -35,6 +36,8 @@ export function ExportDialog(): ReactElement {
   const [changes, setChanges] = useState<Record<string, Json>>({});
   const [withDocument, setWithDocument] = useState(true);
   const [answer, setAnswer] = useState<Answer | null>(null);
+  const [attempt, setAttempt] = useState(0);
+  const isOverdue = useLasting(answer === null, OVERDUE_MILLISECONDS);
   // Nothing chosen is the usual format, and GRAPH none of a model.
   const format = chosen === GRAPH ? undefined : (formats.find(({ name }) => name === chosen) ?? formats[0]);
   const formatName = format?.name;
@@ -53,7 +56,7 @@ export function ExportDialog(): ReactElement {
       window.clearTimeout(timer);
       request.abort();
     };
-  }, [document, values, output, quality, changes, formatName]);
+  }, [document, values, output, quality, changes, formatName, attempt]);
 
   const name = `${fileName(document?.title ?? "")}${format?.extension ?? ".json"}`;
   const model = answer?.kind === "model" ? answer.model : undefined;
@@ -135,7 +138,12 @@ export function ExportDialog(): ReactElement {
       </div>
       {format && (
         <p className="export-result" role="status" data-tone={answer?.kind === "problem" ? "error" : "ok"}>
-          {resultText(output, answer, file?.byteLength ?? 0)}
+          {isOverdue ? "No answer yet." : resultText(output, answer, file?.byteLength ?? 0)}
+          {(isOverdue || answer?.kind === "away") && (
+            <button type="button" className="button" onClick={() => setAttempt(attempt + 1)}>
+              Try again
+            </button>
+          )}
         </p>
       )}
     </Dialog>

@@ -15,9 +15,11 @@ export function FileMenu(): ReactElement {
       items={[
         { title: "New", run: () => session.newDocument() },
         { title: "Open…", shortcut: "open-file", run: () => void files.ask() },
+        { title: "Open from the server…", run: () => files.show("open-stored") },
         { title: "Save", shortcut: "save", isDisabled: !isOpen, isNewGroup: true, run: () => void files.save() },
         { title: "Save as…", shortcut: "save-as", isDisabled: !isOpen, run: () => void files.save(true) },
-        { title: "Recover…", run: () => files.show("recover") },
+        { title: "Save to the server…", isDisabled: !isOpen, run: () => void files.stored.keep() },
+        { title: "Recover…", isNewGroup: true, run: () => files.show("recover") },
       ]}
     >
       <span>File</span>

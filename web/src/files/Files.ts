@@ -1,9 +1,12 @@
 // Opening, saving, sharing and recovering the open document. Plain TypeScript; the components read its store.
 
+import { setCamera } from "../model/edit";
 import { fileName } from "../model/format";
 import { asObject, type Json, parseJsonBytes } from "../model/json";
 import { documentWithValues } from "../model/saved_values";
 import { createStore, type Store } from "../model/store";
+import { readGraph } from "../net/graph_store";
+import { problemText } from "../net/problem";
 import type { Session } from "../session/session";
 import type { Origin } from "../session/state";
 import { Autosave } from "./autosave";
@@ -11,19 +14,26 @@ import { commandLineText, curlText } from "./commands";
 import { askForFile, type FileHandle, writeFile } from "./disk";
 import { documentText } from "./document_text";
 import { openDraftDatabase } from "./draft_database";
-import type { Draft } from "./drafts";
+import { type Draft, originOf, storedPlace } from "./drafts";
 import { graphInGlb, parametersInGlb } from "./glb_graph";
 import { addImport, MESH_FILE, uploadMesh } from "./import_mesh";
 import { KeptDrafts } from "./kept_drafts";
 import { meshName, rememberMesh } from "./mesh_names";
+import { StoredGraphs } from "./StoredGraphs";
 import { LONGEST_LINK, packGraph, unpackGraph } from "./share";
 import { recallOpen, tabName } from "./tab";
 
 export interface FilesState {
-  dialog: "model-file" | "recover" | "share" | null;
+  dialog: "model-file" | "recover" | "share" | "open-stored" | "keep" | "conflict" | null;
   /** What was done, or went wrong, for a moment. */
-  note: { text: string; tone: "good" | "bad" } | null;
+  note: { text: string; tone: "good" | "bad"; action?: NoteAction } | null;
   link: string;
+}
+
+/** What may be done about what was said. */
+export interface NoteAction {
+  title: string;
+  run(): void;
 }
 
 /** What a page begins with instead of an example. */
@@ -47,11 +57,21 @@ export class Files {
   readonly drafts = new KeptDrafts(openDraftDatabase());
   private readonly tab = tabName();
   readonly autosave: Autosave;
+  readonly stored: StoredGraphs;
   private handle: { file: FileHandle; opened: number } | undefined;
   private timer = 0;
 
   constructor(private readonly session: Session) {
-    this.autosave = new Autosave(session, this.drafts, this.tab);
+    this.stored = new StoredGraphs(session, {
+      say: (text, tone) => this.say(text, tone),
+      show: (dialog) => this.show(dialog),
+      open: (json, origin, name) => this.open(json, origin, name),
+      kept: (origin) => {
+        session.markSaved(origin);
+        this.autosave.saved();
+      },
+    });
+    this.autosave = new Autosave(session, this.drafts, this.tab, (draft) => this.sayKept(draft));
   }
 
   /** What this load of the page takes up: the graph in its address, else what was open in the same tab. */
@@ -61,6 +81,16 @@ export class Files {
       const result = await unpackGraph(packed);
       if ("json" in result) return { json: result.json, origin: { kind: "shared" } };
       this.say(result.error, "bad");
+      return undefined;
+    }
+    const name = new URLSearchParams(location.hash.slice(1)).get("graph");
+    if (name !== null) {
+      const found = await readGraph(name);
+      if ("value" in found) {
+        const { id, version, tag } = found.value.version;
+        return { json: found.value.json, origin: { kind: "stored", id, version, tag } };
+      }
+      this.say(`${name} was not opened. ${problemText(found.problem)}`, "bad");
       return undefined;
     }
     const open = recallOpen();
@@ -73,11 +103,11 @@ export class Files {
     void this.drafts.put({ ...draft, address: "" });
     if (ancestor !== undefined) void this.drafts.remove(ancestor);
     this.say(`“${mine.title}” is open again with what was not saved.`);
-    return { json: mine.json, origin: { kind: "draft", id: mine.id } };
+    return { json: mine.json, origin: originOf(mine) };
   }
 
   recover(draft: Draft): void {
-    this.open(draft.json, { kind: "draft", id: draft.id }, draft.title);
+    this.open(draft.json, originOf(draft), draft.title);
     this.show(null);
   }
 
@@ -103,10 +133,14 @@ export class Files {
     }
   }
 
-  /** Writes the document to its file, or asks for one. */
+  /** Writes the document to where it came from, the server or its file, or asks for a file. */
   async save(elsewhere = false): Promise<void> {
     const { document, values, origin, opened } = this.session.store.get();
     if (!document) return;
+    if (!elsewhere && storedPlace(origin)) {
+      await this.stored.keep();
+      return;
+    }
     const name = origin.kind === "file" ? origin.name : `${fileName(document.title)}.json`;
     const known = !elsewhere && this.handle?.opened === opened ? this.handle.file : undefined;
     const written = await writeFile(documentText(documentWithValues(document, values)), name, known);
@@ -127,7 +161,9 @@ export class Files {
   async share(): Promise<void> {
     const { document, values } = this.session.store.get();
     if (!document) return;
-    const packed = await packGraph(documentWithValues(document, values));
+    const camera = this.session.view();
+    const seen = camera ? setCamera(camera)(document) : document;
+    const packed = await packGraph(documentWithValues(seen, values));
     const address = new URL(location.href);
     address.search = "";
     address.hash = `g=${packed}`;
@@ -159,10 +195,19 @@ export class Files {
     this.store.set({ dialog });
   }
 
-  say(text: string, tone: "good" | "bad" = "good"): void {
+  say(text: string, tone: "good" | "bad" = "good", action?: NoteAction): void {
     window.clearTimeout(this.timer);
-    this.store.set({ note: { text, tone } });
-    this.timer = window.setTimeout(() => this.store.set({ note: null }), NOTE_MILLISECONDS);
+    this.store.set({ note: { text, tone, action } });
+    const milliseconds = action ? 2 * NOTE_MILLISECONDS : NOTE_MILLISECONDS;
+    this.timer = window.setTimeout(() => this.store.set({ note: null }), milliseconds);
+  }
+
+  /** Another document was opened over one that was not saved. */
+  private sayKept(draft: Draft): void {
+    this.say(`“${draft.title}” was not saved. It is kept under File, Recover.`, "good", {
+      title: "Go back to it",
+      run: () => this.recover(draft),
+    });
   }
 
   private open(json: Json, origin: Parameters<Session["openDocument"]>[1], name: string): boolean {

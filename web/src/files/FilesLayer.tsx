@@ -2,8 +2,11 @@ import { type ReactElement, useEffect, useRef, useState } from "react";
 import { useCurrentSession } from "../widgets/context";
 import { useStore } from "../widgets/hooks";
 import { Icon } from "../widgets/Icon";
+import { ConflictDialog } from "./ConflictDialog";
 import { ExportDialog } from "./ExportDialog";
 import { filesOf } from "./Files";
+import { KeepDialog } from "./KeepDialog";
+import { OpenStoredDialog } from "./OpenStoredDialog";
 import { RecoverDialog } from "./RecoverDialog";
 import { ShareDialog } from "./ShareDialog";
 
@@ -18,6 +21,9 @@ export function FilesLayer(): ReactElement {
       {dialog === "model-file" && <ExportDialog />}
       {dialog === "recover" && <RecoverDialog />}
       {dialog === "share" && <ShareDialog />}
+      {dialog === "open-stored" && <OpenStoredDialog />}
+      {dialog === "keep" && <KeepDialog />}
+      {dialog === "conflict" && <ConflictDialog />}
       {dropping && (
         <div className="drop-place">
           <p>Drop a graph (.json), a model of Dini (.glb) or a mesh (.obj, .ply, .stl, .glb)</p>
@@ -28,6 +34,18 @@ export function FilesLayer(): ReactElement {
           <p className="files-note" data-tone={note.tone}>
             <Icon name={note.tone === "good" ? "check" : "alert"} />
             <span>{note.text}</span>
+            {note.action && (
+              <button
+                type="button"
+                className="button"
+                onClick={() => {
+                  files.store.set({ note: null });
+                  note.action?.run();
+                }}
+              >
+                {note.action.title}
+              </button>
+            )}
             <button type="button" className="button quiet" onClick={() => files.store.set({ note: null })}>
               Dismiss
             </button>

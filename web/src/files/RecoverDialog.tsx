@@ -3,6 +3,8 @@ import { plural } from "../model/format";
 import { asObject } from "../model/json";
 import { useCurrentSession } from "../widgets/context";
 import { Dialog } from "../widgets/Dialog";
+import { GraphPicture } from "../widgets/GraphPicture";
+import { agoText } from "./ago";
 import type { Draft } from "./drafts";
 import { filesOf } from "./Files";
 
@@ -19,16 +21,17 @@ export function RecoverDialog(): ReactElement {
     <Dialog title="Recover" onClose={() => files.show(null)}>
       <p className="dialog-note">Changes that were not saved are kept in this browser, for the last ten graphs.</p>
       {drafts?.length === 0 && <p className="empty">There are no drafts.</p>}
-      <ul className="draft-list">
+      <ul className="kept-list">
         {drafts?.map((draft) => (
-          <li key={draft.id}>
-            <button type="button" className="draft" onClick={() => files.recover(draft)}>
+          <li key={draft.id} aria-label={draft.title}>
+            <GraphPicture id={`draft ${draft.id} ${draft.time}`} read={() => Promise.resolve(draft.json)} />
+            <span className="kept-text">
               <strong>{draft.title}</strong>
               <span>
                 {agoText(Date.now() - draft.time)} · {plural(Object.keys(asObject(draft.json["nodes"])).length, "node")}
                 {draft.name && ` · ${draft.name}`}
               </span>
-            </button>
+            </span>
             <button
               type="button"
               className="button quiet"
@@ -37,18 +40,17 @@ export function RecoverDialog(): ReactElement {
             >
               Delete
             </button>
+            <button
+              type="button"
+              className="button primary"
+              aria-label={`Open the draft ${draft.title}`}
+              onClick={() => files.recover(draft)}
+            >
+              Open
+            </button>
           </li>
         ))}
       </ul>
     </Dialog>
   );
-}
-
-/** "12 minutes ago". */
-export function agoText(milliseconds: number): string {
-  const minutes = Math.floor(milliseconds / 60_000);
-  if (minutes < 1) return "just now";
-  if (minutes < 60) return `${plural(minutes, "minute")} ago`;
-  const hours = Math.floor(minutes / 60);
-  return hours < 48 ? `${plural(hours, "hour")} ago` : `${plural(Math.floor(hours / 24), "day")} ago`;
 }

@@ -4,7 +4,7 @@
 import { documentWithValues } from "../model/saved_values";
 import type { Session } from "../session/session";
 import type { SessionState } from "../session/state";
-import type { Draft } from "./drafts";
+import { type Draft, storedPlace } from "./drafts";
 import type { KeptDrafts } from "./kept_drafts";
 import { newId, rememberOpen } from "./tab";
 
@@ -23,11 +23,15 @@ export class Autosave {
   private writing = 0;
   /** A draft of this document was written, or will be. */
   private isKept = false;
+  /** The newest draft that was written of the open document. */
+  private newest: Draft | undefined;
 
+  /** `left` is told when another document takes the place of one that was not saved. */
   constructor(
     private readonly session: Session,
     private readonly drafts: KeptDrafts,
     private readonly tab: string,
+    private readonly left: (draft: Draft) => void,
   ) {
     session.store.subscribe(() => this.look());
     document.addEventListener("visibilitychange", () => void (document.hidden && this.flush()));
@@ -47,6 +51,7 @@ export class Autosave {
     for (const id of [this.id, this.ancestor]) if (id) void this.drafts.remove(id);
     this.ancestor = undefined;
     this.isKept = false;
+    this.newest = undefined;
   }
 
   /** The draft is of the document that is open. */
@@ -77,6 +82,8 @@ export class Autosave {
     if (opened !== this.opened) {
       // The last document's draft is written before another one takes its place.
       this.flush();
+      if (this.isKept && this.newest) this.left(this.newest);
+      this.newest = undefined;
       this.opened = opened;
       this.id = newId();
       this.isKept = false;
@@ -96,6 +103,7 @@ export class Autosave {
     }
     this.isKept = true;
     this.pending = this.draft();
+    this.newest = this.pending;
     this.timer = window.setTimeout(() => this.flush(), PAUSE_MILLISECONDS);
   }
 
@@ -121,6 +129,7 @@ export class Autosave {
       tab: this.tab,
       title: document.title,
       name: origin.kind === "file" ? origin.name : "",
+      stored: storedPlace(origin),
       address: location.hash,
       time: Date.now(),
       isAdjustment: !isChanged && origin.kind === "example",

@@ -1,6 +1,7 @@
 // Drafts: what was edited and not saved, kept by the browser. They never touch a saved file.
 
 import type { JsonObject } from "../model/json";
+import type { Origin, StoredPlace } from "../session/state";
 
 export interface Draft {
   id: string;
@@ -9,6 +10,8 @@ export interface Draft {
   title: string;
   /** Name of the file it began as; empty if it was none. */
   name: string;
+  /** What the server keeps that it began as. */
+  stored?: StoredPlace;
   /** The page's address when it was written, behind the "#". */
   address: string;
   /** Milliseconds since 1970. */
@@ -18,6 +21,19 @@ export interface Draft {
   /** Only values of an example's form were changed. */
   isAdjustment?: boolean;
   json: JsonObject;
+}
+
+/** Where a document that is taken up from a draft comes from. */
+export function originOf({ id, stored }: Pick<Draft, "id" | "stored">): Origin {
+  return { kind: "draft", id, ...(stored && { stored }) };
+}
+
+/** The version that the server keeps of an open document, if it does. */
+export function storedPlace(origin: Origin): StoredPlace | undefined {
+  if (origin.kind === "draft") return origin.stored;
+  if (origin.kind !== "stored") return undefined;
+  const { id, version, tag } = origin;
+  return { id, version, tag };
 }
 
 export const MOST_DRAFTS = 10;

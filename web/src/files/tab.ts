@@ -1,13 +1,15 @@
 // What a tab knows over a reload: its own name, and which document was open in it.
 
-import { asObject, asString, isObject, type Json, type JsonObject, parseJson } from "../model/json";
+import { readCamera } from "../model/document";
+import { asArray, asNumber, asObject, asString, isObject, type Json, type JsonObject, parseJson } from "../model/json";
 import { documentWithValues } from "../model/saved_values";
 import type { Session } from "../session/session";
-import type { Origin } from "../session/state";
-import type { Draft } from "./drafts";
+import type { Origin, Sight } from "../session/state";
+import { type Draft, originOf } from "./drafts";
 
 const TAB_KEY = "dini.tab";
 const OPEN_KEY = "dini.open";
+const SIGHT_KEY = "dini.sight";
 
 /** A document that was open. */
 export interface OpenDocument {
@@ -31,6 +33,7 @@ export function tabName(): string {
  */
 export function rememberOpen(session: Session, draft: Draft | undefined): void {
   const { document, values, origin } = session.store.get();
+  write(SIGHT_KEY, JSON.stringify({ ...session.lookedAt(), address: location.hash }));
   const isElsewhere = draft === undefined && origin.kind === "example";
   if (!document || isElsewhere) write(OPEN_KEY, null);
   else {
@@ -46,14 +49,22 @@ export function recallOpen(): OpenDocument | undefined {
   if (!isObject(draft)) return { json, origin: readOrigin(origin) };
   return {
     json,
-    origin: { kind: "draft", id: asString(draft["id"]) },
+    origin: originOf(draft as unknown as Draft),
     draft: { ...(draft as unknown as Draft), json },
   };
 }
 
+/** How what was open was looked at when the page was left, if the page's address is still that of then. */
+export function recallSight(): Sight | undefined {
+  const { camera, selection, address } = asObject(readJson(SIGHT_KEY));
+  if (address !== location.hash) return undefined;
+  return { camera: readCamera(asObject(camera)), selection: asArray(selection).map(asString) };
+}
+
 function readOrigin(json: Json): Origin {
-  const { kind, name } = asObject(json);
+  const { kind, name, id, version, tag } = asObject(json);
   if (kind === "file") return { kind, name: asString(name) };
+  if (kind === "stored") return { kind, id: asString(id), version: asNumber(version) ?? 0, tag: asString(tag) };
   return { kind: kind === "shared" ? kind : "new" };
 }
 

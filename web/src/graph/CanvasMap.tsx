@@ -5,15 +5,15 @@ import type { FlowNode } from "./flow_nodes";
 
 /** The map costs more than it helps above this number of nodes. */
 export const MAP_TO = 300;
-const MAP_FROM = 30;
+const MAP_FROM = 40;
 /** A lower pane needs its room for the graph itself, in pixels. */
 const LEAST_HEIGHT = 400;
 
-/** A map of the graph, where there is much of it or a part of it is out of sight. */
+/** A map of a large graph, while a part of it is out of sight. */
 export function CanvasMap({ count }: { count: number }): ReactElement | null {
   const isCut = useStore(hasHidden);
   const wrong = useCurrent((state) => (state.problem?.errors ?? []).map((entry) => entry.node).join(" "));
-  if (count <= MAP_FROM && !isCut) return null;
+  if (count <= MAP_FROM || !isCut) return null;
   const colorOf = (node: FlowNode): string => {
     if (node.type !== "graph") return "transparent";
     if (wrong.split(" ").includes(node.id)) return "var(--error)";

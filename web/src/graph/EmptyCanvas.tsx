@@ -1,18 +1,16 @@
 import { type ReactElement, useMemo } from "react";
-import type { NodeCard } from "../model/catalogue";
+import { beginningsOf, FIRST_TYPES } from "../model/beginnings";
+import type { Catalogue, NodeCard } from "../model/catalogue";
 import { addFinding } from "../session/adding";
 import { useCurrent, useEditor } from "../widgets/context";
 import { Icon } from "../widgets/Icon";
 import { Mark } from "../widgets/Mark";
 
-/** Types worth beginning with: each offers one node that needs nothing else. */
-const FIRST_TYPES = ["circle", "generator", "mesh"];
-
 /** What an empty canvas says: how to begin, and nodes to begin with. */
 export function EmptyCanvas(): ReactElement {
   const editor = useEditor();
   const catalogue = useCurrent((state) => state.catalogue);
-  const cards = useMemo(() => beginnings([...(catalogue?.nodes.values() ?? [])]), [catalogue]);
+  const cards = useMemo(() => (catalogue ? beginnings(catalogue) : []), [catalogue]);
   return (
     <div className="empty-canvas">
       <p className="empty-title">An empty graph</p>
@@ -42,12 +40,11 @@ export function EmptyCanvas(): ReactElement {
   );
 }
 
-function beginnings(cards: readonly NodeCard[]): NodeCard[] {
+function beginnings(catalogue: Catalogue): NodeCard[] {
   return FIRST_TYPES.flatMap((type) => {
-    const fitting = cards.filter(
-      (card) => card.outputs[0]?.types.join() === type && card.inputs.every((input) => !input.required),
+    const [simplest] = beginningsOf(catalogue, type).sort(
+      (a, b) => a.inputs.length - b.inputs.length || a.title.length - b.title.length,
     );
-    const [simplest] = fitting.sort((a, b) => a.inputs.length - b.inputs.length || a.title.length - b.title.length);
     return simplest ? [simplest] : [];
   });
 }

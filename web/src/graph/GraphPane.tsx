@@ -6,11 +6,13 @@ import { FrameView, NoteView } from "./areas";
 import { CanvasMap, MAP_TO } from "./CanvasMap";
 import { CanvasTools } from "./CanvasTools";
 import { EmptyCanvas } from "./EmptyCanvas";
+import { FarTitles } from "./FarTitles";
 import type { Flow } from "./flow";
 import { type FlowNode, useFlowNodes } from "./flow_nodes";
 import { useHandlers } from "./handlers";
 import { NodeView } from "./NodeView";
 import { Overlays } from "./Overlays";
+import { LEAST_ZOOM } from "./opening";
 import { openingFit, useCanvas } from "./use_canvas";
 import { type WireEdge, WireView } from "./WireView";
 
@@ -63,7 +65,7 @@ export function GraphPane(): ReactElement {
           onMoveStart={noteMove}
           fitView={isFull.current.value}
           fitViewOptions={opening}
-          minZoom={0.1}
+          minZoom={LEAST_ZOOM}
           maxZoom={2.5}
           selectionOnDrag={!leftPans}
           panOnDrag={leftPans ? true : OTHER_BUTTONS}
@@ -81,6 +83,7 @@ export function GraphPane(): ReactElement {
           onlyRenderVisibleElements={count > ONLY_VISIBLE_FROM}
           attributionPosition="bottom-left"
         >
+          <FarTitles />
           <Background variant={BackgroundVariant.Dots} gap={24} size={1.4} />
           {count <= MAP_TO && <CanvasMap count={count} />}
         </ReactFlow>

@@ -10,6 +10,7 @@ import { useCurrent, useCurrentSession, useEditing, useEditor } from "../widgets
 import { Icon } from "../widgets/Icon";
 import { InputField } from "../widgets/InputField";
 import { NameField } from "../widgets/NameField";
+import { MissingInput } from "./MissingInput";
 import { Socket } from "./Socket";
 
 export type GraphNodeData = Node<{ id: string }, "graph">;
@@ -60,6 +61,7 @@ function Face({ node, isSelected }: { node: ViewNode; isSelected: boolean }): Re
       <Head node={node} tone={tone} />
       {node.collapsed ? <Ports node={node} /> : <Rows node={node} isOpen={isOpen} isUnfolded={isUnfolded} />}
       {text && !node.collapsed && <p className="node-message">{text}</p>}
+      {text && !node.collapsed && <MissingInput node={node} />}
       {!node.known && <p className="node-message">The server does not know this node.</p>}
     </div>
   );

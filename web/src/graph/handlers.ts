@@ -18,6 +18,7 @@ import { changeNote, collectMembers, moveFrame } from "../model/edit_ui";
 import { insertOnWire } from "../model/edit_wires";
 import type { ViewWire } from "../model/graph";
 import type { Position } from "../model/ui";
+import { toggleFlag } from "../session/actions";
 import type { Editor, MenuTarget } from "../session/editor";
 import { useEditor } from "../widgets/context";
 import { wireUnder } from "./drop_on_wire";
@@ -78,6 +79,7 @@ export function useHandlers(flow: Flow | null) {
         },
         onEdgesChange: (changes: EdgeChange<WireEdge>[]) => selectWires(editor, changes),
         onNodeClick: (event: ReactMouseEvent, node: FlowNode) => {
+          if (event.altKey && node.type === "graph") toggleFlag(editor, "preview", [node.id]);
           // A plain press on one of several selected nodes means this one.
           if (!event.shiftKey && !event.ctrlKey && !event.metaKey) editor.session.select([node.id]);
         },

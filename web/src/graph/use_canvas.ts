@@ -10,12 +10,12 @@ import type { SessionState } from "../session/state";
 import { useEditor } from "../widgets/context";
 import type { Flow } from "./flow";
 import { nodeElement } from "./focus";
-import { OPENING_PADDING, openingNodes, READABLE_ZOOM } from "./opening";
+import { LEAST_ZOOM, OPENING_PADDING, openingNodes, READABLE_ZOOM } from "./opening";
 
 const FOCUS_MILLISECONDS = 20_000;
 /** Where hands are busy typing, the focus is not taken away. */
 const FIELDS = "input, select, textarea";
-const FIT = { padding: 0.09, maxZoom: 1.15, minZoom: 0.2 };
+const FIT = { padding: 0.09, maxZoom: 1, minZoom: LEAST_ZOOM };
 
 /** What React Flow is to fit into the pane when a graph opens. */
 export function openingFit({ view, document, catalogue }: SessionState, pane: HTMLElement | null): FitViewOptions {
@@ -26,7 +26,9 @@ export function openingFit({ view, document, catalogue }: SessionState, pane: HT
   }
   const end = document && catalogue ? fileOutput(document, catalogue) : undefined;
   const { clientWidth: width, clientHeight: height } = pane ?? window.document.documentElement;
-  const nodes = openingNodes(boxes, end, { width, height })?.map((id) => ({ id }));
+  const driven = (view?.nodes ?? []).filter(({ rows }) => rows.some((row) => row.parameterName !== undefined));
+  const wanted = new Set(driven.map(({ id }) => id));
+  const nodes = openingNodes(boxes, end, wanted, { width, height })?.map((id) => ({ id }));
   return nodes ? { nodes, padding: OPENING_PADDING, maxZoom: FIT.maxZoom, minZoom: READABLE_ZOOM } : FIT;
 }
 

@@ -110,7 +110,7 @@ function readNodes(items: JsonObject, before?: GraphDocument): Map<string, Graph
 }
 
 /** A camera that looks nowhere, or not from a place in space, is none. Its `up` is not read: up is Z in every view. */
-function readCamera(item: JsonObject): CameraPlace | null {
+export function readCamera(item: JsonObject): CameraPlace | null {
   const [position, target] = [readTriple(item["position"]), readTriple(item["target"])];
   if (!position || !target || position.every((value, axis) => value === target[axis])) return null;
   return { position, target };

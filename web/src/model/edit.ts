@@ -1,7 +1,7 @@
 // Changes of a document, each a pure function: the document given is left as it is, and what a change does not touch
 // stays the same object. The JSON is what is changed; everything else is read from it again.
 
-import { type GraphDocument, readLink, rewritten } from "./document";
+import { type CameraPlace, type GraphDocument, readLink, rewritten, type Triple } from "./document";
 import { asObject, isObject, type Json, type JsonObject } from "./json";
 import type { Position } from "./ui";
 
@@ -107,6 +107,16 @@ export function moveNodes(places: ReadonlyMap<string, Position>): Edit {
 
 export function setTitle(title: string): Edit {
   return (document) => rewritten(document, { meta: { ...asObject(document.json["meta"]), title } });
+}
+
+/** Where the camera stands when the document is opened. */
+export function setCamera({ position, target }: CameraPlace): Edit {
+  // Ten thousandths of the distance are not seen.
+  const distance = Math.hypot(...position.map((value, axis) => value - (target[axis] ?? 0)));
+  const decimals = Math.min(12, Math.max(0, 4 - Math.floor(Math.log10(distance))));
+  const rounded = (place: Triple): Json => place.map((value) => Number(value.toFixed(decimals)));
+  const camera = { position: rounded(position), target: rounded(target), up: [0, 0, 1] };
+  return (document) => rewritten(document, { meta: { ...asObject(document.json["meta"]), camera } });
 }
 
 /** The document with other members below `ui`; members that are undefined go. */

@@ -49,6 +49,19 @@ export function changeParameter(name: string, change: JsonObject): Edit {
   };
 }
 
+/** Puts a parameter at a place among the others, counted without it. */
+export function moveParameter(name: string, place: number): Edit {
+  return (document) => {
+    const entries = Object.entries(asObject(document.json["parameters"]));
+    const from = entries.findIndex(([other]) => other === name);
+    const [moved] = entries.splice(Math.max(0, from), from < 0 ? 0 : 1);
+    const to = Math.min(Math.max(0, place), entries.length);
+    if (!moved || to === from) return document;
+    entries.splice(to, 0, moved);
+    return rewritten(document, { parameters: Object.fromEntries(entries) });
+  };
+}
+
 /** Takes a parameter away; the inputs it drove are given `value`. */
 export function removeParameter(name: string, value: Json): Edit {
   return (document) => {

@@ -8,9 +8,9 @@ export const NODE_WIDTH = 208;
 export const HEADER_HEIGHT = 34;
 export const ROW_HEIGHT = 24;
 const NODE_PADDING = 12;
-const MESSAGE_HEIGHT = 46;
+const MESSAGE_HEIGHT = 80;
 
-const COLUMN_GAP = 54;
+const COLUMN_GAP = 32;
 const ROW_GAP = 22;
 const SWEEPS = 8;
 

@@ -9,11 +9,14 @@ import type { Answer, Effort, EvaluateBody } from "./requests";
 
 const MULTIPART = "multipart/form-data";
 const MODEL = "model/gltf-binary";
+/** A small answer that takes longer than this does not come. */
+const LONGEST_MILLISECONDS = 8000;
 const BUSY_STATUS = new Set([429, 502, 503]);
 
 /** GET of a JSON answer. Rejects if the server cannot be reached or answers an error. */
 export async function getJson(path: string): Promise<Json> {
-  const response = await fetch(path, { headers: { accept: "application/json" } });
+  const signal = AbortSignal.timeout(LONGEST_MILLISECONDS);
+  const response = await fetch(path, { headers: { accept: "application/json" }, signal });
   if (!response.ok) throw new Error(`${path}: ${response.status}`);
   return (await response.json()) as Json;
 }
@@ -21,7 +24,8 @@ export async function getJson(path: string): Promise<Json> {
 /** True if the server answers at all. */
 export async function isAlive(): Promise<boolean> {
   try {
-    return (await fetch("healthz", { cache: "no-store" })).ok;
+    const signal = AbortSignal.timeout(LONGEST_MILLISECONDS);
+    return (await fetch("healthz", { cache: "no-store", signal })).ok;
   } catch {
     return false;
   }
@@ -72,7 +76,7 @@ export async function fetchPreview(body: EvaluateBody, signal: AbortSignal): Pro
 async function readAnswer(response: Response): Promise<Answer> {
   if (BUSY_STATUS.has(response.status)) {
     const seconds = Number(response.headers.get("retry-after"));
-    return { kind: "away", retryAfter: seconds > 0 ? seconds * 1000 : undefined };
+    return { kind: "away", retryAfter: seconds > 0 ? seconds * 1000 : undefined, isCrowded: true };
   }
   if (!response.ok) return { kind: "problem", problem: readProblem(response.status, await jsonOf(response)) };
   const boundary = boundaryOf(response.headers.get("content-type") ?? "");

@@ -24,8 +24,8 @@ export interface EvaluatorHost<Body, Model> {
   show(model: Model, answer: ModelAnswer, stamp: Stamp): void;
   discard(model: Model): void;
   fail(problem: Problem, stamp: Stamp): void;
-  /** The server cannot be reached; the evaluator tries again by itself. */
-  away(): void;
+  /** The server cannot be reached, or is crowded; the evaluator tries again by itself. */
+  away(isCrowded: boolean): void;
   /** A picture is wanted that is not there yet, or no longer. */
   busy(isBusy: boolean): void;
   clock: Clock;
@@ -89,9 +89,12 @@ export class Evaluator<Body, Model> {
     return this.revision;
   }
 
-  /** Another document: nothing that is under way is of use. */
+  /** Nothing that is under way is of use: another document was opened, or no answer is waited for any more. */
   reset(): void {
     this.stopTimers();
+    this.host.clock.clearTimeout(this.retryTimer);
+    this.retryTimer = undefined;
+    this.retries = 0;
     for (const flight of this.flights) this.drop(flight);
     this.pending = undefined;
     this.answered = Math.max(this.answered, rank({ revision: this.revision, quality: "final" }));
@@ -162,7 +165,7 @@ export class Evaluator<Body, Model> {
 
   private async receive(answer: Answer, flight: Flight, wanted: Wanted<Body>): Promise<void> {
     if (answer.kind === "away") {
-      this.waitAndRetry(wanted, answer.retryAfter);
+      this.waitAndRetry(wanted, answer);
       return;
     }
     this.retries = 0;
@@ -211,9 +214,9 @@ export class Evaluator<Body, Model> {
     return this.settled >= rank({ revision: this.revision, quality: "final" });
   }
 
-  private waitAndRetry(wanted: Wanted<Body>, retryAfter: number | undefined): void {
+  private waitAndRetry(wanted: Wanted<Body>, { retryAfter, isCrowded }: Extract<Answer, { kind: "away" }>): void {
     if (!this.pending || rank(wanted) > rank(this.pending)) this.pending = wanted;
-    this.host.away();
+    this.host.away(isCrowded ?? false);
     if (this.retryTimer !== undefined) return;
     const wait = retryAfter ?? RETRY_MILLISECONDS[Math.min(this.retries, RETRY_MILLISECONDS.length - 1)] ?? 1000;
     this.retries++;

@@ -26,5 +26,5 @@ export interface Effort {
 export type Answer =
   | { kind: "model"; report: Report; model: Uint8Array<ArrayBuffer>; preview: Uint8Array<ArrayBuffer> | null }
   | { kind: "problem"; problem: Problem }
-  /** Nothing usable came: no connection, or the server asks to wait. */
-  | { kind: "away"; retryAfter?: number };
+  /** Nothing usable came: no connection, or the server is crowded and asks to wait. */
+  | { kind: "away"; retryAfter?: number; isCrowded?: boolean };

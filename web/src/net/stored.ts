@@ -30,7 +30,9 @@ const GRAPHS = "../v1/graphs/";
 const BUSY_STATUS = new Set([429, 502, 503]);
 const PARAMETER_PREFIX = "parameter.";
 /** Names that the address of an output has for itself. */
-const TAKEN = new Set(["quality", "accept", "download"]);
+const TAKEN = new Set(["quality", "accept", "download", "draco", "format"]);
+/** Names that the page for frames has for itself. */
+const ASKED = new Set(["output", "theme"]);
 
 /** The name of the graph in the address of the page: its last part. */
 export function graphInPath(path: string): string {
@@ -80,6 +82,16 @@ export function outputAddress(graph: string, output: string, values: ParameterVa
   return `${addressOf(graph)}/outputs/${encodeURIComponent(output)}.glb${asked && `?${asked}`}`;
 }
 
+/** The address of the page for frames of other pages, with the values that its sliders begin with. */
+export function embedAddress(graph: string, values: ParameterValues): string {
+  const query = new URLSearchParams();
+  for (const [name, value] of Object.entries(values)) {
+    query.set(ASKED.has(name) ? PARAMETER_PREFIX + name : name, String(value));
+  }
+  const asked = query.toString();
+  return `../embed/${encodeURIComponent(graph)}${asked && `?${asked}`}`;
+}
+
 /** What the server keeps under a name, with a version or without. Rejects if the server cannot be reached. */
 export async function fetchStored(name: string): Promise<Found<Stored>> {
   const facts = await fetchJson(`${addressOf(name)}/interface`);
@@ -97,7 +109,7 @@ export async function fetchOutput(address: string, signal: AbortSignal): Promise
     const response = await fetch(address, { signal });
     if (BUSY_STATUS.has(response.status)) {
       const seconds = Number(response.headers.get("retry-after"));
-      return { kind: "away", retryAfter: seconds > 0 ? seconds * 1000 : undefined };
+      return { kind: "away", retryAfter: seconds > 0 ? seconds * 1000 : undefined, isCrowded: true };
     }
     if (!response.ok) return { kind: "problem", problem: await problemIn(response) };
     const model = new Uint8Array(await response.arrayBuffer());

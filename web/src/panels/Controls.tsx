@@ -2,6 +2,7 @@ import type { ReactElement } from "react";
 import { useCurrent, useCurrentSession } from "../widgets/context";
 import { Icon } from "../widgets/Icon";
 import { ParameterRow } from "./ParameterRow";
+import { Variants } from "./Variants";
 
 /** A row per graph parameter. Changing one evaluates the graph again. */
 export function Controls(): ReactElement {
@@ -18,6 +19,7 @@ export function Controls(): ReactElement {
           <ParameterRow key={parameter.name} parameter={parameter} />
         ))}
       </div>
+      <Variants />
       {isChanged && (
         <button type="button" className="button quiet" onClick={() => session.resetParameters()}>
           <Icon name="reset" />

@@ -9,7 +9,9 @@ import { Problems, useProblemCount } from "./Problems";
 export function Panel(): ReactElement {
   const [tab, setTab] = useState("controls");
   const selected = useCurrent((state) => state.selected);
+  const opened = useCurrent((state) => state.opened);
   const count = useProblemCount();
+  useEffect(() => setTab("controls"), [opened]);
   useEffect(() => {
     if (selected !== null) setTab("node");
   }, [selected]);

@@ -7,6 +7,7 @@ import { describedBy } from "../widgets/FieldError";
 import { Icon } from "../widgets/Icon";
 import { ValueField } from "../widgets/ValueField";
 import { ParameterEditor } from "./ParameterEditor";
+import { ParameterGrip } from "./ParameterGrip";
 
 /** Label, field, reset button, description and error of one parameter. */
 export function ParameterRow({ parameter }: { parameter: Parameter }): ReactElement {
@@ -31,6 +32,7 @@ export function ParameterRow({ parameter }: { parameter: Parameter }): ReactElem
   const described = describedBy(parameter.description && `${id}-about`, error && `${id}-error`);
   return (
     <div className="parameter" data-invalid={error !== ""} data-parameter={parameter.name}>
+      <ParameterGrip parameter={parameter} />
       <label
         className="parameter-label"
         htmlFor={id}

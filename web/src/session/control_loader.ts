@@ -51,8 +51,12 @@ export class ControlLoader {
 
   /** Asks for what is wanted now, if that is something else than before. */
   refresh(): void {
+    if (keyOf(this.wanted()) !== this.wished) this.renew();
+  }
+
+  /** Asks for what is wanted now: no answer brings it, and what is shown may be of old values. */
+  renew(): void {
     const wish = this.wanted();
-    if (keyOf(wish) === this.wished) return;
     this.take(wish);
     this.cancel();
     if (wish.names.length === 0) this.shown(null, this.wished);

@@ -28,6 +28,8 @@ export class Renderer {
   private shownViewer: PictureViewer | undefined;
   private pinging = false;
   private isFirst = true;
+  /** Where the camera is to stand for the first picture, in place of the document's own. */
+  private place: CameraPlace | null = null;
   private readonly control: ControlLoader;
   /** For which wish the control geometry of an answer was drawn. */
   private readonly wishes = new WeakMap<Answer, string>();
@@ -55,8 +57,11 @@ export class Renderer {
         model.dispose();
         control?.dispose();
       },
-      fail: (problem) => store.set({ problem, away: false }),
-      away: () => this.lost(),
+      fail: (problem) => {
+        store.set({ problem, away: false });
+        this.control.renew();
+      },
+      away: (isCrowded) => this.lost(isCrowded),
       busy: (busy) => store.set({ busy }),
       clock: {
         now: () => performance.now(),
@@ -76,6 +81,7 @@ export class Renderer {
   rest(): void {
     this.evaluator.reset();
     this.store.set({ busy: false });
+    this.control.renew();
   }
 
   /** Gives up what is under way. */
@@ -85,11 +91,32 @@ export class Renderer {
     this.store.set({ busy: false, problem: localProblem("Stopped", detail) });
   }
 
-  /** Another document: the next picture is its first. */
-  reset(): void {
+  /** Waits for no answer that is under way. */
+  giveUp(): void {
+    this.evaluator.reset();
+  }
+
+  /** Another document: the next picture is its first, seen from `place` if that is given. */
+  reset(place: CameraPlace | null = null): void {
     this.evaluator.reset();
     this.shownViewer?.clear();
     this.isFirst = true;
+    this.place = place;
+  }
+
+  /** The viewer, once there is one. Rejects where it cannot start. */
+  get loaded(): Promise<PictureViewer> {
+    return this.viewer;
+  }
+
+  /** Where the camera stands; null while that is where the document opens. */
+  get cameraPlace(): CameraPlace | null {
+    return this.isFirst ? this.place : (this.shownViewer?.camera ?? null);
+  }
+
+  /** The same as a document says it. */
+  get pictureCamera(): CameraPlace | null {
+    return this.isFirst ? null : (this.shownViewer?.pictureCamera ?? null);
   }
 
   /** Takes a viewer into use; one that replaces another is given what is shown. */
@@ -100,7 +127,7 @@ export class Renderer {
     this.control.viewer = this.viewer;
     this.control.refresh();
     const { shown } = this.store.get();
-    if (shown) void viewer.decode(shown.model).then((picture) => viewer.open(picture, this.camera()));
+    if (shown) void viewer.decode(shown.model).then((picture) => viewer.open(picture, this.camera(), this.place));
   }
 
   viewerFailed(reason: string): void {
@@ -134,7 +161,7 @@ export class Renderer {
   }
 
   private show({ model: picture, control }: Shape, answer: ModelAnswer, stamp: Stamp): void {
-    if (this.isFirst) this.shownViewer?.open(picture, this.camera());
+    if (this.isFirst) this.shownViewer?.open(picture, this.camera(), this.place);
     else this.shownViewer?.show(picture);
     this.isFirst = false;
     this.control.shown(control, this.wishes.get(answer));
@@ -144,8 +171,8 @@ export class Renderer {
     this.store.set({ shown, problem: null, away: false });
   }
 
-  private lost(): void {
-    this.store.set({ away: true });
+  private lost(isCrowded: boolean): void {
+    this.store.set({ away: true, isCrowded });
     if (this.pinging) return;
     this.pinging = true;
     const ping = async (): Promise<void> => {

@@ -2,7 +2,8 @@
 // reads the store, the viewer is handed in once it has loaded.
 
 import { readCatalogue } from "../model/catalogue";
-import { emptyDocument, type GraphDocument, readDocument } from "../model/document";
+import { type CameraPlace, emptyDocument, type GraphDocument, readDocument } from "../model/document";
+import { type DrawnGraph, drawnGraph } from "../model/drawn_graph";
 import { type Edit, moveNodes, setInput } from "../model/edit";
 import { fileOutput, viewGraph } from "../model/graph";
 import { History } from "../model/history";
@@ -23,7 +24,8 @@ import type { EvaluateBody } from "../net/requests";
 import { validate } from "../net/validation";
 import { finest, inOrderOfFigures, readExample } from "./examples";
 import { Renderer } from "./renderer";
-import { EMPTY, type Origin, type PictureViewer, type SessionState } from "./state";
+import { EMPTY, type Origin, type PictureViewer, type SessionState, type Sight } from "./state";
+import { Thumbnails } from "./thumbnails";
 
 const RETRY_MILLISECONDS = 1500;
 const VALIDATE_MILLISECONDS = 150;
@@ -46,21 +48,27 @@ export interface EditOptions {
 export class Session {
   readonly store: Store<SessionState> = createStore(EMPTY);
   private readonly renderer = new Renderer(this.store);
+  readonly thumbnails = new Thumbnails(this.store, () => this.renderer.loaded);
   private readonly history = new History<Snapshot>();
   private saved: Json;
   private savedValues: ParameterValues = {};
   private validateTimer = 0;
+  /** What is drawn in a graph that makes no file; empty in others. */
+  private drawnSource = "";
   private validation: AbortController | undefined;
+  /** How the document that is opened next is looked at. */
+  private sight: Sight | undefined;
 
   /**
    * Loads catalogue and examples and opens a document: `first` if there is one, else the wanted example, else the first.
-   * Tries again until the server answers.
+   * It is looked at as `sight` says. Tries again until the server answers.
    */
-  async start(wanted: string | null, first?: { json: Json; origin: Origin }): Promise<void> {
+  async start(wanted: string | null, first?: { json: Json; origin: Origin }, sight?: Sight): Promise<void> {
     try {
       const [nodes, list] = await Promise.all([getJson("v1/nodes"), getJson("v1/examples")]);
       const examples = inOrderOfFigures(asArray(asObject(list)["examples"]).map(readExample));
       this.store.set({ catalogue: readCatalogue(nodes), examples, away: false });
+      this.sight = sight;
       const isOpen = first && this.openDocument(first.json, first.origin) === undefined;
       const example = examples.find((item) => item.id === wanted) ?? finest(examples);
       if (isOpen) return;
@@ -68,7 +76,7 @@ export class Session {
       else this.newDocument();
     } catch {
       this.store.set({ away: true });
-      window.setTimeout(() => void this.start(wanted, first), RETRY_MILLISECONDS);
+      window.setTimeout(() => void this.start(wanted, first, sight), RETRY_MILLISECONDS);
     }
   }
 
@@ -134,6 +142,14 @@ export class Session {
     this.replace({ document, values: {} }, true);
   }
 
+  /** Gives the form other values, in one step. */
+  takeValues(values: ParameterValues, label: string): void {
+    const { document, values: present } = this.store.get();
+    if (!document || sameValues(values, present)) return;
+    this.history.record({ document, values: present }, label);
+    this.replace({ document, values }, false);
+  }
+
   undo(): void {
     this.travel((present) => this.history.undo(present));
   }
@@ -157,6 +173,14 @@ export class Session {
     this.renderer.stop();
   }
 
+  /** Asks again for the picture, and waits for no answer to what was asked before. */
+  retry(): void {
+    if (!this.store.get().document) return;
+    this.renderer.giveUp();
+    this.evaluate(false);
+    this.validateSoon();
+  }
+
   /** Selects nodes by their names, frames and notes by their keys, and nothing else. */
   select(ids: Iterable<string>): void {
     const { document, selection, areas, selected } = this.store.get();
@@ -167,15 +191,26 @@ export class Session {
     const kept = selected !== null && nodes.has(selected) && nodes.size > 1 ? selected : last;
     if (isSameSet(nodes, selection) && isSameSet(others, areas)) return;
     this.store.set({ selection: nodes, areas: others, selected: kept });
+    this.drawSelected();
   }
 
-  /** What would be sent for the present state; undefined where there is nothing that leaves the graph. */
+  /** What evaluates the present state elsewhere; undefined where there is nothing that leaves the graph. */
   body(): EvaluateBody | undefined {
     const { document, catalogue, values } = this.store.get();
     if (!document || !catalogue) return undefined;
     const output = fileOutput(document, catalogue);
     if (output === undefined) return undefined;
     return { graph: document.json, parameters: values, output };
+  }
+
+  /** How the document is looked at now. */
+  lookedAt(): Sight {
+    return { camera: this.renderer.cameraPlace, selection: [...this.store.get().selection] };
+  }
+
+  /** The view as a document keeps it; null while it is the one that the document opens with. */
+  view(): CameraPlace | null {
+    return this.renderer.pictureCamera;
   }
 
   viewerLoaded(viewer: PictureViewer): void {
@@ -194,12 +229,15 @@ export class Session {
     this.saved = document.json;
     this.savedValues = values;
     this.history.clear();
-    this.renderer.reset();
+    const { sight } = this;
+    this.sight = undefined;
+    this.renderer.reset(sight?.camera);
     this.store.set({
       ...{ document, origin, opened: opened + 1, exampleId: exampleOf(origin), view: viewGraph(document, catalogue) },
       ...{ values, isChanged: false, isAdjusted: false, shown: null, problem: null, checked: null },
       ...{ selection: new Set<string>(), areas: new Set<string>(), selected: null, ...this.steps() },
     });
+    if (sight) this.select(sight.selection);
     this.evaluate(false);
     this.validateSoon();
   }
@@ -233,16 +271,27 @@ export class Session {
   }
 
   private evaluate(moving: boolean): void {
-    const body = this.body();
-    if (body) {
-      this.store.set({ revision: this.renderer.input(body, moving) });
+    const { document, catalogue, view, values, selected } = this.store.get();
+    const drawn = document && catalogue && view && drawnGraph(document, catalogue, view, selected);
+    this.drawnSource = drawn && drawn.graph !== document.json ? sourceText(drawn) : "";
+    this.store.set({ drawn: drawn?.output ?? null });
+    if (drawn) {
+      this.store.set({ revision: this.renderer.input({ ...drawn, parameters: values }, moving) });
       return;
     }
     this.renderer.rest();
     const isStale = this.store.get().shown !== null;
     this.store.set({
-      problem: isStale ? localProblem("Nothing to show", "No node of this graph makes a file.") : null,
+      problem: isStale ? localProblem("Nothing to show", "No node of this graph makes anything to be seen.") : null,
     });
+  }
+
+  /** In a graph that makes no file, the selected node is drawn. */
+  private drawSelected(): void {
+    const { document, catalogue, view, selected } = this.store.get();
+    if (!document || !catalogue || !view || selected === null || fileOutput(document, catalogue) !== undefined) return;
+    const drawn = drawnGraph(document, catalogue, view, selected);
+    if (drawn && sourceText(drawn) !== this.drawnSource) this.evaluate(false);
   }
 
   /** Asks what the whole graph looks like to the server, once changes have paused for a moment. */
@@ -260,6 +309,11 @@ export class Session {
     const checked = await validate({ graph: document.json, parameters: values }, request.signal);
     if (checked && this.validation === request && !request.signal.aborted) this.store.set({ checked });
   }
+}
+
+/** From where what is drawn comes: the same for the same. */
+function sourceText({ graph, output }: DrawnGraph): string {
+  return JSON.stringify(asObject(graph["nodes"])[output]);
 }
 
 function exampleOf(origin: Origin): string | null {

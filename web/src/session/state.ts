@@ -25,7 +25,21 @@ export type Origin =
   | { kind: "file"; name: string }
   | { kind: "new" }
   | { kind: "shared" }
-  | { kind: "draft"; id: string };
+  | ({ kind: "stored" } & StoredPlace)
+  | { kind: "draft"; id: string; stored?: StoredPlace };
+
+/** The version of a graph that the server keeps. */
+export interface StoredPlace {
+  id: string;
+  version: number;
+  tag: string;
+}
+
+/** How a document is looked at: where the camera stands, and what is selected. */
+export interface Sight {
+  camera: CameraPlace | null;
+  selection: readonly string[];
+}
 
 /** A decoded model, as far as the session needs to know it. */
 export interface Picture {
@@ -46,8 +60,12 @@ export interface ControlInfo {
 export interface PictureViewer {
   decode(model: Uint8Array<ArrayBuffer>): Promise<Picture>;
   show(picture: Picture): void;
-  /** Shows the first picture of a document, from its camera if it has one. */
-  open(picture: Picture, camera: CameraPlace | null): void;
+  /** Shows the first picture of a document, from `place`, else from its camera, to which Home leads, if it has one. */
+  open(picture: Picture, camera: CameraPlace | null, place?: CameraPlace | null): void;
+  /** Where the camera stands; null while that is where the document opens. */
+  readonly camera: CameraPlace | null;
+  /** The same as a document says it, for a picture of the usual shape. */
+  readonly pictureCamera: CameraPlace | null;
   /** Shows control geometry over the model; null takes it away. */
   showControl(picture: Picture | null, info: ControlInfo): void;
   clear(): void;
@@ -85,8 +103,12 @@ export interface SessionState {
   redoLabel: string | undefined;
   revision: number;
   shown: Shown | null;
+  /** The node whose file is drawn; null where there is nothing to draw. */
+  drawn: string | null;
   busy: boolean;
   away: boolean;
+  /** While it is away: it answers, but has too much to do. */
+  isCrowded: boolean;
   problem: Problem | null;
   /** What the server says of the whole graph without evaluating it; null before it has. */
   checked: Validation | null;
@@ -115,8 +137,10 @@ export const EMPTY: SessionState = {
   redoLabel: undefined,
   revision: 0,
   shown: null,
+  drawn: null,
   busy: true,
   away: false,
+  isCrowded: false,
   problem: null,
   checked: null,
   selection: new Set(),

@@ -1,10 +1,12 @@
-// Pictures for the gallery where the server has none, made once in the page from drafts, one at a time, while nothing else is being evaluated.
+// Small pictures of graphs: for the gallery where the server has none, for drafts and stored graphs. They are made in the
+// page from drafts, one at a time, while nothing else is being evaluated.
 
 import { readDocument } from "../model/document";
 import { fileOutput } from "../model/graph";
+import type { Json } from "../model/json";
+import type { Store } from "../model/store";
 import { evaluate } from "../net/api";
-import type { Session } from "./session";
-import type { Example, PictureViewer } from "./state";
+import type { PictureViewer, SessionState } from "./state";
 
 const WIDTH = 240;
 const HEIGHT = 150;
@@ -12,25 +14,54 @@ const DRAFT = { quality: "draft", triangles: 20_000 } as const;
 const PAUSE_MILLISECONDS = 60;
 
 /** Fills in the pictures that the list of examples came without. Ends silently where one cannot be made. */
-export async function makeThumbnails(session: Session, viewer: PictureViewer): Promise<void> {
-  await untilIdle(session);
-  for (const { id } of session.store.get().examples ?? []) {
-    await untilIdle(session);
-    const example = session.store.get().examples?.find((item) => item.id === id);
+export async function makeThumbnails(store: Store<SessionState>, viewer: PictureViewer): Promise<void> {
+  await untilIdle(store);
+  for (const { id } of store.get().examples ?? []) {
+    await untilIdle(store);
+    const example = store.get().examples?.find((item) => item.id === id);
     if (!example || example.image) continue;
-    const image = await pictureOf(example, session, viewer);
-    const examples = session.store.get().examples ?? [];
-    session.store.set({ examples: examples.map((item) => (item.id === id ? { ...item, image } : item)) });
+    const image = await draw(example.graph, store, viewer);
+    const examples = store.get().examples ?? [];
+    store.set({ examples: examples.map((item) => (item.id === id ? { ...item, image } : item)) });
   }
 }
 
-async function pictureOf(example: Example, session: Session, viewer: PictureViewer): Promise<string> {
-  const { catalogue } = session.store.get();
-  const result = readDocument(example.graph);
+/** Pictures of graphs that are asked for, each made once. */
+export class Thumbnails {
+  private readonly made = new Map<string, Promise<string>>();
+  private last: Promise<unknown> = Promise.resolve();
+
+  constructor(
+    private readonly store: Store<SessionState>,
+    private readonly viewer: () => Promise<PictureViewer>,
+  ) {}
+
+  /**
+   * The address of a picture; empty where none can be made. `key` is the same for the same graph, `read` gets its
+   * document when its turn has come.
+   */
+  of(key: string, read: () => Promise<Json>): Promise<string> {
+    const known = this.made.get(key);
+    if (known !== undefined) return known;
+    const image = this.last.then(async () => {
+      await untilIdle(this.store);
+      return draw(await read(), this.store, await this.viewer());
+    });
+    const safe = image.catch(() => "");
+    this.made.set(key, safe);
+    this.last = safe;
+    return safe;
+  }
+}
+
+async function draw(graph: Json, store: Store<SessionState>, viewer: PictureViewer): Promise<string> {
+  const { catalogue } = store.get();
+  const result = readDocument(graph);
   if (!catalogue || "error" in result) return "";
-  const { json } = result.document;
-  const body = { graph: json, parameters: {}, output: fileOutput(result.document, catalogue) };
-  const answer = await evaluate(body, DRAFT);
+  const { document, values } = result;
+  const output = fileOutput(document, catalogue);
+  if (output === undefined) return "";
+  const answer = await evaluate({ graph: document.json, parameters: values, output }, DRAFT);
   if (answer.kind !== "model") return "";
   try {
     const picture = await viewer.decode(answer.model);
@@ -43,16 +74,16 @@ async function pictureOf(example: Example, session: Session, viewer: PictureView
 }
 
 /** Resolves when the shown picture is up to date and has been for a moment. */
-async function untilIdle(session: Session): Promise<void> {
+async function untilIdle(store: Store<SessionState>): Promise<void> {
   const isIdle = (): boolean => {
-    const { busy, away, examples } = session.store.get();
+    const { busy, away, examples } = store.get();
     return !busy && !away && examples !== null;
   };
   for (;;) {
     await new Promise((resolve) => window.setTimeout(resolve, PAUSE_MILLISECONDS));
     if (isIdle()) return;
     await new Promise<void>((resolve) => {
-      const stop = session.store.subscribe(() => {
+      const stop = store.subscribe(() => {
         if (!isIdle()) return;
         stop();
         resolve();

@@ -1,9 +1,13 @@
 import { type ReactElement, type ReactNode, useEffect, useRef, useState } from "react";
+import { setCamera } from "../model/edit";
 import { fileName } from "../model/format";
 import { saveBlob } from "../session/download";
+import { keyText } from "../session/shortcuts";
 import { makeThumbnails } from "../session/thumbnails";
 import { useCurrent, useCurrentSession } from "../widgets/context";
+import { Icon } from "../widgets/Icon";
 import { showGizmosOf, writeGizmo } from "./gizmo_link";
+import type { OutOfView } from "./in_view";
 import { Legend } from "./Legend";
 import type { CurvatureScale } from "./model_look";
 import { SectionPanel } from "./SectionPanel";
@@ -34,6 +38,7 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
   const [viewer, setViewer] = useState<Viewer | null>(null);
   const [failure, setFailure] = useState("");
   const [scale, setScale] = useState<CurvatureScale | null>(null);
+  const [outOfView, setOutOfView] = useState<OutOfView>("");
   const choice = useViewSettings(light, picture);
   const [showing, setShowing] = useShowMode();
   const stale = useCurrent((state) => state.problem !== null && state.shown !== null);
@@ -53,6 +58,7 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
         if (isGone || !place.current) return;
         made = new Made(place.current, LABEL, picture, {
           section: (section) => newest.current.set({ section }),
+          outOfView: setOutOfView,
           scale: setScale,
           write: (gizmo, value, gesture) => writeGizmo(session, gizmo, value, gesture),
           end: (_, gesture, cancelled) => (cancelled ? session.cancelGesture(gesture) : session.endGesture()),
@@ -60,7 +66,7 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
         stop = showGizmosOf(session, made);
         setViewer(made);
         session.viewerLoaded(made);
-        if (!picture) void makeThumbnails(session, made);
+        if (!picture) void makeThumbnails(session.store, made);
       })
       .catch((error: unknown) => {
         const reason = "The 3D view could not start. It needs WebGL 2.";
@@ -82,6 +88,10 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
   const actions: ViewActions = {
     frame: () => viewer?.frame(),
     home: () => viewer?.home(),
+    keep: () => {
+      const camera = viewer?.keepView();
+      if (camera) session.edit("Keep the view", setCamera(camera));
+    },
     view: (view) => viewer?.standardView(view),
     screenshot: () => void viewer?.screenshot(groundOf(pane.current)).then((blob) => savePicture(blob)),
     show: () => setShowing(!showing),
@@ -100,9 +110,18 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
       <div className="canvas-place" ref={place} />
       {!picture && <ViewTools choice={choice} actions={actions} showing={showing} onSection={startSection} />}
       <Progress failure={failure} />
+      {outOfView && !picture && (
+        <button type="button" className="view-pill" onClick={() => viewer?.frameModel()}>
+          <Icon name="frame" />
+          <span>
+            {outOfView === "out" ? "Model is out of view" : "Model is cut off"} · Frame{" "}
+            <kbd>{keyText("model-fill")}</kbd>
+          </span>
+        </button>
+      )}
       {!picture && (
         <div className="view-foot" data-showing={showing}>
-          <Statistics />
+          {!showing && <Statistics />}
           <StandardViews choice={choice} actions={actions} />
         </div>
       )}

@@ -1,9 +1,9 @@
 import { type ReactElement, useEffect, useState } from "react";
 import { byteText, grouped, millisecondText } from "../model/format";
-import { fileOutput } from "../model/graph";
 import { problemText } from "../net/problem";
+import type { SessionState } from "../session/state";
 import { useCurrent, useCurrentSession } from "../widgets/context";
-import { useLasting } from "../widgets/hooks";
+import { OVERDUE_MILLISECONDS, useLasting } from "../widgets/hooks";
 import { Icon } from "../widgets/Icon";
 
 /** From here on a person may want to stop it. */
@@ -14,10 +14,8 @@ export function Progress({ failure }: { failure: string }): ReactElement {
   const busy = useCurrent((state) => state.busy && !state.away);
   const isEmpty = useCurrent((state) => state.shown === null);
   const problem = useCurrent((state) => state.problem);
-  const noOutput = useCurrent(({ document, catalogue }) =>
-    Boolean(document && catalogue && fileOutput(document, catalogue) === undefined),
-  );
-  const empty = noOutput ? "The model appears here once a node makes a file." : "";
+  const noOutput = useCurrent((state) => state.document !== null && !hasOutput(state));
+  const empty = noOutput ? "What the graph makes appears here." : "";
   const waiting = busy ? "Evaluating…" : empty;
   const slow = useLasting(busy, 250);
   const long = useLasting(busy, LONG_MILLISECONDS);
@@ -34,6 +32,7 @@ export function Progress({ failure }: { failure: string }): ReactElement {
             {!isEmpty && <strong>Out of date. </strong>}
             {problemText(problem)}
           </span>
+          {problem.errors.length === 0 && <RetryButton />}
         </div>
       )}
     </>
@@ -42,6 +41,7 @@ export function Progress({ failure }: { failure: string }): ReactElement {
 
 function Waiting(): ReactElement {
   const session = useCurrentSession();
+  const isOverdue = useLasting(true, OVERDUE_MILLISECONDS - LONG_MILLISECONDS);
   const [seconds, setSeconds] = useState(Math.round(LONG_MILLISECONDS / 1000));
   useEffect(() => {
     const timer = window.setInterval(() => setSeconds((before) => before + 1), 1000);
@@ -49,7 +49,8 @@ function Waiting(): ReactElement {
   }, []);
   return (
     <div className="view-waiting">
-      <span>Evaluating… {seconds} s</span>
+      <span>{isOverdue ? `No answer for ${seconds} s` : `Evaluating… ${seconds} s`}</span>
+      {isOverdue && <RetryButton />}
       <button type="button" className="button quiet" onClick={() => session.stop()}>
         Stop
       </button>
@@ -57,23 +58,34 @@ function Waiting(): ReactElement {
   );
 }
 
+/** For what is no fault of the graph. */
+function RetryButton(): ReactElement | null {
+  const session = useCurrentSession();
+  const canRetry = useCurrent(hasOutput);
+  if (!canRetry) return null;
+  return (
+    <button type="button" className="button" onClick={() => session.retry()}>
+      Try again
+    </button>
+  );
+}
+
+function hasOutput({ drawn }: SessionState): boolean {
+  return drawn !== null;
+}
+
 export function Statistics(): ReactElement | null {
   const shown = useCurrent((state) => state.shown);
   if (!shown) return null;
-  const parts = [
-    `${grouped(shown.triangles)} triangles`,
+  const more = [
     `${grouped(shown.vertices)} vertices`,
     byteText(shown.model.byteLength),
     `${millisecondText(shown.report.evaluate)} evaluate`,
     `${millisecondText(shown.decodeMilliseconds)} decode`,
   ];
   return (
-    <div className="statistics" role="group" aria-label="Statistics">
-      {parts.map((part) => (
-        <span key={part.replace(/^[\d\s.]+/, "")} data-minor={part.endsWith("vertices")}>
-          {part}
-        </span>
-      ))}
+    <div className="statistics" role="group" aria-label="Statistics" title={more.join(" · ")}>
+      <span>{grouped(shown.triangles)} triangles</span>
       {shown.quality === "draft" && <span className="statistics-draft">draft</span>}
     </div>
   );

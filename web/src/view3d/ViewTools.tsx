@@ -17,6 +17,8 @@ const STANDARD: readonly { id: StandardView; title: string; hint: string; shortc
 export interface ViewActions {
   frame(): void;
   home(): void;
+  /** Makes the present view the one that the document opens with. */
+  keep(): void;
   view(view: StandardView): void;
   screenshot(): void;
   show(): void;
@@ -61,6 +63,13 @@ export function ViewTools({ choice, actions, showing, onSection }: ViewToolsProp
           hint="Opening view"
           shortcut="model-home"
           onClick={actions.home}
+        />
+        <IconButton
+          className=""
+          label="Keep this view"
+          icon="keep"
+          hint="Keep this view: the graph opens with it"
+          onClick={actions.keep}
         />
         <IconButton
           className=""

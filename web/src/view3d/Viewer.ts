@@ -8,11 +8,12 @@ import { ControlGeometry } from "./control_geometry";
 import { ControlMaterials } from "./control_materials";
 import { type DecodedModel, Decoder } from "./decode";
 import { inGraph, tidy } from "./drag";
-import { type Framing, frame, framingOf, samplePositions } from "./framing";
+import { type Framing, frame, framingOf, PICTURE_ASPECT, samplePositions } from "./framing";
 import type { Gizmo } from "./gizmo_values";
 import { type GizmoHost, GizmoLayer } from "./gizmos";
 import { Ground } from "./ground";
 import { HandleLayer } from "./handles";
+import { InView, MOST_SEEN, type OutOfView } from "./in_view";
 import { Materials } from "./materials";
 import { ModelLook } from "./model_look";
 import { pointsInward } from "./orientation";
@@ -41,12 +42,16 @@ export class Viewer {
   private readonly section: SectionPlane;
   private readonly ground = new Ground();
   private readonly observer: ResizeObserver;
+  private readonly inView = new InView();
+  private outOfView: OutOfView = "";
   private readonly rest: Rest;
   /** Pixels of a drawing to one of the page while things move. */
   private readonly ratio: number;
   private model: DecodedModel | undefined;
   private control: ControlGeometry | undefined;
   private opening: CameraPlace | null = null;
+  /** Where the camera stood when it was last at home. */
+  private readonly homePlace = { position: new Vector3(), target: new Vector3() };
   private center = new Vector3();
   private radius = 1;
   private requested = 0;
@@ -101,16 +106,28 @@ export class Viewer {
     this.clearModel();
     this.model = model;
     this.scene.add(model.scene);
+    this.inView.setModel(samplePositions(model.scene, MOST_SEEN));
     this.materials.setInward(pointsInward(model.meshes.map((mesh) => mesh.geometry)));
     this.dressModel();
     this.draw();
   }
 
   /** Shows the first model of a document, and puts the camera where the document says. */
-  open(model: DecodedModel, camera: CameraPlace | null): void {
+  open(model: DecodedModel, camera: CameraPlace | null, place: CameraPlace | null = null): void {
     this.show(model);
     this.opening = camera;
     this.home();
+    // It was found by hand in a view of this shape, so it is not stepped back from.
+    if (place) this.moveTo(...framingOf(place, samplePositions(model.scene), Infinity));
+  }
+
+  get camera(): CameraPlace | null {
+    if (this.isAtHome()) return null;
+    return { position: inGraph(this.rig.perspective.position), target: inGraph(this.rig.target) };
+  }
+
+  get pictureCamera(): CameraPlace | null {
+    return this.isAtHome() ? null : this.asPicture();
   }
 
   /** Replaces the control geometry over the model. */
@@ -171,6 +188,11 @@ export class Viewer {
     return this.section.reach;
   }
 
+  /** Brings the whole model into view, from where the camera looks now. */
+  frameModel(): void {
+    this.frameAlong(this.rig.direction);
+  }
+
   /** Frames the control geometry of what is selected, else the model, from where the camera looks now. */
   frame(): void {
     const points = this.settings.control && this.control ? samplePositions(this.control.source) : [];
@@ -191,11 +213,18 @@ export class Viewer {
 
   /** The view that the document opened with: its own camera's, else the model framed from the standard direction. */
   home(): void {
-    if (!this.opening || !this.model) {
-      this.frameAlong(HOME);
-      return;
-    }
-    this.moveTo(...framingOf(this.opening, samplePositions(this.model.scene), this.rig.perspective.aspect));
+    if (!this.opening || !this.model) this.frameAlong(HOME);
+    else this.moveTo(...framingOf(this.opening, samplePositions(this.model.scene), this.rig.perspective.aspect));
+    this.homePlace.position.copy(this.rig.perspective.position);
+    this.homePlace.target.copy(this.rig.target);
+  }
+
+  /** From now on Home leads to where the camera stands now. Answers that place. */
+  keepView(): CameraPlace {
+    this.opening = this.asPicture();
+    this.homePlace.position.copy(this.rig.perspective.position);
+    this.homePlace.target.copy(this.rig.target);
+    return this.opening;
   }
 
   thumbnail(model: DecodedModel, width: number, height: number): Promise<string> {
@@ -227,6 +256,21 @@ export class Viewer {
     this.decoder.dispose();
     this.renderer.dispose();
     this.renderer.domElement.remove();
+  }
+
+  private isAtHome(): boolean {
+    const { position, target } = this.homePlace;
+    // Looking around rounds.
+    const moved = this.rig.perspective.position.distanceTo(position) + this.rig.target.distanceTo(target);
+    return moved < 1e-6 * position.distanceTo(target);
+  }
+
+  /** Where the camera stands, for a picture of the usual shape: a narrower view steps back from there. */
+  private asPicture(): CameraPlace {
+    const { position, aspect } = this.rig.perspective;
+    const back = Math.max(1, PICTURE_ASPECT / aspect);
+    const nearer = position.clone().sub(this.rig.target).divideScalar(back).add(this.rig.target);
+    return { position: inGraph(nearer), target: inGraph(this.rig.target) };
   }
 
   private gizmoHost(): GizmoHost {
@@ -282,10 +326,19 @@ export class Viewer {
     setRatio(this.renderer, fine ? Math.max(this.ratio, fineRatio(clientWidth, clientHeight)) : this.ratio);
     this.renderer.render(this.scene, this.rig.camera);
     this.handles.update();
-    // What tests watch: that nothing is drawn for nothing, and that nothing is kept for nothing.
+    this.tellInView();
+    // What tests watch: that nothing is drawn for nothing, that nothing is kept for nothing, and from where it is seen.
     const { geometries, textures } = this.renderer.info.memory;
-    Object.assign(this.renderer.domElement.dataset, { frames: ++this.frames, geometries, textures });
+    const eye = this.rig.perspective.position.toArray().map((value) => value.toPrecision(5));
+    Object.assign(this.renderer.domElement.dataset, { frames: ++this.frames, geometries, textures, eye });
     this.rest.drawn(fine);
+  }
+
+  private tellInView(): void {
+    const how = this.model ? this.inView.look(this.rig.camera) : "";
+    if (how === this.outOfView) return;
+    this.outOfView = how;
+    this.host.outOfView(how);
   }
 
   private resize(): void {
@@ -311,6 +364,7 @@ export class Viewer {
 
   private moveTo(direction: Vector3, framing: Framing): void {
     this.rig.look(direction, framing);
+    this.inView.framed();
     this.radius = framing.radius;
     this.center.copy(framing.target);
     this.ground.set(this.radius, this.settings);

@@ -15,7 +15,7 @@ import type { CameraPlace, Triple } from "../model/document";
 const FILL = 0.8;
 const MOST_SAMPLES = 6000;
 /** Width to height of the pictures that a document's camera is chosen for. */
-const PICTURE_ASPECT = 1.6;
+export const PICTURE_ASPECT = 1.6;
 
 export interface Framing {
   target: Vector3;
@@ -23,8 +23,8 @@ export interface Framing {
   radius: number;
 }
 
-/** Up to some thousand finite positions of a model in world space, enough to frame it. */
-export function samplePositions(root: Object3D): Vector3[] {
+/** About `most` finite positions of a model in world space; some thousand are enough to frame it. */
+export function samplePositions(root: Object3D, most = MOST_SAMPLES): Vector3[] {
   root.updateMatrixWorld(true);
   const geometries: { geometry: BufferGeometry; matrix: Matrix4 }[] = [];
   let total = 0;
@@ -34,7 +34,7 @@ export function samplePositions(root: Object3D): Vector3[] {
     geometries.push({ geometry, matrix: object.matrixWorld });
     total += geometry.getAttribute("position").count;
   });
-  const stride = Math.max(1, Math.ceil(total / MOST_SAMPLES));
+  const stride = Math.max(1, Math.ceil(total / most));
   const points: Vector3[] = [];
   for (const { geometry, matrix } of geometries) {
     const position = geometry.getAttribute("position");

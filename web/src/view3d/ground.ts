@@ -4,8 +4,8 @@ import { Group, type LineSegments } from "three";
 import { cellSize, makeAxes, makeGrid, type OverlayColors, remove } from "./overlays";
 
 const COLORS: Record<"dark" | "light", OverlayColors> = {
-  dark: { grid: "#5a6374", axes: ["#ff7a6b", "#7ddb8c", "#4fb4ff"] },
-  light: { grid: "#8d97a8", axes: ["#d2402f", "#1f8f3e", "#1f74d0"] },
+  dark: { grid: "#454d5b", axes: ["#ff7a6b", "#7ddb8c", "#4fb4ff"] },
+  light: { grid: "#a9b2c0", axes: ["#d2402f", "#1f8f3e", "#1f74d0"] },
 };
 
 export interface GroundLook {

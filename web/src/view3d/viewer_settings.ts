@@ -1,6 +1,7 @@
 // What the page asks of the 3D view, and what the view tells the page.
 
 import type { GizmoHost } from "./gizmo_view";
+import type { OutOfView } from "./in_view";
 import type { CurvatureScale, Look } from "./model_look";
 import type { Section } from "./section";
 
@@ -15,6 +16,7 @@ export interface ViewSettings extends Look {
 /** What the view tells the page. */
 export interface ViewerHost {
   section(section: Section): void;
+  outOfView(how: OutOfView): void;
   scale(scale: CurvatureScale | null): void;
   write: GizmoHost["write"];
   end: GizmoHost["end"];

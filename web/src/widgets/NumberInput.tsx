@@ -1,14 +1,7 @@
-import {
-  type CSSProperties,
-  type KeyboardEvent,
-  type PointerEvent,
-  type ReactElement,
-  useId,
-  useRef,
-  useState,
-} from "react";
-import { evaluateExpression } from "../model/expression";
+import { type KeyboardEvent, type PointerEvent, type ReactElement, useId, useRef, useState } from "react";
 import { numberText } from "../model/format";
+import { readQuantity } from "../model/units";
+import { barStyle, ZeroTick } from "./bar";
 import { describedBy, FieldError } from "./FieldError";
 
 interface NumberInputProps {
@@ -68,14 +61,14 @@ export function NumberInput(props: NumberInputProps): ReactElement {
   };
   const commit = (): void => {
     if (text === null) return;
-    const typed = evaluateExpression(text);
-    if (typed === undefined) {
-      setError(`“${text}” is not a number or a formula such as 2*pi/3.`);
+    const typed = readQuantity(text, unit);
+    if ("error" in typed) {
+      setError(typed.error);
       onUnreadable?.(true);
       return;
     }
     forget();
-    if (typed !== value || invalid) onType(typed);
+    if (typed.value !== value || invalid) onType(typed.value);
   };
   const onKeyDown = (event: KeyboardEvent<HTMLInputElement>): void => {
     if (event.key === "Enter") {
@@ -124,7 +117,12 @@ export function NumberInput(props: NumberInputProps): ReactElement {
   };
   return (
     <span className="number-input nodrag nokey" data-invalid={invalid}>
-      {range && <span className="number-fill" style={{ "--fill": shareOf(value, range) } as CSSProperties} />}
+      {range && (
+        <>
+          <span className="number-fill" style={barStyle(shareOf(value, range), shareOf(0, range))} />
+          <ZeroTick share={shareOf(0, range)} />
+        </>
+      )}
       <input
         id={id}
         type="text"

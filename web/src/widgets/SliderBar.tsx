@@ -1,4 +1,5 @@
-import { type CSSProperties, type KeyboardEvent, type PointerEvent, type ReactElement, useRef } from "react";
+import { type KeyboardEvent, type PointerEvent, type ReactElement, useRef } from "react";
+import { barStyle, ZeroTick } from "./bar";
 import { scaleOf } from "./NumberInput";
 
 interface SliderBarProps {
@@ -67,7 +68,7 @@ export function SliderBar({
     const scale = event.key.startsWith("Arrow") ? scaleOf(event) : 1;
     onMove(value + scale * change, scale);
   };
-  const fill = Math.min(1, Math.max(0, (value - minimum) / range));
+  const share = (at: number): number => Math.min(1, Math.max(0, (at - minimum) / range));
   return (
     <div
       className="slider-bar"
@@ -79,12 +80,13 @@ export function SliderBar({
       aria-valuenow={value}
       aria-valuetext={text}
       aria-describedby={described}
-      style={{ "--fill": fill } as CSSProperties}
+      style={barStyle(share(value), share(0))}
       onPointerDown={onPointerDown}
       onPointerMove={onPointerMove}
       onKeyDown={onKeyDown}
     >
       <span className="slider-fill" />
+      <ZeroTick share={share(0)} />
     </div>
   );
 }

@@ -32,6 +32,9 @@ export function useRemembered(key: string, initial: string): [string, (value: st
   ];
 }
 
+/** An evaluation that takes longer may hang; what can be done about that is offered. */
+export const OVERDUE_MILLISECONDS = 8000;
+
 /** True once `value` has been true for the given time without a break. */
 export function useLasting(value: boolean, milliseconds: number): boolean {
   const [lasting, setLasting] = useState(false);
