@@ -193,12 +193,12 @@ void QueuedSweep::hand_on() {
     {
       const std::lock_guard lock(mutex_);
       if (!has_room_) return;
+      has_room_ = false;  // until it says so: it may do that before it has answered
     }
-    const bool has_room = taker_->has_room([self = shared_from_this()] { self->resume(); });
-    if (!has_room) {
+    if (!taker_->has_room([self = shared_from_this()] { self->resume(); })) return;
+    {
       const std::lock_guard lock(mutex_);
-      has_room_ = false;
-      return;
+      has_room_ = true;
     }
     store::JobLine line = std::move(early_.begin()->second);
     early_.erase(early_.begin());

@@ -166,6 +166,11 @@ TEST_CASE("A client that leaves and a job that is canceled leave nothing to comp
   CHECK(support::get(fleet.port(), address)->json()["state"] == "canceled");
 }
 
+TEST_CASE("An answer comes whole that is larger than its client takes at once") {
+  Fleet fleet(toy, 2);
+  check_complete(support::post(fleet.port(), "/v1/sweeps", support::toy_sweep(6000, 0).dump()), 6000);
+}
+
 TEST_CASE("A damaged line is seen, counted and computed again") {
   Fleet fleet(toy, 1);
   const auto begun = support::post(fleet.port(), "/v1/jobs", support::toy_sweep(200, 10).dump());
