@@ -9,9 +9,8 @@
 namespace dini::jobs {
 namespace {
 
-/// Limits that decide how long something takes or how much of it is asked for at once, and not what is answered.
-constexpr std::array elsewhere = {"cache_bytes", "interactive_milliseconds", "sweep_milliseconds", "sweep_variants",
-                                  "sweep_work",  "asset_store_bytes"};
+/// Limits that neither decide what is answered nor whether a request can be read.
+constexpr std::array elsewhere = {"cache_bytes", "interactive_milliseconds", "asset_store_bytes"};
 
 }  // namespace
 
