@@ -6,6 +6,7 @@
 #include <cstring>
 #include <memory>
 #include <numeric>
+#include <utility>
 
 namespace dini {
 namespace {
@@ -45,8 +46,12 @@ std::vector<std::uint32_t> shares_of(std::span<const std::uint32_t> frequencies,
   std::vector<std::uint32_t> shares = rounded_shares(frequencies, precision);
   const std::uint32_t total = std::accumulate(shares.begin(), shares.end(), 0u);
   if (total == precision) return shares;
-  std::vector<std::uint32_t> by_size(shares.size());
-  std::iota(by_size.begin(), by_size.end(), 0u);
+  // Tables are wide and few symbols occur in small tiles: of the others the first one stands for all.
+  std::vector<std::uint32_t> by_size;
+  bool has_none = false;
+  for (std::uint32_t i = 0; i < shares.size(); ++i) {
+    if (shares[i] > 0 || !std::exchange(has_none, true)) by_size.push_back(i);
+  }
   std::stable_sort(by_size.begin(), by_size.end(), [&](auto a, auto b) { return shares[a] < shares[b]; });
   if (total < precision) {
     shares[by_size.back()] += precision - total;

@@ -20,18 +20,40 @@ using Frequencies = std::vector<std::uint32_t>;
 
 std::uint32_t bit_length(std::uint32_t value) { return static_cast<std::uint32_t>(std::bit_width(value | 1)); }
 
-std::size_t count_different(const Frequencies& frequencies) {
-  return frequencies.size() - static_cast<std::size_t>(std::count(frequencies.begin(), frequencies.end(), 0u));
+/// Calls visit(frequency) for each number that occurs, in their order. Most numbers of a wide table do not.
+template <class Visit>
+void for_each_that_occurs(const Frequencies& frequencies, const Visit& visit) {
+  constexpr std::size_t together = 8;
+  std::size_t i = 0;
+  for (; i + together <= frequencies.size(); i += together) {
+    std::uint32_t any = 0;
+    for (std::size_t k = 0; k < together; ++k) any |= frequencies[i + k];
+    if (any == 0) continue;
+    for (std::size_t k = 0; k < together; ++k) {
+      if (frequencies[i + k] > 0) visit(frequencies[i + k]);
+    }
+  }
+  for (; i < frequencies.size(); ++i) {
+    if (frequencies[i] > 0) visit(frequencies[i]);
+  }
 }
 
-// Bits that the symbols take with ideal probabilities.
-std::int64_t entropy(const Frequencies& frequencies, std::size_t count) {
+/// How many different numbers there are, and bits that all take with ideal probabilities.
+struct Information {
+  std::size_t different = 0;
+  std::int64_t bits = 0;
+};
+
+Information information(const Frequencies& frequencies, std::size_t count) {
+  Information result;
   double bits = 0;
   const auto total = static_cast<double>(count);
-  for (const std::uint32_t frequency : frequencies) {
-    if (frequency > 0) bits += frequency * std::log2(static_cast<double>(frequency) / total);
-  }
-  return static_cast<std::int64_t>(-bits);
+  for_each_that_occurs(frequencies, [&](std::uint32_t frequency) {
+    bits += frequency * std::log2(static_cast<double>(frequency) / total);
+    ++result.different;
+  });
+  result.bits = static_cast<std::int64_t>(-bits);
+  return result;
 }
 
 // Bits that the table takes, about: a byte for each symbol and each gap.
@@ -62,28 +84,29 @@ std::uint32_t bits_of(const std::uint32_t* row, int columns) {
   return bits;
 }
 
-// Equal neighbors are the rule, and each would wait for the one before: every other row is counted apart.
+// Equal neighbors are the rule, and each would wait for the one before: where there are many, every other row is
+// counted apart.
 template <int columns>
 Counts counts_of(const SymbolRows& symbols) {
   std::uint32_t all = 0;
   for (std::size_t i = 0; i < symbols.count; ++i) all |= bits_of(symbols.row(i), columns);
-  Counts counts;
-  Frequencies lengths[2] = {Frequencies(length_count, 0), Frequencies(length_count, 0)};
-  Frequencies values[2];
   const bool directly = bit_length(all) <= largest_table_size;
-  if (directly) values[0] = values[1] = Frequencies(std::size_t{1} << bit_length(all), 0);
+  const std::size_t value_count = directly ? std::size_t{1} << bit_length(all) : 0;
+  const std::size_t apart = symbols.size() > value_count ? 1 : 0;
+  Frequencies lengths[2] = {Frequencies(length_count, 0), Frequencies(length_count, 0)};
+  Frequencies values[2] = {Frequencies(value_count, 0), Frequencies(apart * value_count, 0)};
   for (std::size_t i = 0; i < symbols.count; ++i) {
     const std::uint32_t* const row = symbols.row(i);
-    ++lengths[i % 2][bit_length(bits_of(row, columns))];
+    ++lengths[i & apart][bit_length(bits_of(row, columns))];
     if (!directly) continue;
-    for (int column = 0; column < columns; ++column) ++values[i % 2][row[column]];
+    for (int column = 0; column < columns; ++column) ++values[i & apart][row[column]];
   }
-  const auto sum = [](const Frequencies& a, const Frequencies& b) {
-    Frequencies result(a);
-    for (std::size_t i = 0; i < result.size(); ++i) result[i] += b[i];
-    while (!result.empty() && result.back() == 0) result.pop_back();
-    return result;
+  const auto sum = [](Frequencies& a, const Frequencies& b) {
+    for (std::size_t i = 0; i < b.size(); ++i) a[i] += b[i];
+    while (!a.empty() && a.back() == 0) a.pop_back();
+    return std::move(a);
   };
+  Counts counts;
   counts.values = sum(values[0], values[1]);
   counts.lengths = sum(lengths[0], lengths[1]);
   for (std::size_t length = 0; length < counts.lengths.size(); ++length) {
@@ -116,12 +139,10 @@ struct SymbolCoding::Choice {
 SymbolCoding::Choice SymbolCoding::choose(const SymbolRows& symbols, TableEffort effort) {
   const Counts counts = counts_of(symbols);
   if (!counts.values.empty()) {
-    const std::size_t different = count_different(counts.values);
-    const std::size_t different_lengths = count_different(counts.lengths);
-    const std::int64_t by_values =
-        entropy(counts.values, symbols.size()) + table_bits(counts.values.size() - 1, different);
-    const std::int64_t by_lengths =
-        entropy(counts.lengths, symbols.count) + table_bits(different_lengths, different_lengths) + counts.plain_bits;
+    const auto [different, bits] = information(counts.values, symbols.size());
+    const auto [different_lengths, length_bits] = information(counts.lengths, symbols.count);
+    const std::int64_t by_values = bits + table_bits(counts.values.size() - 1, different);
+    const std::int64_t by_lengths = length_bits + table_bits(different_lengths, different_lengths) + counts.plain_bits;
     if (by_values <= by_lengths) {
       const int table_size = table_size_of(different, effort);
       return {{}, table_size, RansTable(counts.values, precision_bits(table_size))};
