@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <malloc.h>
 #include <string>
 #include <unistd.h>
@@ -34,7 +35,14 @@ void use_few_memory_pools() {
   mallopt(M_ARENA_MAX, pools);
 }
 
-void keep_spare_memory(std::size_t bytes) { limit_spare_memory(bytes); }
+void keep_spare_memory(std::size_t bytes) {
+  limit_spare_memory(bytes);
+  if (bytes == 0) return;
+  // The pool of the small arrays likewise: it would shrink, and grow again page by page, with every evaluation.
+  constexpr int largest_of_pool = 1 << 25;  // the most that malloc takes for this
+  mallopt(M_MMAP_THRESHOLD, largest_of_pool);
+  mallopt(M_TRIM_THRESHOLD, static_cast<int>(std::min<std::size_t>(bytes, std::numeric_limits<int>::max())));
+}
 
 void give_back_free_memory() {
   give_back_spare_memory();

@@ -9,7 +9,8 @@ namespace dini::jobs {
 /// thread begins.
 void use_few_memory_pools();
 
-/// How much memory of large arrays that were freed may be kept for the next ones, beside what is in use.
+/// How much memory that was freed may be kept for the next evaluation, beside what is in use: so much of large arrays,
+/// and so much of all else. `give_back_free_memory` ends it.
 void keep_spare_memory(std::size_t bytes);
 
 /// Gives memory that is free within the process back to the machine.
