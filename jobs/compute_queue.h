@@ -27,7 +27,7 @@ class ComputeQueue {
     std::size_t waiting_work = 0;
   };
   static constexpr std::size_t unknown_work = std::numeric_limits<std::size_t>::max();
-  static constexpr std::chrono::milliseconds idle_pause{1000};
+  static constexpr std::chrono::milliseconds idle_pause{3000};
 
   /// `when_idle` is called, by one of its threads, when nothing has run for a while after something did.
   explicit ComputeQueue(const Size& size, std::function<void()> when_idle = nullptr);
