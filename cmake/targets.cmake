@@ -35,10 +35,11 @@ function(dini_share_headers target)
   endif()
 endfunction()
 
-# dini_layer(NAME SOURCES... LINK LIBRARIES... [ALONE SOURCES...] [EACH_ALONE]): the static library of one folder. Where DINI_TOGETHER
-# lets several sources be compiled at once, those that are ALONE are not: their own functions have names that others have too.
+# dini_layer(NAME SOURCES... LINK LIBRARIES... [ALONE SOURCES...] [EACH_ALONE] [NOT_COUNTED]): the static library of one folder. Where
+# DINI_TOGETHER lets several sources be compiled at once, those that are ALONE are not: their own functions have names that others
+# have too. Work that is NOT_COUNTED does not stop within.
 function(dini_layer name)
-  cmake_parse_arguments(PARSE_ARGV 1 layer "EACH_ALONE" "" "SOURCES;LINK;ALONE")
+  cmake_parse_arguments(PARSE_ARGV 1 layer "EACH_ALONE;NOT_COUNTED" "" "SOURCES;LINK;ALONE")
   add_library(dini_${name} STATIC ${layer_SOURCES})
   target_link_libraries(dini_${name} PUBLIC dini_options ${layer_LINK})
   dini_share_headers(dini_${name})
@@ -46,7 +47,7 @@ function(dini_layer name)
     set_target_properties(dini_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
     set_source_files_properties(${layer_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   endif()
-  if(DINI_COUNT_WORK)
+  if(DINI_COUNT_WORK AND NOT layer_NOT_COUNTED)
     target_compile_options(dini_${name} PRIVATE -fsanitize-coverage=trace-pc)
     target_link_libraries(dini_${name} PUBLIC dini_work_count)
   endif()

@@ -37,13 +37,13 @@ Mesh box_mesh(const Point& center, const Vector& size, std::size_t segments, con
   std::size_t vertex = 0;
   for (const Face face :
        {Face{0, false}, Face{0, true}, Face{1, false}, Face{1, true}, Face{2, false}, Face{2, true}}) {
-    if (cancel.stopped()) return {};
     const std::size_t u_axis = (face.along + (face.positive ? 1 : 2)) % 3,
                       v_axis = (face.along + (face.positive ? 2 : 1)) % 3;
     std::array<double, 3> normal = {0, 0, 0};
     normal[face.along] = face.positive ? 1 : -1;
     const std::size_t first = vertex;
     for (std::size_t i = 0; i < points; ++i) {
+      if (cancel.stopped()) return {};
       for (std::size_t j = 0; j < points; ++j, ++vertex) {
         std::array<double, 3> place{};
         place[face.along] = coordinate(face.along, face.positive ? steps : 0);
@@ -56,6 +56,7 @@ Mesh box_mesh(const Point& center, const Vector& size, std::size_t segments, con
       }
     }
     for (std::size_t i = 0; i < steps; ++i) {
+      if (cancel.stopped()) return {};
       for (std::size_t j = 0; j < steps; ++j) {
         const auto corner = static_cast<std::uint32_t>(first + i * points + j);
         const auto ahead = static_cast<std::uint32_t>(corner + points);

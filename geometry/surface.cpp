@@ -132,6 +132,7 @@ SurfaceResult surface(const PointGrid& grid, const SurfaceOptions& options, cons
   const SurfaceVertices vertices(samples, tiles, cancel);
   if (cancel.stopped()) return result;
   write_triangles(samples, tiles, vertices, result.mesh, cancel);
+  if (cancel.stopped()) return {};
   write_vertices(samples, vertices, std::move(normals), result.mesh, cancel);
   settle_normals(samples, by_differences, tiles, vertices, doubtful, result.mesh, cancel);
   if (cancel.stopped()) result.mesh = {};
