@@ -68,12 +68,15 @@ std::string threads(const Settings& settings) {
   return std::to_string(thread_count() - least);
 }
 
-/// So many long evaluations, each another one.
-std::vector<std::unique_ptr<Client>> busy_clients(int port, int count) {
+/// So many long evaluations, each another one. Those that may run do so before the next is sent, since until then they
+/// wait, and the next one might find no room.
+std::vector<std::unique_ptr<Client>> busy_clients(int port, std::size_t count, std::size_t may_run) {
   std::vector<std::unique_ptr<Client>> clients;
-  for (int i = 0; i < count; ++i) {
+  const std::size_t before = toy::counters().started;
+  for (std::size_t i = 0; i < count; ++i) {
     clients.push_back(std::make_unique<Client>(port));
     clients.back()->send(post_text("/v1/evaluate", toy_body({{"milliseconds", 60'000}, {"bytes", i}})));
+    if (i < may_run) REQUIRE(eventually([&] { return toy::counters().started - before == i + 1; }));
   }
   return clients;
 }
@@ -84,7 +87,7 @@ bool is_full(int port) { return get(port, "/readyz")->status == 503; }
 std::string running(const Settings& settings) {
   const Running server(settings);
   const std::size_t before = toy::counters().started;
-  const auto clients = busy_clients(server.port(), 3);
+  const auto clients = busy_clients(server.port(), 3, settings.compute_slots);
   REQUIRE(eventually([&] { return is_full(server.port()); }));
   const auto all_run = [&] { return toy::counters().started - before == settings.compute_slots; };
   return eventually(all_run) ? "so many" : "others";
@@ -93,7 +96,7 @@ std::string running(const Settings& settings) {
 /// What another evaluation is told when one runs and one waits.
 std::string waiting(const Settings& settings) {
   const Running server(settings);
-  const auto clients = busy_clients(server.port(), 2);
+  const auto clients = busy_clients(server.port(), 2, settings.compute_slots);
   REQUIRE(eventually([&] { return is_full(server.port()); }));
   return code_or_done(post(server.port(), "/v1/evaluate", toy_body({{"milliseconds", 60'001}})));
 }
@@ -223,7 +226,7 @@ std::string in_memory(const Settings& settings) {
   two.compute_slots = 2;
   const Running server(two);
   const std::size_t before = toy::counters().started;
-  const auto clients = busy_clients(server.port(), 2);
+  const auto clients = busy_clients(server.port(), 2, settings.compute_slots);
   const auto one_waits = [&] { return is_full(server.port()) && toy::counters().started == before + 1; };
   return eventually(one_waits) ? "one waits" : "both run";
 }
