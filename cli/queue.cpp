@@ -3,6 +3,7 @@
 
 #include "cli/commands.h"
 #include "cli/exit_codes.h"
+#include "cli/given_queue.h"
 #include "cli/terminal.h"
 #include "queue/dead_tasks.h"
 
@@ -16,11 +17,6 @@ struct Options {
   std::string entry;
 };
 
-int failed(const queue::Fault& fault) {
-  const bool is_wrong = fault.kind == queue::Fault::Kind::denied || fault.kind == queue::Fault::Kind::refused;
-  return fail({{.code = "queue-failed", .detail = fault.detail}}, is_wrong ? exit_usage : exit_try_again);
-}
-
 int none(const std::string& entry) {
   return fail({{.code = "usage", .detail = "no dead variant is called '" + entry + "'; see dini queue dead"}},
               exit_usage);
@@ -28,7 +24,7 @@ int none(const std::string& entry) {
 
 int show(queue::Connection& connection, const std::string&) {
   const auto states = queue::queue_states(connection);
-  if (!states) return failed(states.error());
+  if (!states) return fail_at_queue(states.error());
   if (states->empty()) std::cout << "nothing was ever given to this queue\n";
   for (const queue::QueueState& state : *states) {
     std::cout << printable(state.identity) << ": " << state.workers << " workers, " << state.sweeps << " sweeps, "
@@ -41,7 +37,7 @@ int show(queue::Connection& connection, const std::string&) {
 
 int dead(queue::Connection& connection, const std::string&) {
   const auto tasks = queue::dead_tasks(connection);
-  if (!tasks) return failed(tasks.error());
+  if (!tasks) return fail_at_queue(tasks.error());
   for (const queue::DeadTask& task : *tasks) {
     std::cout << printable(task.entry + " variant " + task.index + " of sweep " + task.sweep + ", given to " +
                            task.deliveries + " workers, the last one " + task.worker + ", engine " + task.identity)
@@ -52,7 +48,7 @@ int dead(queue::Connection& connection, const std::string&) {
 
 int retry(queue::Connection& connection, const std::string& entry) {
   const auto retried = queue::retry(connection, entry);
-  if (!retried) return failed(retried.error());
+  if (!retried) return fail_at_queue(retried.error());
   if (*retried == queue::Retried::none) return none(entry);
   std::cout << (*retried == queue::Retried::again ? "it is computed again\n"
                                                   : "its sweep has its line already; it is computed when it is asked "
@@ -62,15 +58,13 @@ int retry(queue::Connection& connection, const std::string& entry) {
 
 int drop(queue::Connection& connection, const std::string& entry) {
   const auto dropped = queue::drop_dead(connection, entry);
-  if (!dropped) return failed(dropped.error());
+  if (!dropped) return fail_at_queue(dropped.error());
   return *dropped ? exit_ok : none(entry);
 }
 
 int run(const Options& options, Act act) {
-  const auto address = queue::read_address(options.queue);
-  if (!address) {
-    return fail({{.code = "usage", .detail = "--queue: " + address.problems().front().detail}}, exit_usage);
-  }
+  const auto address = read_queue(options.queue);
+  if (!address) return fail(address.problems(), exit_usage);
   constexpr queue::Patience patience{std::chrono::milliseconds(2000), std::chrono::milliseconds(5000)};
   queue::Connection connection(*address, patience);
   return act(connection, options.entry);
@@ -85,7 +79,7 @@ void add_queue(CLI::App& program, Command& chosen) {
   const auto options = std::make_shared<Options>();
   const auto add = [&](const char* name, const char* doc, Act act, bool has_entry) {
     auto* subcommand = command->add_subcommand(name, doc);
-    subcommand->add_option("--queue", options->queue, "The Redis, as redis://[[user]:password@]host[:port][/database]")
+    subcommand->add_option("--queue", options->queue, std::string("The Redis, as ") + queue_form)
         ->envname("DINI_QUEUE")
         ->required();
     if (has_entry) subcommand->add_option("entry", options->entry, "As `dini queue dead` calls it")->required();

@@ -14,6 +14,7 @@
 #include "cli/ending_signals.h"
 #include "cli/exit_codes.h"
 #include "cli/folders.h"
+#include "cli/given_queue.h"
 #include "cli/json_lines.h"
 #include "cli/limit_options.h"
 #include "cli/log_sink.h"
@@ -134,8 +135,8 @@ Problems check(Options& options) {
     }
   }
   if (!options.queue.empty()) {
-    auto address = queue::read_address(options.queue);
-    if (!address) return {{.code = "usage", .detail = "--queue: " + address.problems().front().detail}};
+    auto address = read_queue(options.queue);
+    if (!address) return address.problems();
     options.settings.queue = *std::move(address);
   }
   if (!server::is_loopback(host) && options.settings.token.empty()) {
@@ -223,10 +224,9 @@ void add_serve(CLI::App& program, Command& chosen, const EngineMaker& make_engin
   command->add_option("--data", options->data,
                       "The folder that graphs are kept in, or `none` to keep them as long as the server runs (default: "
                       "dini in the user's data folder)");
-  configuration.hide(command->add_option("--queue", options->queue,
-                                         "The Redis whose workers compute sweeps, as "
-                                         "redis://[[user]:password@]host[:port][/database]; without it they are "
-                                         "computed here"));
+  configuration.hide(command->add_option(
+      "--queue", options->queue,
+      std::string("The Redis whose workers compute sweeps, as ") + queue_form + "; without it they are computed here"));
   configuration.usual(command->add_option("--log-level", options->log_level, "Least level to log (default info)")
                           ->check(CLI::IsMember({"trace", "debug", "info", "warning", "error", "off"})),
                       options->log_level);

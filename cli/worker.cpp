@@ -10,6 +10,7 @@
 #include "cli/configuration.h"
 #include "cli/ending_signals.h"
 #include "cli/exit_codes.h"
+#include "cli/given_queue.h"
 #include "cli/limit_options.h"
 #include "cli/log_sink.h"
 #include "cli/terminal.h"
@@ -31,23 +32,18 @@ struct Options {
 /// to another worker.
 constexpr std::chrono::seconds patience{25};
 
-/// What a worker ends with: whoever started it need not start it again, must not, or should.
-int refused(const Problems& problems, ExitCode code) { return fail(problems, code); }
-
 int run(Options& options, const EngineMaker& make_engine) {
-  if (const Problems unread = options.configuration->read(); !unread.empty()) return refused(unread, exit_usage);
+  if (const Problems unread = options.configuration->read(); !unread.empty()) return fail(unread, exit_usage);
   if (options.configuration->is_to_be_printed()) {
     std::cout << options.configuration->text();
     return exit_ok;
   }
   if (options.queue.empty()) {
-    return refused({{.code = "usage", .detail = "a worker needs a --queue, as redis://127.0.0.1:6379"}}, exit_usage);
+    return fail({{.code = "usage", .detail = "a worker needs a --queue, as redis://127.0.0.1:6379"}}, exit_usage);
   }
-  const auto address = queue::read_address(options.queue);
-  if (!address) {
-    return refused({{.code = "usage", .detail = "--queue: " + address.problems().front().detail}}, exit_usage);
-  }
-  if (const Problems wrong = options.computing.apply(); !wrong.empty()) return refused(wrong, exit_usage);
+  const auto address = read_queue(options.queue);
+  if (!address) return fail(address.problems(), exit_usage);
+  if (const Problems wrong = options.computing.apply(); !wrong.empty()) return fail(wrong, exit_usage);
   std::signal(SIGPIPE, SIG_IGN);
   EndingSignals signals(patience);
   spdlog::set_default_logger(std::make_shared<spdlog::logger>("dini", log_sink()));
@@ -58,11 +54,7 @@ int run(Options& options, const EngineMaker& make_engine) {
   jobs::Worker worker(*engine, {.address = *address,
                                 .threads = options.computing.threads(),
                                 .silence = std::chrono::milliseconds(options.silence)});
-  if (const auto started = worker.start(); !started) {
-    const queue::Fault& fault = started.error();
-    const bool is_wrong = fault.kind == queue::Fault::Kind::denied || fault.kind == queue::Fault::Kind::refused;
-    return refused({{.code = "queue-failed", .detail = fault.detail}}, is_wrong ? exit_usage : exit_try_again);
-  }
+  if (const auto started = worker.start(); !started) return fail_at_queue(started.error());
   write_at_once(STDOUT_FILENO, "Dini computes for " + address->text() + " as " + worker.name() + ", engine " +
                                    jobs::queue_identity(*engine) + "\n");
   signals.wait();
@@ -79,10 +71,9 @@ void add_worker(CLI::App& program, Command& chosen, const EngineMaker& make_engi
       "Ends with 0 when it was told to, 2 when it would fail again in the same way, 75 when it may be tried again.");
   const auto options = std::make_shared<Options>();
   Configuration& configuration = options->configuration.emplace(*command);
-  configuration.hide(
-      command->add_option("--queue", options->queue,
-                          "The Redis that gives the work, as redis://[[user]:password@]host[:port][/database]; "
-                          "workers compute for servers of the same version and limits"));
+  configuration.hide(command->add_option("--queue", options->queue,
+                                         std::string("The Redis that gives the work, as ") + queue_form +
+                                             "; workers compute for servers of the same version and limits"));
   configuration.usual(
       command
           ->add_option("--silent-milliseconds", options->silence,

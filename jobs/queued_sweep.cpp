@@ -39,7 +39,7 @@ Problem poisoned(std::size_t index) {
 }  // namespace
 
 QueuedSweep::QueuedSweep(SweepRequest request, queue::QueuedSweep queued, queue::SweepTasks tasks, std::string version,
-                         std::vector<SharedBytes> files, std::unique_ptr<LineTaker> taker, QueueCounts& counts)
+                         std::vector<OfferedFile> files, std::unique_ptr<LineTaker> taker, QueueCounts& counts)
     : request_(std::move(request)),
       queued_(std::move(queued)),
       tasks_(std::move(tasks)),
@@ -50,8 +50,8 @@ QueuedSweep::QueuedSweep(SweepRequest request, queue::QueuedSweep queued, queue:
       next_(request_.first) {}
 
 queue::Answered<queue::SweepTasks::Submitted> QueuedSweep::submit() {
-  for (const SharedBytes& file : files_) {
-    if (auto offered = tasks_.offer_file(to_hex(sha256(*file)), *file); !offered) return std::move(offered).error();
+  for (const OfferedFile& file : files_) {
+    if (auto offered = tasks_.offer_file(file.sha256, *file.bytes); !offered) return std::move(offered).error();
   }
   std::vector<std::size_t> have;
   for (const auto& [index, line] : early_) have.push_back(index);

@@ -20,13 +20,19 @@ struct QueueCounts {
   std::atomic<std::size_t> submitted = 0;  ///< sweeps, also those that were lost and given again
 };
 
+/// A mesh file that workers are offered.
+struct OfferedFile {
+  std::string sha256;
+  SharedBytes bytes;
+};
+
 /// A sweep whose variants workers compute. Whatever happens to them or to Redis, each line is told once, and in its
 /// order: what is lost is asked for again.
 class QueuedSweep final : public Sweep, public std::enable_shared_from_this<QueuedSweep> {
  public:
   /// `files` are those that the graph names, which the workers are offered.
   QueuedSweep(SweepRequest request, queue::QueuedSweep queued, queue::SweepTasks tasks, std::string version,
-              std::vector<SharedBytes> files, std::unique_ptr<LineTaker> taker, QueueCounts& counts);
+              std::vector<OfferedFile> files, std::unique_ptr<LineTaker> taker, QueueCounts& counts);
 
   /// Gives it to the queue. To be called before it is started by who wants to know at once whether it can be.
   queue::Answered<queue::SweepTasks::Submitted> submit();
@@ -56,7 +62,7 @@ class QueuedSweep final : public Sweep, public std::enable_shared_from_this<Queu
   const queue::QueuedSweep queued_;
   queue::SweepTasks tasks_;
   const std::string version_;
-  const std::vector<SharedBytes> files_;
+  const std::vector<OfferedFile> files_;
   const std::unique_ptr<LineTaker> taker_;
   QueueCounts& counts_;
   // Of the thread that runs:

@@ -1,8 +1,7 @@
 #include "jobs/queued_sweeps.h"
 
-#include <random>
-
 #include "jobs/queue_identity.h"
+#include "jobs/random_id.h"
 #include "store/asset_references.h"
 
 namespace dini::jobs {
@@ -12,13 +11,6 @@ using Submitted = queue::SweepTasks::Submitted;
 
 /// What a sweep allows Redis: its thread waits for nobody's answer.
 constexpr queue::Patience patience{std::chrono::milliseconds(250), std::chrono::milliseconds(1000)};
-
-std::string new_id() {
-  std::random_device random;
-  Digest digest{};
-  for (std::uint8_t& byte : digest) byte = static_cast<std::uint8_t>(random());
-  return to_hex(digest).substr(0, 32);
-}
 
 Problem away(const std::string& why) {
   return {.code = "queue-failed", .detail = "The queue cannot take the sweep just now: " + why + "."};
@@ -54,10 +46,11 @@ void QueuedSweeps::finish() {
 }
 
 /// The mesh files that a request names, as far as they are here.
-std::vector<SharedBytes> QueuedSweeps::files_of(const std::string& text) const {
-  std::vector<SharedBytes> files;
+std::vector<OfferedFile> QueuedSweeps::files_of(const std::string& text) const {
+  std::vector<OfferedFile> files;
   for (const Digest& named : store::assets_named_in(text)) {
-    if (SharedBytes file = engine_.asset(to_hex(named))) files.push_back(std::move(file));
+    std::string sha256 = to_hex(named);
+    if (SharedBytes bytes = engine_.asset(sha256)) files.push_back({std::move(sha256), std::move(bytes)});
   }
   return files;
 }
@@ -77,16 +70,16 @@ Result<std::shared_ptr<Sweep>> QueuedSweeps::make(const SweepRequest& request, c
                                                   std::unique_ptr<LineTaker> taker, Waiting waiting) {
   const bool is_awaited = waiting == Waiting::answer;
   if (is_awaited && !link_.is_well()) return away(link_.trouble());
-  queue::QueuedSweep queued{.id = new_id(),
+  queue::QueuedSweep queued{.id = random_id(),
                             .lane = is_awaited ? queue::Lane::interactive : queue::Lane::batch,
                             .body = *request.text,
                             .about = about_,
                             .total = request.variants.size(),
                             .first = request.first};
-  std::vector<SharedBytes> files = files_of(*request.text);
+  std::vector<OfferedFile> files = files_of(*request.text);
   if (!files.empty()) {
     Json about = Json::parse(about_);
-    for (const SharedBytes& file : files) about["files"].push_back(to_hex(sha256(*file)));
+    for (const OfferedFile& file : files) about["files"].push_back(file.sha256);
     queued.about = dump(about);
   }
   const auto sweep =

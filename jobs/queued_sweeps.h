@@ -32,7 +32,7 @@ class QueuedSweeps final : public Sweeps {
     std::thread thread;
   };
 
-  std::vector<SharedBytes> files_of(const std::string& text) const;
+  std::vector<OfferedFile> files_of(const std::string& text) const;
   void let_go_of_ended();
 
   const Engine& engine_;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <new>
-#include <random>
 #include <spdlog/spdlog.h>
 #include <tbb/task_arena.h>
 #include <unistd.h>
@@ -10,6 +9,7 @@
 #include "jobs/job_request.h"
 #include "jobs/line_record.h"
 #include "jobs/queue_identity.h"
+#include "jobs/random_id.h"
 #include "jobs/sweep_line.h"
 #include "jobs/variant_outcome.h"
 #include "queue/sealed.h"
@@ -31,10 +31,7 @@ constexpr int most_tries = 3;
 std::string new_name(std::size_t threads) {
   char host[256] = {};
   ::gethostname(host, sizeof host - 1);
-  std::random_device random;
-  Digest digest{};
-  for (std::uint8_t& byte : digest) byte = static_cast<std::uint8_t>(random());
-  return std::string(host) + ":" + std::to_string(::getpid()) + ":" + to_hex(digest).substr(0, 8) + "/" +
+  return std::string(host) + ":" + std::to_string(::getpid()) + ":" + random_id().substr(0, 8) + "/" +
          std::to_string(threads);
 }
 

@@ -1,8 +1,8 @@
 #include "server/jobs.h"
 
 #include <algorithm>
-#include <random>
 
+#include "jobs/random_id.h"
 #include "server/computing.h"
 #include "server/evaluation.h"
 #include "server/graph_body.h"
@@ -16,14 +16,6 @@ namespace dini::server {
 namespace {
 
 constexpr std::size_t longest_key = 255;
-
-/// 128 random bits: nobody guesses the address of another one's job.
-std::string new_id() {
-  std::random_device random;
-  Digest digest{};
-  for (std::uint8_t& byte : digest) byte = static_cast<std::uint8_t>(random());
-  return to_hex(digest).substr(0, 32);
-}
 
 std::string address_of(const std::string& id, const std::string& base_path) { return base_path + "/v1/jobs/" + id; }
 
@@ -51,7 +43,7 @@ Reply job_reply(const Context& context, const jobs::JobStatus& status, int code)
 Reply keep(const Context& context, const std::string& body, const std::string& format, const std::string& key,
            const jobs::JobRequest& request) {
   jobs::JobRunner& runner = context.application.jobs;
-  const auto added = runner.add({.id = new_id(),
+  const auto added = runner.add({.id = jobs::random_id(),
                                  .kind = request.kind(),
                                  .idempotency_key = key,
                                  .body = body,

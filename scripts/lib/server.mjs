@@ -47,6 +47,8 @@ export function ask(port, { agent, method = "GET", path, headers = {}, body = ""
 
 export const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
+export const median = (values) => [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)];
+
 /** Waits until something holds; an error that says what did not after half a minute. */
 export async function until(what, holds) {
   const late = Date.now() + 30_000;

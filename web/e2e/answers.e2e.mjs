@@ -1,17 +1,12 @@
 // A server that hangs, fails or is crowded: it is said, and can be asked again.
 
 import { test } from "node:test";
-import { useServer, withCleanPage } from "./fixture.mjs";
+import { RING, useServer, withCleanPage, withRing } from "./fixture.mjs";
 import { settled } from "./harness.mjs";
 
-const RING = "#example=fig04_boosted_ring";
 const used = useServer();
 
-const withPage = (options, run) =>
-  withCleanPage(used, { hash: RING, ...options }, async (page) => {
-    await settled(page);
-    await run(page);
-  });
+const withPage = (options, run) => withRing(used, options, run);
 
 const status = (page) => page.getByRole("contentinfo", { name: "Status" });
 const model = (page) => page.getByRole("region", { name: "Model" });

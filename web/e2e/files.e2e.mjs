@@ -4,19 +4,14 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { deflateRawSync } from "node:zlib";
-import { useServer, withCleanPage } from "./fixture.mjs";
+import { RING, useServer, withCleanPage, withRing } from "./fixture.mjs";
 import { eventually, factsOf, saved, settled } from "./harness.mjs";
 
-const RING = "#example=fig04_boosted_ring";
 const OBJ = "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
 const used = useServer();
 const { server } = used;
 
-const withPage = (options, run) =>
-  withCleanPage(used, { hash: RING, ...options }, async (page) => {
-    await settled(page);
-    await run(page);
-  });
+const withPage = (options, run) => withRing(used, options, run);
 
 /** Waits until the graph has this title. */
 const titled = (page, title) => eventually(() => titleOf(page).inputValue(), title, "the title");

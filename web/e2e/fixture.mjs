@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, before } from "node:test";
-import { launchBrowser, openPage, Server } from "./harness.mjs";
+import { launchBrowser, openPage, Server, settled } from "./harness.mjs";
 
 // WebGL is drawn in software all the same; the page around it takes a third of the time when it does not go through
 // that too.
@@ -33,3 +33,12 @@ export async function withCleanPage(used, options, run, open = openPage) {
     await page.context().close();
   }
 }
+
+export const RING = "#example=fig04_boosted_ring";
+
+/** A page that has opened the ring, unless the options say another graph, and is up to date. */
+export const withRing = (used, options, run) =>
+  withCleanPage(used, { hash: RING, ...options }, async (page) => {
+    await settled(page);
+    await run(page);
+  });

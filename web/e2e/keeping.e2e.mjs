@@ -4,17 +4,12 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { choose, said, untilGraph, untilSelected, withEditor } from "./editing.mjs";
-import { useServer, withCleanPage } from "./fixture.mjs";
+import { RING, useServer, withCleanPage, withRing } from "./fixture.mjs";
 import { canvasOf, eventually, factsOf, openPage, saved, settled } from "./harness.mjs";
 
-const RING = "#example=fig04_boosted_ring";
 const used = useServer();
 
-const withPage = (options, run) =>
-  withCleanPage(used, { hash: RING, ...options }, async (page) => {
-    await settled(page);
-    await run(page);
-  });
+const withPage = (options, run) => withRing(used, options, run);
 
 /** A page whose browser fails to store drafts as the script says. */
 const withFailing = (script, run) =>

@@ -2,17 +2,12 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { useServer, withCleanPage } from "./fixture.mjs";
+import { useServer, withRing } from "./fixture.mjs";
 import { eventually, settled } from "./harness.mjs";
 
-const RING = "#example=fig04_boosted_ring";
 const used = useServer();
 
-const withPage = (options, run) =>
-  withCleanPage(used, { hash: RING, expectStatus: 412, ...options }, async (page) => {
-    await settled(page);
-    await run(page);
-  });
+const withPage = (options, run) => withRing(used, { expectStatus: 412, ...options }, run);
 
 const titleOf = (page) => page.getByRole("textbox", { name: "Title of the graph" });
 const titled = (page, title) => eventually(() => titleOf(page).inputValue(), title, "the title");

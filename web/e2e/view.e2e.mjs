@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 import { deflateRawSync } from "node:zlib";
-import { useServer, withCleanPage } from "./fixture.mjs";
+import { RING, useServer, withRing } from "./fixture.mjs";
 import {
   canvasOf,
   changes,
@@ -20,7 +20,6 @@ import {
   still,
 } from "./harness.mjs";
 
-const RING = "#example=fig04_boosted_ring";
 /** A graph that takes the server a moment only, with a slider. */
 const SMALL = {
   format: 1,
@@ -42,11 +41,7 @@ const SMALL = {
 const used = useServer();
 const { server } = used;
 
-const withPage = (options, run) =>
-  withCleanPage(used, { hash: RING, ...options }, async (page) => {
-    await settled(page);
-    await run(page);
-  });
+const withPage = (options, run) => withRing(used, options, run);
 
 /** The drawing alone, without what lies over it. */
 async function drawing(page) {
