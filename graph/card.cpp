@@ -38,8 +38,17 @@ bool makes_axis(const NodeType& type, const InputPort& port) {
   return port.spec.is_axis_name && std::find(type.over.begin(), type.over.end(), port.name) == type.over.end();
 }
 
+/// The words of a name as people write them: "Clip radius" for clip_radius.
+std::string title_of(const std::string& name) {
+  std::string title = name;
+  std::replace(title.begin(), title.end(), '_', ' ');
+  if (!title.empty() && title.front() >= 'a' && title.front() <= 'z') title.front() += 'A' - 'a';
+  return title;
+}
+
 Json input_card(const NodeType& type, const InputPort& port) {
   Json json = {{"name", port.name},
+               {"title", port.spec.title_text.empty() ? title_of(port.name) : port.spec.title_text},
                {"types", names_of(port.types)},
                {"description", port.doc},
                {"required", port.required()},
@@ -78,6 +87,7 @@ Json card(const NodeType& type) {
   Json outputs = Json::array();
   for (std::size_t k = 0; k < type.outputs.size(); ++k) {
     Json output = {{"name", type.outputs[k].name},
+                   {"title", title_of(type.outputs[k].name)},
                    {"types", names_of(type.outputs[k].types)},
                    {"description", type.outputs[k].doc}};
     if (follows_first_input(type, k)) output["same_as"] = type.inputs.front().name;
@@ -86,6 +96,7 @@ Json card(const NodeType& type) {
   return {{"id", type.id},
           {"title", type.title},
           {"family", type.family},
+          {"synonyms", type.synonyms},
           {"description", type.doc},
           {"source", type.source},
           {"details", type.details},

@@ -52,6 +52,8 @@ class NodeBuilder {
 
   NodeBuilder&& title(std::string text) && { return set(type().title, std::move(text)); }
   NodeBuilder&& family(std::string text) && { return set(type().family, std::move(text)); }
+  /// Other words, in lower case, by which people look for the node: "lathe", "ring".
+  NodeBuilder&& synonyms(std::vector<std::string> words) && { return set(type().synonyms, std::move(words)); }
   NodeBuilder&& doc(std::string text) && { return set(type().doc, std::move(text)); }
   NodeBuilder&& source(std::string text) && { return set(type().source, std::move(text)); }
   NodeBuilder&& details(std::string text) && { return set(type().details, std::move(text)); }

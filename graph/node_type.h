@@ -87,8 +87,9 @@ struct NodeType {
   std::string title;
   std::string family;
   std::string doc;
-  std::string source;   ///< equation or figure of the paper, or another publication; may be empty
-  std::string details;  ///< degenerate cases and anything else a user should know; may be empty
+  std::vector<std::string> synonyms;  ///< other words, in lower case, that people look for
+  std::string source;                 ///< equation or figure of the paper, or another publication; may be empty
+  std::string details;                ///< degenerate cases and anything else a user should know; may be empty
   std::vector<Degenerate> degenerate;
   int version = 1;  ///< raised when results change; part of the fingerprint
 

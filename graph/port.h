@@ -39,6 +39,11 @@ class InputSpec {
     soft_maximum = most;
     return std::move(*this);
   }
+  /// What people read beside the socket, where the words of the name are not good enough: "Clip radius".
+  InputSpec&& title(std::string text) && {
+    title_text = std::move(text);
+    return std::move(*this);
+  }
   InputSpec&& unit(std::string text) && {
     unit_text = std::move(text);
     return std::move(*this);
@@ -73,6 +78,7 @@ class InputSpec {
 
   Json default_value = nullptr;
   std::optional<double> minimum, maximum, soft_minimum, soft_maximum;
+  std::string title_text;
   std::string unit_text;
   bool takes_several = false;
   bool is_axis_name = false;

@@ -117,6 +117,8 @@ void write_family(const Json& family, const std::vector<Json>& nodes, std::strin
 
 void write_node(const Json& node, const NodeExamples& examples, std::string& page) {
   page += "### " + heading(node) + "\n\n" + text_of(node, "description") + "\n\n";
+  const std::string synonyms = joined(node, "synonyms", ", ");
+  if (!synonyms.empty()) page += "Found as: " + synonyms + ".\n\n";
   const std::string details = text_of(node, "details");
   if (!details.empty()) page += details + "\n\n";
   const std::string source = text_of(node, "source");

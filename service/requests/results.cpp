@@ -180,12 +180,14 @@ Json card(std::vector<Property> properties, std::string doc) {
 
 Json node_card() {
   const Json port = card({{"name", text("As documents write it.")},
+                          {"title", text("As people read it.")},
                           {"types", list(text(""), "The wire types that it may have.")},
                           {"description", text("One sentence.")}},
                          "An input or output; inputs have defaults, units and ranges too.");
   return card({{"id", text("As documents write it.")},
                {"title", text("As people read it.")},
                {"family", text("The family that it is listed in.")},
+               {"synonyms", list(text(""), "Other words, in lower case, that people look for.")},
                {"description", text("One sentence.")},
                {"version", whole("Raised when results change.")},
                {"inputs", list(port, "In the order in which people see them.")},

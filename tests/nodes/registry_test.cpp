@@ -35,6 +35,12 @@ std::vector<double> drives_of(const Subject& subject, const std::string& port) {
   return {0.35, 0.5, 0.85};
 }
 
+struct DoubledInputs {
+  double value;
+};
+
+double doubled(const DoubledInputs& in) { return 2 * in.value; }
+
 }  // namespace
 
 TEST_CASE("Every card is complete") {
@@ -43,6 +49,12 @@ TEST_CASE("Every card is complete") {
     CHECK(std::isupper(static_cast<unsigned char>(type.title.front())));
     CHECK(is_sentence(type.doc));
     CHECK((type.details.empty() || is_sentence(type.details)));
+    for (const std::string& word : type.synonyms) {
+      CAPTURE(word);
+      CHECK_FALSE(word.empty());
+      CHECK(std::none_of(word.begin(), word.end(), [](unsigned char c) { return std::isupper(c) || c == '_'; }));
+      CHECK(std::count(type.synonyms.begin(), type.synonyms.end(), word) == 1);
+    }
     CHECK(type.version >= 1);
     CHECK_FALSE(type.outputs.empty());
     const Json families = family_titles();
@@ -73,6 +85,7 @@ TEST_CASE("Every card tells in JSON what the declaration says") {
     CAPTURE(id);
     const Json shown = card(type);
     CHECK(shown["id"] == id);
+    CHECK(shown["synonyms"] == type.synonyms);
     REQUIRE(shown["inputs"].size() == type.inputs.size());
     for (std::size_t port = 0; port < type.inputs.size(); ++port) {
       const Json& input = shown["inputs"][port];
@@ -83,6 +96,20 @@ TEST_CASE("Every card tells in JSON what the declaration says") {
     }
     CHECK(shown["outputs"].size() == type.outputs.size());
   }
+}
+
+TEST_CASE("The title of an input is the words of its name unless the card has better ones") {
+  const NodeType& type = *catalogue().find("surface");
+  const Json inputs = card(type)["inputs"];
+  CHECK(inputs[type.input_index("clip_radius")]["title"] == "Clip radius");
+  const NodeType better = node("doubled", doubled)
+                              .title("Doubled")
+                              .family("numbers")
+                              .doc("Twice a number.")
+                              .input("value", &DoubledInputs::value, "A number.", defaults(1).title("Half of it"))
+                              .output("value", "Twice the number.");
+  CHECK(card(better)["inputs"][0]["title"] == "Half of it");
+  CHECK(card(better)["outputs"][0]["title"] == "Value");
 }
 
 TEST_CASE("A card tells which text names an axis that the node makes, and what an empty one means") {
