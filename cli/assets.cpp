@@ -6,6 +6,7 @@
 
 #include "cli/documents.h"
 #include "cli/folders.h"
+#include "cli/problems.h"
 #include "server/examples.h"
 
 namespace dini::cli {
@@ -54,11 +55,11 @@ Problems Assets::give_to(const Engine& engine, const std::vector<const Json*>& d
   for (const std::string& word : words_) {
     const auto equals = word.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == word.size()) {
-      return {{.code = "usage", .detail = "--asset takes name=file, not '" + word + "'"}};
+      return {usage_problem("--asset takes name=file, not '" + word + "'")};
     }
     const std::string name = word.substr(0, equals), path = word.substr(equals + 1);
     if (!names.insert(name).second) {
-      return {{.code = "usage", .detail = "--asset gives the name '" + name + "' twice"}};
+      return {usage_problem("--asset gives the name '" + name + "' twice")};
     }
     const auto bytes = read_bounded(path, engine.limits().asset_bytes);
     if (!bytes) return bytes.problems();

@@ -39,7 +39,7 @@ first.
 )";
 
 /// Text in a cell of a table.
-std::string cell(const std::string& text) {
+std::string table_cell(const std::string& text) {
   std::string result;
   for (const char c : text) {
     if (c == '|' || c == '<') result += '\\';
@@ -60,16 +60,16 @@ std::string row(const DescribedOption& option) {
   std::string text = option.doc;
   if (option.flags.empty() && option.is_required) text += " (required)";
   if (!option.variable.empty()) text += " (`" + option.variable + "`)";
-  return "| " + name_of(option) + " | " + cell(text) + " |\n";
+  return "| " + name_of(option) + " | " + table_cell(text) + " |\n";
 }
 
 /// Deeper commands follow the one that they belong to, as `dini store list`.
-std::string section(const DescribedCommand& command) {
+std::string command_section(const DescribedCommand& command) {
   std::string text = "\n## dini " + command.name + "\n\n" + command.doc + ".\n";
   if (!command.options.empty()) text += "\n| option | |\n|---|---|\n";
   for (const DescribedOption& option : command.options) text += row(option);
   if (!command.examples.empty()) text += "\n```sh\n" + command.examples + "\n```\n";
-  for (const DescribedCommand& deeper : command.commands) text += section(deeper);
+  for (const DescribedCommand& deeper : command.commands) text += command_section(deeper);
   return text;
 }
 
@@ -77,7 +77,7 @@ std::string section(const DescribedCommand& command) {
 
 std::string commands_markdown(const CLI::App& program) {
   std::string page = head;
-  for (const DescribedCommand& command : described_commands(program)) page += section(command);
+  for (const DescribedCommand& command : described_commands(program)) page += command_section(command);
   return page;
 }
 

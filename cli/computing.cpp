@@ -1,6 +1,7 @@
 #include "cli/computing.h"
 
 #include "algebra/kernels.h"
+#include "cli/problems.h"
 
 namespace dini::cli {
 
@@ -19,7 +20,7 @@ Problems Computing::apply() {
   if (instruction_set_.empty() || kernels::force_instruction_set(instruction_set_.c_str())) return {};
   std::string detail = "--instruction-set '" + instruction_set_ + "' is not available; there are";
   for (const char* name : kernels::instruction_sets()) detail += std::string(" ") + name;
-  return {{.code = "usage", .detail = detail}};
+  return {usage_problem(detail)};
 }
 
 std::size_t Computing::threads() const {

@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include "cli/documents.h"
+#include "cli/problems.h"
 #include "cli/setting.h"
 #include "graph/nearest.h"
 #include "service/limit_table.h"
@@ -11,7 +12,7 @@
 namespace dini::cli {
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{1} << 20;
+constexpr std::size_t most_configuration_bytes = std::size_t{1} << 20;
 
 const char* named(SettingKind kind) {
   switch (kind) {
@@ -66,8 +67,6 @@ std::string try_value(CLI::Option& option, const toml::node& value) {
   return wrong;
 }
 
-Problem wrong_setting(std::string detail) { return {.code = "usage", .detail = std::move(detail)}; }
-
 /// Whether the environment set an option that is set.
 bool is_from_environment(const CLI::Option& option) {
   const char* value = option.get_envname().empty() ? nullptr : std::getenv(option.get_envname().c_str());
@@ -95,13 +94,13 @@ void Configuration::name_variables() {
 
 Problems Configuration::read() {
   if (file_.empty()) return {};
-  const Result<std::string> text = read_input(file_, most_bytes);
+  const Result<std::string> text = read_input(file_, most_configuration_bytes);
   if (!text) return text.problems();
   toml::table table;
   try {
     table = toml::parse(*text);
   } catch (const toml::parse_error& error) {
-    return {wrong_setting(file_ + ":" + std::to_string(error.source().begin.line) + ": " +
+    return {usage_problem(file_ + ":" + std::to_string(error.source().begin.line) + ": " +
                           std::string(error.description()))};
   }
   std::map<std::string, CLI::Option*> settings;
@@ -117,12 +116,12 @@ Problems Configuration::read() {
     const std::string place = file_ + ":" + std::to_string(key.source().begin.line) + ": ";
     const auto found = settings.find(name);
     if (found == settings.end()) {
-      problems.push_back(wrong_setting(place + "there is no setting '" + name + "'" + did_you_mean(name, names)));
+      problems.push_back(usage_problem(place + "there is no setting '" + name + "'" + did_you_mean(name, names)));
       continue;
     }
     const bool was_set = found->second->count() > 0;
     const std::string wrong = try_value(*found->second, value);
-    if (!wrong.empty()) problems.push_back(wrong_setting(place + name + ": " + wrong));
+    if (!wrong.empty()) problems.push_back(usage_problem(place + name + ": " + wrong));
     if (!was_set) from_file_.insert(found->second);
   }
   return problems;

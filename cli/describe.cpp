@@ -15,7 +15,7 @@
 namespace dini::cli {
 namespace {
 
-struct Options {
+struct DescribeOptions {
   std::string page;
   bool commands = false;
   bool manual = false;
@@ -31,7 +31,7 @@ int update(const std::string& path) {
   return wrong.empty() ? exit_ok : fail(wrong, exit_io);
 }
 
-int run(const Options& options, const CLI::App& program) {
+int run(const DescribeOptions& options, const CLI::App& program) {
   if (options.commands) {
     std::cout << commands_markdown(program);
     return exit_ok;
@@ -50,7 +50,7 @@ int run(const Options& options, const CLI::App& program) {
 void add_describe(CLI::App& program, Command& chosen) {
   auto* command =
       program.add_subcommand("describe", "Print the HTTP interface as OpenAPI, or the pages about the command line");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DescribeOptions>();
   auto* page = command->add_option("--update", options->page,
                                    "Instead, write the generated parts of this page of documentation anew");
   auto* commands =

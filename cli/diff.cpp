@@ -6,6 +6,7 @@
 #include "cli/evaluation.h"
 #include "cli/exit_codes.h"
 #include "cli/output_files.h"
+#include "cli/problems.h"
 #include "cli/terminal.h"
 #include "golden/any_model.h"
 #include "golden/compare.h"
@@ -14,7 +15,7 @@
 namespace dini::cli {
 namespace {
 
-struct Options {
+struct DiffOptions {
   std::string before, after;
   double tolerance = 1e-6;
   Console console;
@@ -51,7 +52,7 @@ bool is_empty(const Json& differences) {
   return differences["added"].empty() && differences["removed"].empty() && differences["changed"].empty();
 }
 
-int compare_graphs(const Options& options, const Json& before, const Json& after) {
+int compare_graphs(const DiffOptions& options, const Json& before, const Json& after) {
   const Json difference = graph_difference(before, after);
   const bool same = is_empty(difference["nodes"]) && is_empty(difference["parameters"]);
   if (options.console.json()) {
@@ -77,7 +78,7 @@ Json warnings_of(const AnyModel& model) {
   return warnings;
 }
 
-int compare_models(const Options& options, const SourceText& before, const SourceText& after) {
+int compare_models(const DiffOptions& options, const SourceText& before, const SourceText& after) {
   const Result<AnyModel> first = read_model(before), second = read_model(after);
   for (const Result<AnyModel>* model : {&first, &second}) {
     if (!*model) return options.console.fail(model->problems(), exit_invalid_graph);
@@ -100,7 +101,7 @@ int compare_models(const Options& options, const SourceText& before, const Sourc
   return changed ? exit_check_failed : exit_ok;
 }
 
-int run(const Options& options) {
+int run(const DiffOptions& options) {
   const auto failed = [&](const Problems& problems, const SourceText* source = nullptr) {
     return options.console.fail(problems, exit_code_for(problems, Stage::checking), source);
   };
@@ -111,8 +112,7 @@ int run(const Options& options) {
   if (!after) return failed(after.problems());
   const auto is_model = [](const SourceText& source) { return source.text.starts_with("glTF"); };
   if (is_model(*before) != is_model(*after)) {
-    return failed(
-        {{.code = "usage", .detail = "two graphs are compared, or two models (GLB), not one with the other"}});
+    return failed({usage_problem("two graphs are compared, or two models (GLB), not one with the other")});
   }
   if (is_model(*before)) return compare_models(options, *before, *after);
   std::vector<Json> documents;
@@ -135,7 +135,7 @@ void add_diff(CLI::App& program, Command& chosen) {
   command->footer(
       "dini diff before.json after.json\n"
       "dini diff before.glb after.glb --tolerance 1e-4");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DiffOptions>();
   command->add_option("before", options->before, "A graph document or a GLB, or - for standard input")->required();
   command->add_option("after", options->after, "Another one of the same kind")->required();
   command

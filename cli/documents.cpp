@@ -7,16 +7,14 @@
 #include <iostream>
 #include <system_error>
 
+#include "cli/problems.h"
+
 namespace dini::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
 std::string shown(const std::string& path) { return path == "-" ? "standard stream" : path; }
-
-Problem io_problem(const std::string& path, int error) {
-  return {.code = "io", .detail = path + ": " + std::generic_category().message(error)};
-}
 
 Result<std::string> read_stream(std::istream& stream, const std::string& name, std::size_t most) {
   std::string text, piece(std::size_t{1} << 16, '\0');
@@ -46,7 +44,7 @@ Result<std::string> read_input(const std::string& path, std::size_t most) {
 Problems read_twice(const std::string& graph, std::vector<std::string> files) {
   files.push_back(graph);
   if (std::ranges::count(files, "-") < 2) return {};
-  return {{.code = "usage", .detail = "standard input (-) can be read once only"}};
+  return {usage_problem("standard input (-) can be read once only")};
 }
 
 Result<Json> read_settings(const std::vector<std::string>& words, const Limits& limits) {
@@ -54,10 +52,10 @@ Result<Json> read_settings(const std::vector<std::string>& words, const Limits& 
   for (const std::string& word : words) {
     const auto equals = word.find('=');
     if (equals == std::string::npos || equals == 0) {
-      return Problem{.code = "usage", .detail = "--set takes name=value, not '" + word + "'"};
+      return usage_problem("--set takes name=value, not '" + word + "'");
     }
     if (parameters.contains(word.substr(0, equals))) {
-      return Problem{.code = "usage", .detail = "--set gives '" + word.substr(0, equals) + "' twice"};
+      return usage_problem("--set gives '" + word.substr(0, equals) + "' twice");
     }
     const std::string text = word.substr(equals + 1);
     const auto value = parse_json(text, limits);

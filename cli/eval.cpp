@@ -17,7 +17,7 @@
 namespace dini::cli {
 namespace {
 
-struct Options {
+struct EvalOptions {
   std::vector<std::string> graphs;
   std::vector<std::string> settings;
   std::vector<std::string> outputs;
@@ -38,12 +38,13 @@ struct Options {
 };
 
 /// One file to make, or what keeps it from being made.
-struct Work {
+struct EvalWork {
   const EvalGraph* graph = nullptr;
   const EvalTarget* target = nullptr;
 };
 
-EvaluateRequest request_of(const Options& options, const Engine& engine, const Json& parameters, const Work& work) {
+EvaluateRequest request_of(const EvalOptions& options, const Engine& engine, const Json& parameters,
+                           const EvalWork& work) {
   return {.graph = engine.read(*work.graph->document),
           .parameters = parameters,
           .output = work.target->output,
@@ -57,7 +58,7 @@ EvaluateRequest request_of(const Options& options, const Engine& engine, const J
 }
 
 /// Evaluates and writes the file, so that no finished file waits in memory for those before it.
-Outcome made(const Options& options, const Engine& engine, const Json& parameters, const Work& work) {
+Outcome made(const EvalOptions& options, const Engine& engine, const Json& parameters, const EvalWork& work) {
   if (!work.graph->problems.empty()) return failed(work.graph->problems, work.graph->code);
   Outcome outcome = evaluated(engine, request_of(options, engine, parameters, work), options.running.job());
   if (outcome.code != exit_ok || !work.target->path) return outcome;
@@ -76,13 +77,13 @@ struct Told {
 };
 
 /// Whether lines about what succeeded have a place on standard output.
-bool says_success(const Options& options, const std::vector<Work>& works) {
+bool says_success(const EvalOptions& options, const std::vector<EvalWork>& works) {
   const bool is_taken =
       options.console.json() || options.report == "-" || options.outputs == std::vector<std::string>{"-"};
   return !options.quiet && !is_taken && (works.size() > 1 || options.outputs.empty());
 }
 
-void tell(const Options& options, const Work& work, const Outcome& outcome, bool is_alone, bool says) {
+void tell(const EvalOptions& options, const EvalWork& work, const Outcome& outcome, bool is_alone, bool says) {
   const SourceText* source = work.graph->source ? &*work.graph->source : nullptr;
   if (!options.console.json()) {
     // A file that cannot be read or written is no fault in the document.
@@ -98,7 +99,8 @@ void tell(const Options& options, const Work& work, const Outcome& outcome, bool
             << (work.target->path ? " -> " + printable(*work.target->path) : "") << "\n";
 }
 
-Told make_all(const Options& options, const Engine& engine, const Json& parameters, const std::vector<Work>& works) {
+Told make_all(const EvalOptions& options, const Engine& engine, const Json& parameters,
+              const std::vector<EvalWork>& works) {
   Told told;
   FailFast fail_fast(options.running);
   const bool says = says_success(options, works);
@@ -111,7 +113,7 @@ Told make_all(const Options& options, const Engine& engine, const Json& paramete
         return outcome;
       },
       [&](std::size_t index, std::optional<Outcome> outcome) {
-        const Work& work = works[index];
+        const EvalWork& work = works[index];
         const SourceText* source = work.graph->source ? &*work.graph->source : nullptr;
         if (outcome) tell(options, work, *outcome, works.size() == 1, says);
         Json run = outcome ? report_of(*outcome, source) : Json{{"succeeded", false}, {"skipped", true}};
@@ -123,7 +125,7 @@ Told make_all(const Options& options, const Engine& engine, const Json& paramete
 }
 
 /// One evaluation is reported by itself, several in a list.
-int finish(const Options& options, const Told& told) {
+int finish(const EvalOptions& options, const Told& told) {
   Json report =
       told.runs.size() == 1 ? told.runs.front() : Json{{"succeeded", told.code == exit_ok}, {"runs", told.runs}};
   const std::string text = written(report);
@@ -134,13 +136,13 @@ int finish(const Options& options, const Told& told) {
   return options.console.fail(wrong, told.code == exit_ok ? exit_io : told.code);
 }
 
-int finish_early(const Options& options, const Problems& problems) {
+int finish_early(const EvalOptions& options, const Problems& problems) {
   if (!options.console.json()) options.console.problems(problems);
   const Outcome outcome = failed(problems, exit_code_for(problems, Stage::checking));
   return finish(options, Told{.code = outcome.code, .runs = Json::array({report_of(outcome, nullptr)})});
 }
 
-int run(Options& options, const EngineMaker& make_engine) {
+int run(EvalOptions& options, const EngineMaker& make_engine) {
   const auto refused = [&](const Problems& problems) {
     return options.console.fail(problems, exit_code_for(problems, Stage::checking));
   };
@@ -166,7 +168,7 @@ int run(Options& options, const EngineMaker& make_engine) {
                                             .format = options.format,
                                             .previews = !options.preview.empty()});
   if (!graphs) return refused(graphs.problems());
-  std::vector<Work> works;
+  std::vector<EvalWork> works;
   std::vector<OutputPath> files;
   for (const EvalGraph& graph : *graphs) {
     for (const EvalTarget& target : graph.targets) {
@@ -199,7 +201,7 @@ void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine
       "dini eval ring.json --set reach=2 -o ring.glb --report ring.report.json\n"
       "dini eval parts/*.json -o 'out/{graph}.{output}.glb' --mkdir\n"
       "dini eval frame.json -o body=body.glb -o lid=lid.gltf");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EvalOptions>();
   command->add_option("graphs", options->graphs, "The graph documents, or - for standard input")->required();
   command->add_option("--set", options->settings, "A parameter as name=value, of all graphs; may be repeated")
       ->allow_extra_args(false);

@@ -4,11 +4,10 @@
 
 #include "cli/exit_codes.h"
 #include "cli/output_names.h"
+#include "cli/problems.h"
 
 namespace dini::cli {
 namespace {
-
-Problem refused(std::string detail) { return {.code = "usage", .detail = std::move(detail)}; }
 
 /// ".glb (glb), .gltf (gltf)"
 std::string list_of(std::span<const FileFormat> formats) {
@@ -27,17 +26,17 @@ Result<const FileFormat*> format_of(const EvalWishes& wishes, const std::string&
   if (!wishes.format.empty()) {
     format = format_named(formats, wishes.format);
     if (format == nullptr) {
-      return refused("--format " + wishes.format + " is none that can be written; there is " + list_of(formats));
+      return usage_problem("--format " + wishes.format + " is none that can be written; there is " + list_of(formats));
     }
   } else if (!ending.empty()) {
     format = format_of_extension(formats, ending);
     if (format == nullptr) {
-      return refused("-o " + path + ": " + ending +
-                     " is no format that can be written (--format says another); there is " + list_of(formats));
+      return usage_problem("-o " + path + ": " + ending +
+                           " is no format that can be written (--format says another); there is " + list_of(formats));
     }
   }
   if (format != &formats.front() && wishes.previews) {
-    return refused("--preview is written as GLB only; there is " + list_of(formats));
+    return usage_problem("--preview is written as GLB only; there is " + list_of(formats));
   }
   return format;
 }
@@ -75,7 +74,7 @@ std::vector<std::pair<std::string, std::string>> wanted_of(const Engine& engine,
 
 Problems misfits(const OutputNames& names, const EvalWishes& wishes) {
   if (!names.named.empty() && (!wishes.output.empty() || wishes.previews)) {
-    return {refused("-o OUTPUT=FILE says which outputs are made; --output and --preview do not go with it")};
+    return {usage_problem("-o OUTPUT=FILE says which outputs are made; --output and --preview do not go with it")};
   }
   if (wishes.graphs.size() < 2) return {};
   std::vector<std::string> patterns;
@@ -83,7 +82,8 @@ Problems misfits(const OutputNames& names, const EvalWishes& wishes) {
   for (const auto& [output, pattern] : names.named) patterns.push_back(pattern);
   for (const std::string& pattern : patterns) {
     if (cli::names(pattern, "graph")) continue;
-    return {refused("-o " + pattern + " would be written by each of the graphs; {graph} in it stands for their names")};
+    return {usage_problem("-o " + pattern +
+                          " would be written by each of the graphs; {graph} in it stands for their names")};
   }
   return {};
 }

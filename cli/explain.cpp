@@ -11,7 +11,7 @@
 namespace dini::cli {
 namespace {
 
-struct Options {
+struct ExplainOptions {
   GraphArguments graph;
   std::string output;
   std::vector<std::string> preview;
@@ -30,7 +30,7 @@ std::string in_milliseconds(double nanoseconds) {
 }
 
 /// A line for the whole, and one for each node with what it would take, by id.
-void print(const Json& explained) {
+void print_explained(const Json& explained) {
   std::cout << explained["runs"] << " nodes run, about " << in_milliseconds(explained["work"].get<double>())
             << " of one processor and at most " << explained["bytes"] << " bytes\n";
   std::size_t id_width = 0, type_width = 0;
@@ -48,7 +48,7 @@ void print(const Json& explained) {
   }
 }
 
-int run(const Options& options, const EngineMaker& make_engine) {
+int run(const ExplainOptions& options, const EngineMaker& make_engine) {
   const auto given = options.graph.load(make_engine);
   if (!given) return given.error();
   const auto prepared = given->engine->prepare({.graph = given->graph,
@@ -65,7 +65,7 @@ int run(const Options& options, const EngineMaker& make_engine) {
   if (options.graph.console().json()) {
     std::cout << explained.dump(2) << "\n";
   } else {
-    print(explained);
+    print_explained(explained);
   }
   return exit_ok;
 }
@@ -75,7 +75,7 @@ int run(const Options& options, const EngineMaker& make_engine) {
 void add_explain(CLI::App& program, Command& chosen, const EngineMaker& make_engine) {
   auto* command = program.add_subcommand(
       "explain", "Tell which nodes an evaluation would run, with predicted time and memory, without evaluating");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ExplainOptions>();
   options->graph.add_options(*command);
   auto* output = command->add_option("--output", options->output, "The export node (default: the only one)");
   command->add_option("--preview", options->preview, "A node, or node.output, to draw instead; may be repeated")

@@ -8,12 +8,13 @@
 #include "cli/exit_codes.h"
 #include "cli/layout.h"
 #include "cli/output_files.h"
+#include "cli/problems.h"
 #include "cli/terminal.h"
 
 namespace dini::cli {
 namespace {
 
-struct Options {
+struct FmtOptions {
   std::vector<std::string> files;
   bool check = false;
   Console console;
@@ -28,7 +29,7 @@ Problems other_kind(const Json& document) {
            .pointer = ""}};
 }
 
-void format(const Options& options, const std::string& path, DocumentResults& results) {
+void format(const FmtOptions& options, const std::string& path, DocumentResults& results) {
   const auto source = read_source(path);
   if (!source) {
     return results.add_failure(path, source.problems(), exit_code_for(source.problems(), Stage::checking));
@@ -50,15 +51,14 @@ void format(const Options& options, const std::string& path, DocumentResults& re
   results.add(source->name, {{"changed", changes}}, options.check && changes ? exit_check_failed : exit_ok);
 }
 
-int run(const Options& options) {
+int run(const FmtOptions& options) {
   if (const Problems wrong = read_twice("", options.files); !wrong.empty()) {
     return options.console.fail(wrong, exit_usage);
   }
   const bool writes_document = !options.check && std::ranges::find(options.files, "-") != options.files.end();
   if (writes_document && options.console.json()) {
     return options.console.fail(
-        {{.code = "usage", .detail = "standard output takes the document of - or the answer of --json, not both"}},
-        exit_usage);
+        {usage_problem("standard output takes the document of - or the answer of --json, not both")}, exit_usage);
   }
   DocumentResults results(options.console);
   for (const std::string& path : options.files) format(options, path, results);
@@ -73,7 +73,7 @@ void add_fmt(CLI::App& program, Command& chosen) {
   command->footer(
       "dini fmt parts/*.json\n"
       "dini fmt --check parts/*.json");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FmtOptions>();
   command
       ->add_option("files", options->files,
                    "The documents to rewrite; - reads standard input and writes standard output")

@@ -1,12 +1,13 @@
 #include "cli/given_queue.h"
 
+#include "cli/problems.h"
 #include "cli/terminal.h"
 
 namespace dini::cli {
 
 Result<queue::Address> read_queue(const std::string& text) {
   auto address = queue::read_address(text);
-  if (!address) return Problem{.code = "usage", .detail = "--queue: " + address.problems().front().detail};
+  if (!address) return usage_problem("--queue: " + address.problems().front().detail);
   return address;
 }
 

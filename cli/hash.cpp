@@ -10,7 +10,7 @@
 namespace dini::cli {
 namespace {
 
-struct Options {
+struct HashOptions {
   GraphArguments graph;
   std::string output;
   std::string format;
@@ -18,21 +18,21 @@ struct Options {
 };
 
 /// The outputs whose tags are told: the one asked for, else all.
-Result<std::vector<std::string>> outputs_of(const Options& options, const GivenGraph& given) {
+Result<std::vector<std::string>> outputs_of(const HashOptions& options, const GivenGraph& given) {
   if (!options.output.empty()) return std::vector{options.output};
   const auto interface = given.engine->interface(*given.graph);
   if (!interface) return interface.problems();
   return interface->value("outputs", std::vector<std::string>());
 }
 
-void print(const Json& told) {
+void print_hashes(const Json& told) {
   std::cout << "engine " << told["engine"].get<std::string>() << "\ngraph " << told["graph"].get<std::string>() << "\n";
   for (const auto& [output, tag] : told["outputs"].items()) {
     std::cout << printable(output) << " " << tag.get<std::string>() << "\n";
   }
 }
 
-int run(const Options& options, const EngineMaker& make_engine) {
+int run(const HashOptions& options, const EngineMaker& make_engine) {
   const auto given = options.graph.load(make_engine);
   if (!given) return given.error();
   const auto failed = [&](const Problems& problems) {
@@ -56,7 +56,7 @@ int run(const Options& options, const EngineMaker& make_engine) {
   if (options.graph.console().json()) {
     std::cout << told.dump(2) << "\n";
   } else {
-    print(told);
+    print_hashes(told);
   }
   return exit_ok;
 }
@@ -68,7 +68,7 @@ void add_hash(CLI::App& program, Command& chosen, const EngineMaker& make_engine
       "hash",
       "Print the hash of a graph and the entity tag of each output, without evaluating: equal tags mean equal files");
   command->footer("dini hash ring.json --set reach=2");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<HashOptions>();
   options->graph.add_options(*command);
   command->add_option("--output", options->output, "The export node (default: all)");
   command->add_option("--format", options->format, "The format of the files (default: glb)");

@@ -5,25 +5,25 @@
 #include "cli/computing.h"
 #include "cli/exit_codes.h"
 #include "cli/given_graph.h"
+#include "cli/problems.h"
 
 namespace dini::cli {
 namespace {
 
-struct Options {
+struct InspectOptions {
   GraphArguments graph;
   std::string place;
   bool full = false;
   Computing computing;
 };
 
-int run(Options& options, const EngineMaker& make_engine) {
+int run(InspectOptions& options, const EngineMaker& make_engine) {
   const Console& console = options.graph.console();
   if (const Problems wrong = options.computing.apply(); !wrong.empty()) return console.fail(wrong, exit_usage);
   const auto dot = options.place.find('.');
   if (dot == 0 || options.place.empty() || dot + 1 == options.place.size()) {
-    return console.fail(
-        {{.code = "usage", .detail = "the place to inspect is NODE or NODE.OUTPUT, not '" + options.place + "'"}},
-        exit_usage);
+    return console.fail({usage_problem("the place to inspect is NODE or NODE.OUTPUT, not '" + options.place + "'")},
+                        exit_usage);
   }
   const auto given = options.graph.load(make_engine);
   if (!given) return given.error();
@@ -48,7 +48,7 @@ int run(Options& options, const EngineMaker& make_engine) {
 
 void add_inspect(CLI::App& program, Command& chosen, const EngineMaker& make_engine) {
   auto* command = program.add_subcommand("inspect", "Print the value on a wire, in full double precision, as JSON");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<InspectOptions>();
   options->graph.add_options(*command);
   command->add_option("place", options->place, "NODE or NODE.OUTPUT")->required();
   command->add_flag("--full", options->full, "Meshes with all positions and indices");

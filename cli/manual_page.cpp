@@ -45,11 +45,11 @@ std::string item(const DescribedOption& option) {
   return ".TP\n" + names + "\n" + plain(option.doc + variable) + ".\n";
 }
 
-std::string section(const DescribedCommand& command) {
+std::string manual_section(const DescribedCommand& command) {
   std::string text = ".SS \"dini " + plain(command.name) + "\"\n" + plain(command.doc) + ".\n";
   for (const DescribedOption& option : command.options) text += item(option);
   if (!command.examples.empty()) text += ".PP\n.EX\n" + plain(command.examples) + "\n.EE\n";
-  for (const DescribedCommand& deeper : command.commands) text += section(deeper);
+  for (const DescribedCommand& deeper : command.commands) text += manual_section(deeper);
   return text;
 }
 
@@ -59,7 +59,7 @@ std::string manual_page(const CLI::App& program) {
   std::string page = ".TH DINI 1 \"\" \"Dini " + std::string(engine_version) + "\"\n.SH NAME\ndini \\- " +
                      "evaluate graphs of geometry nodes into models\n.SH SYNOPSIS\n.B dini\n.I COMMAND\n" +
                      ".RI [ OPTION ...]\n.SH DESCRIPTION\n" + plain(program.get_description()) + "\n.SH COMMANDS\n";
-  for (const DescribedCommand& command : described_commands(program)) page += section(command);
+  for (const DescribedCommand& command : described_commands(program)) page += manual_section(command);
   return page + endings;
 }
 

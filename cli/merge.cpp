@@ -7,13 +7,14 @@
 #include "cli/exit_codes.h"
 #include "cli/layout.h"
 #include "cli/output_files.h"
+#include "cli/problems.h"
 #include "cli/terminal.h"
 #include "service/graph_merge.h"
 
 namespace dini::cli {
 namespace {
 
-struct Options {
+struct MergeOptions {
   std::string base, ours, theirs;
   std::optional<std::string> out;
   Console console;
@@ -26,7 +27,7 @@ struct Side {
 };
 
 /// Reads strictly, as all documents are read.
-Expected<Side, int> read_side(const Options& options, const std::string& path, const Limits& limits) {
+Expected<Side, int> read_side(const MergeOptions& options, const std::string& path, const Limits& limits) {
   const auto failed = [&](const Problems& problems, const SourceText* source) {
     return options.console.fail(problems, exit_code_for(problems, Stage::checking), source);
   };
@@ -51,15 +52,14 @@ Problems broken_links(const Engine& engine, const Json& merged) {
   return problems;
 }
 
-int run(const Options& options, const EngineMaker& make_engine) {
+int run(const MergeOptions& options, const EngineMaker& make_engine) {
   const std::string out = options.out.value_or(options.ours);
   if (const Problems wrong = read_twice(options.base, {options.ours, options.theirs}); !wrong.empty()) {
     return options.console.fail(wrong, exit_usage);
   }
   if (out == "-" && options.console.json()) {
     return options.console.fail(
-        {{.code = "usage", .detail = "standard output takes the merged document or the answer of --json, not both"}},
-        exit_usage);
+        {usage_problem("standard output takes the merged document or the answer of --json, not both")}, exit_usage);
   }
   const std::unique_ptr<Engine> engine = make_engine({});
   const auto base = read_side(options, options.base, engine->limits());
@@ -92,7 +92,7 @@ void add_merge(CLI::App& program, Command& chosen, const EngineMaker& make_engin
       "Merge the changes of two sides to one graph document, as a merge driver of git; ends with 1 and changes nothing "
       "where both sides changed the same thing");
   command->footer("dini merge base.json ours.json theirs.json -o merged.json");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<MergeOptions>();
   command->add_option("base", options->base, "The document that both sides began with")->required();
   command->add_option("ours", options->ours, "Our side, which the merged document replaces")->required();
   command->add_option("theirs", options->theirs, "The other side")->required();

@@ -12,7 +12,7 @@
 namespace dini::cli {
 namespace {
 
-struct Options {
+struct NodesOptions {
   bool json = false;
   bool markdown = false;
   bool schema = false;
@@ -41,7 +41,7 @@ NodeExamples read_node_examples() {
   return examples;
 }
 
-int run(const Options& options, const EngineMaker& make_engine) {
+int run(const NodesOptions& options, const EngineMaker& make_engine) {
   const std::unique_ptr<Engine> engine = make_engine({});
   if (options.json) {
     std::cout << engine->catalogue().dump(2) << "\n";
@@ -59,7 +59,7 @@ int run(const Options& options, const EngineMaker& make_engine) {
 
 void add_nodes(CLI::App& program, Command& chosen, const EngineMaker& make_engine) {
   auto* command = program.add_subcommand("nodes", "List the node types");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<NodesOptions>();
   auto* json = command->add_flag("--json", options->json, "The whole catalogue as JSON");
   auto* markdown = command->add_flag("--markdown", options->markdown, "The catalogue as a page to read");
   auto* schema = command->add_flag("--schema", options->schema, "The JSON Schema of graph documents");

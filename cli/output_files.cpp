@@ -12,14 +12,12 @@
 #include <system_error>
 #include <unistd.h>
 
+#include "cli/problems.h"
+
 namespace dini::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-Problem io_problem(const std::string& path, int error) {
-  return {.code = "io", .detail = path + ": " + std::generic_category().message(error)};
-}
 
 /// What stands in the way of a file, as far as a look at the path tells.
 int error_of(const std::string& path) {
@@ -95,7 +93,7 @@ Problems unwritable(const std::vector<OutputPath>& outputs, const std::vector<st
   for (const OutputPath& output : outputs) {
     if (!output.path) continue;
     const std::string& path = *output.path;
-    const auto refused = [](std::string detail) { return Problems{{.code = "usage", .detail = std::move(detail)}}; };
+    const auto refused = [](std::string detail) { return Problems{usage_problem(std::move(detail))}; };
     if (path.empty()) return refused(output.option + " needs a file, or - for standard output");
     const std::string key = key_of(path);
     if (const auto [twice, is_new] = before.emplace(key, output.option); !is_new) {

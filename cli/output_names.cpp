@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/problems.h"
 #include "graph/nearest.h"
 #include "service/graph.h"
 
 namespace dini::cli {
 namespace {
-
-Problem refused(std::string detail) { return {.code = "usage", .detail = std::move(detail)}; }
 
 /// Calls `found` with the name in each pair of braces and where they begin and end.
 template <class Found>
@@ -23,14 +22,14 @@ void each_name(const std::string& pattern, Found found) {
 }
 
 Problems faults_in(const std::string& pattern, const std::vector<std::string>& known) {
-  if (pattern.empty()) return {refused("-o needs a file, or - for standard output")};
+  if (pattern.empty()) return {usage_problem("-o needs a file, or - for standard output")};
   Problems faults;
   each_name(pattern, [&](const std::string& name, std::size_t, std::size_t) {
     if (std::ranges::find(known, name) != known.end()) return;
     std::string list;
     for (const std::string& each : known) list += (list.empty() ? "{" : ", {") + each + "}";
-    faults.push_back(
-        refused("-o " + pattern + ": {" + name + "} means nothing" + did_you_mean(name, known) + "; there is " + list));
+    faults.push_back(usage_problem("-o " + pattern + ": {" + name + "} means nothing" + did_you_mean(name, known) +
+                                   "; there is " + list));
   });
   return faults;
 }
@@ -52,16 +51,16 @@ Result<OutputNames> read_output_names(const std::vector<std::string>& words, con
     if (Problems faults = faults_in(pattern, known); !faults.empty()) return faults;
     if (is_named) {
       if (!read.named.emplace(word.substr(0, equals), pattern).second) {
-        return refused("-o gives the output '" + word.substr(0, equals) + "' twice");
+        return usage_problem("-o gives the output '" + word.substr(0, equals) + "' twice");
       }
     } else if (!read.pattern.empty()) {
-      return refused("-o is given twice; several outputs take NAME=FILE each, or one pattern with {output}");
+      return usage_problem("-o is given twice; several outputs take NAME=FILE each, or one pattern with {output}");
     } else {
       read.pattern = pattern;
     }
   }
   if (!read.pattern.empty() && !read.named.empty()) {
-    return refused("-o takes one pattern, or NAME=FILE for each output, not both");
+    return usage_problem("-o takes one pattern, or NAME=FILE for each output, not both");
   }
   return read;
 }

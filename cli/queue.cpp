@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "cli/exit_codes.h"
 #include "cli/given_queue.h"
+#include "cli/problems.h"
 #include "cli/terminal.h"
 #include "queue/dead_tasks.h"
 
@@ -12,14 +13,13 @@ namespace {
 
 using Act = int (*)(queue::Connection&, const std::string&);
 
-struct Options {
+struct QueueOptions {
   std::string queue;
   std::string entry;
 };
 
 int none(const std::string& entry) {
-  return fail({{.code = "usage", .detail = "no dead variant is called '" + entry + "'; see dini queue dead"}},
-              exit_usage);
+  return fail({usage_problem("no dead variant is called '" + entry + "'; see dini queue dead")}, exit_usage);
 }
 
 int show(queue::Connection& connection, const std::string&) {
@@ -62,7 +62,7 @@ int drop(queue::Connection& connection, const std::string& entry) {
   return *dropped ? exit_ok : none(entry);
 }
 
-int run(const Options& options, Act act) {
+int run(const QueueOptions& options, Act act) {
   const auto address = read_queue(options.queue);
   if (!address) return fail(address.problems(), exit_usage);
   constexpr queue::Patience patience{std::chrono::milliseconds(2000), std::chrono::milliseconds(5000)};
@@ -76,7 +76,7 @@ void add_queue(CLI::App& program, Command& chosen) {
   auto* command = program.add_subcommand("queue", "Look at the queue before the workers, and at what ended them");
   command->require_subcommand(1);
   command->footer("dini queue dead --queue redis://127.0.0.1:6379");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<QueueOptions>();
   const auto add = [&](const char* name, const char* doc, Act act, bool has_entry) {
     auto* subcommand = command->add_subcommand(name, doc);
     subcommand->add_option("--queue", options->queue, std::string("The Redis, as ") + queue_form)

@@ -19,6 +19,7 @@
 #include "cli/limit_options.h"
 #include "cli/log_sink.h"
 #include "cli/output_files.h"
+#include "cli/problems.h"
 #include "cli/terminal.h"
 #include "jobs/memory_reserve.h"
 #include "jobs/process_memory.h"
@@ -29,7 +30,7 @@
 namespace dini::cli {
 namespace {
 
-struct Options {
+struct ServeOptions {
   server::Settings settings;
   Limits limits;
   std::vector<std::string> trusted_proxies;
@@ -54,11 +55,11 @@ constexpr std::size_t spare_share = 8;
 constexpr std::size_t memory_reserve = std::size_t{8} << 20;
 
 /// What the server gets on top of its own deadlines to end before it is ended.
-constexpr std::chrono::seconds patience{5};
+constexpr std::chrono::seconds patience_at_the_end{5};
 
-bool is_json(const Options& options) { return options.settings.log_format == server::LogFormat::json; }
+bool is_json(const ServeOptions& options) { return options.settings.log_format == server::LogFormat::json; }
 
-void begin_log(Options& options) {
+void begin_log(ServeOptions& options) {
   if (options.log_format == "json") options.settings.log_format = server::LogFormat::json;
   spdlog::set_default_logger(std::make_shared<spdlog::logger>("dini", log_sink()));
   if (is_json(options)) {
@@ -70,20 +71,20 @@ void begin_log(Options& options) {
 }
 
 /// Why the server does not start: for people, or a line of the log where all are JSON.
-int fail_to_start(const Options& options, const Problems& problems, int code) {
+int fail_to_start(const ServeOptions& options, const Problems& problems, int code) {
   if (!is_json(options)) return fail(problems, code);
   for (const Problem& problem : problems) spdlog::critical(problem_line(problem));
   return code;
 }
 
 /// Tells people on standard output, and a log of JSON in itself.
-void tell(const Options& options, const std::string& sentence) {
+void tell(const ServeOptions& options, const std::string& sentence) {
   if (is_json(options)) return spdlog::info(sentence);
   // Whether anybody reads this is none of the server's concern.
   write_at_once(STDOUT_FILENO, sentence + "\n");
 }
 
-Problems announce(const Options& options, int port) {
+Problems announce(const ServeOptions& options, int port) {
   const std::string& host = options.settings.host;
   const std::string name = host.find(':') == std::string::npos ? host : "[" + host + "]";
   tell(options, "Dini listens on http://" + name + ":" + std::to_string(port) + options.settings.base_path + "/");
@@ -109,29 +110,28 @@ std::string fault_in_origin(const std::string& origin, const std::string& token)
 
 /// Takes out of the options what is written in words. What is wrong with them, as far as can be told before anything
 /// is started.
-Problems check(Options& options) {
+Problems check(ServeOptions& options) {
   const std::string& host = options.settings.host;
-  if (host.empty()) return {{.code = "usage", .detail = "--host needs an address"}};
+  if (host.empty()) return {usage_problem("--host needs an address")};
   std::error_code ignored;
   if (!options.examples.empty() && !std::filesystem::is_directory(options.examples, ignored)) {
     return {{.code = "io", .detail = options.examples + ": there is no such folder"}};
   }
   if (const std::string wrong = server::fault_in_base_path(options.settings.base_path); !wrong.empty()) {
-    return {{.code = "usage", .detail = "--base-path " + options.settings.base_path + ": " + wrong}};
+    return {usage_problem("--base-path " + options.settings.base_path + ": " + wrong)};
   }
   for (const std::string& text : options.trusted_proxies) {
     const auto network = server::Network::parse(text);
     if (!network) {
-      return {{.code = "usage",
-               .detail = "--trusted-proxy " + text +
-                         ": it is an address, as 10.0.0.1 or ::1, or a network, as "
-                         "10.0.0.0/8"}};
+      return {usage_problem("--trusted-proxy " + text +
+                            ": it is an address, as 10.0.0.1 or ::1, or a network, as "
+                            "10.0.0.0/8")};
     }
     options.settings.trusted_proxies.push_back(*network);
   }
   for (const std::string& origin : options.settings.allowed_origins) {
     if (const std::string wrong = fault_in_origin(origin, options.settings.token); !wrong.empty()) {
-      return {{.code = "usage", .detail = "--allow-origin " + origin + ": " + wrong}};
+      return {usage_problem("--allow-origin " + origin + ": " + wrong)};
     }
   }
   if (!options.queue.empty()) {
@@ -140,12 +140,12 @@ Problems check(Options& options) {
     options.settings.queue = *std::move(address);
   }
   if (!server::is_loopback(host) && options.settings.token.empty()) {
-    return {{.code = "usage", .detail = "--host " + host + " can be reached from elsewhere: give a --token"}};
+    return {usage_problem("--host " + host + " can be reached from elsewhere: give a --token")};
   }
   return {};
 }
 
-int run(Options& options, const EngineMaker& make_engine) {
+int run(ServeOptions& options, const EngineMaker& make_engine) {
   const Problems unread = options.configuration->read();
   begin_log(options);
   const auto refuse = [&](const Problems& problems) {
@@ -159,7 +159,7 @@ int run(Options& options, const EngineMaker& make_engine) {
   }
   if (const Problems wrong = options.computing.apply(); !wrong.empty()) return refuse(wrong);
   std::signal(SIGPIPE, SIG_IGN);  // whoever reads the log may leave
-  EndingSignals signals(options.settings.drain_deadline + patience);
+  EndingSignals signals(options.settings.drain_deadline + patience_at_the_end);
   options.settings.web = find_folder(options.web, "../../web/dist", "../share/dini/web");
   options.settings.examples = find_examples(options.examples);
   if (options.data != no_data) {
@@ -191,7 +191,7 @@ int run(Options& options, const EngineMaker& make_engine) {
 
 void add_serve(CLI::App& program, Command& chosen, const EngineMaker& make_engine) {
   auto* command = program.add_subcommand("serve", "Run the HTTP server and its page");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ServeOptions>();
   server::Settings& settings = options->settings;
   Configuration& configuration = options->configuration.emplace(*command);
   configuration.usual(command->add_option("--host", settings.host, "The address to listen on (default 127.0.0.1)"),

@@ -6,12 +6,12 @@ namespace dini::cli {
 namespace {
 
 /// Far more than any graph within the limits has.
-constexpr std::size_t most_bytes = std::size_t{64} << 20;
+constexpr std::size_t most_source_bytes = std::size_t{64} << 20;
 
 }  // namespace
 
 Result<SourceText> read_source(const std::string& path) {
-  Result<std::string> text = read_input(path, most_bytes);
+  Result<std::string> text = read_input(path, most_source_bytes);
   if (!text) return text.problems();
   SourceText source{path == "-" ? "standard input" : path, *std::move(text)};
   if (source.text.starts_with("\xFF\xFE") || source.text.starts_with("\xFE\xFF")) {

@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/exit_codes.h"
 #include "cli/folders.h"
+#include "cli/problems.h"
 #include "cli/terminal.h"
 #include "store/asset_folder.h"
 #include "store/graph_store.h"
@@ -12,7 +13,7 @@
 namespace dini::cli {
 namespace {
 
-struct Options {
+struct StoreOptions {
   std::string data;
   std::string backup;
 };
@@ -21,12 +22,10 @@ using OpenedStore = Result<std::unique_ptr<store::GraphStore>>;
 
 /// Opens the folder in one of the two ways, and goes on with what it holds.
 template <class Work>
-int with_store(const Options& options, OpenedStore (*open)(const std::filesystem::path&), Work work) {
+int with_store(const StoreOptions& options, OpenedStore (*open)(const std::filesystem::path&), Work work) {
   const std::filesystem::path folder = data_folder(options.data);
   if (folder.empty()) {
-    return fail(
-        {{.code = "usage", .detail = "say with --data which folder: there is no HOME to find the usual one in"}},
-        exit_usage);
+    return fail({usage_problem("say with --data which folder: there is no HOME to find the usual one in")}, exit_usage);
   }
   const OpenedStore store = open(folder);
   if (!store) return fail(store.problems(), exit_io);
@@ -93,8 +92,8 @@ void add_store(CLI::App& program, Command& chosen) {
   auto* command = program.add_subcommand("store", "Look after the graphs that a server keeps");
   command->require_subcommand(1);
   // Each has options of its own: the environment is read for all of them, also for those that were not given.
-  const auto add = [&](const char* name, const char* help, std::function<int(const Options&)> run,
-                       const std::shared_ptr<Options>& options = std::make_shared<Options>()) {
+  const auto add = [&](const char* name, const char* help, std::function<int(const StoreOptions&)> run,
+                       const std::shared_ptr<StoreOptions>& options = std::make_shared<StoreOptions>()) {
     auto* subcommand = command->add_subcommand(name, help);
     subcommand
         ->add_option("--data", options->data, "The folder of the server (default: dini in the user's data folder)")
@@ -102,11 +101,11 @@ void add_store(CLI::App& program, Command& chosen) {
     subcommand->callback([run = std::move(run), options, &chosen] { chosen = [=] { return run(*options); }; });
     return subcommand;
   };
-  const auto backup = std::make_shared<Options>();
-  add("list", "List the graphs: name and version, bytes, hash, title", [](const Options& options) {
+  const auto backup = std::make_shared<StoreOptions>();
+  add("list", "List the graphs: name and version, bytes, hash, title", [](const StoreOptions& options) {
     return with_store(options, store::GraphStore::open_to_read, [](auto& store, const auto&) { return list(store); });
   });
-  add("check", "Read everything that is kept and say whether it is what was written", [](const Options& options) {
+  add("check", "Read everything that is kept and say whether it is what was written", [](const StoreOptions& options) {
     return with_store(options, store::GraphStore::open_to_read,
                       [](auto& store, const auto& folder) { return check(store, folder); });
   });
@@ -114,7 +113,7 @@ void add_store(CLI::App& program, Command& chosen) {
       "backup",
       "Write everything into a new file while the server goes on, uploaded files into a folder beside it; put back as "
       "dini.db and assets in an empty folder",
-      [](const Options& options) {
+      [](const StoreOptions& options) {
         return with_store(options, store::GraphStore::open_to_read,
                           [&](auto& store, const auto& folder) { return back_up(store, folder, options.backup); });
       },
@@ -122,7 +121,7 @@ void add_store(CLI::App& program, Command& chosen) {
       ->add_option("file", backup->backup, "The file to write; uploaded files go into FILE.assets")
       ->required();
   add("purge", "Forget deleted graphs and all their versions for ever; while no server runs",
-      [](const Options& options) {
+      [](const StoreOptions& options) {
         return with_store(options, open_to_write, [](auto& store, const auto&) { return purge(store); });
       });
 }

@@ -9,6 +9,7 @@
 #include "cli/in_order.h"
 #include "cli/output_files.h"
 #include "cli/output_names.h"
+#include "cli/problems.h"
 #include "cli/quality_option.h"
 #include "cli/run_options.h"
 #include "cli/sweeping/axes.h"
@@ -21,7 +22,7 @@
 namespace dini::cli {
 namespace {
 
-struct Options {
+struct SweepOptions {
   GraphArguments graph;
   std::vector<std::string> grids, lists;
   std::optional<std::string> out, csv, report;
@@ -43,7 +44,7 @@ struct Wanted {
 
 /// A sweep, once everything about it is known.
 struct Sweeping {
-  const Options& options;
+  const SweepOptions& options;
   const GivenGraph& given;
   jobs::SweepRequest request;
   std::vector<Wanted> wanted = {};
@@ -63,7 +64,7 @@ std::map<std::string, std::string> names_of(const std::string& graph, const Want
   return names;
 }
 
-Result<jobs::SweepRequest> request_of(const Options& options, const GivenGraph& given) {
+Result<jobs::SweepRequest> request_of(const SweepOptions& options, const GivenGraph& given) {
   const auto axes = read_axes(options.grids, options.lists, given.engine->limits());
   if (!axes) return axes.problems();
   auto variants = Variants::read({.grid = *axes}, given.parameters, given.engine->limits().sweep_variants);
@@ -88,7 +89,7 @@ Result<jobs::SweepRequest> request_of(const Options& options, const GivenGraph& 
 }
 
 /// The format is that of the name, as for one evaluation.
-Problems choose_format(jobs::SweepRequest& request, const Options& options, const Engine& engine) {
+Problems choose_format(jobs::SweepRequest& request, const SweepOptions& options, const Engine& engine) {
   if (!request.base.format.empty() || !options.out) return {};
   const std::string ending = std::filesystem::path(*options.out).extension().string();
   const FileFormat* format = format_of_extension(engine.formats(), ending);
@@ -96,11 +97,11 @@ Problems choose_format(jobs::SweepRequest& request, const Options& options, cons
     if (format != nullptr) request.base.format = format->name;
     return {};
   }
-  return {{.code = "usage", .detail = "-o " + *options.out + ": " + ending + " is no format that can be written"}};
+  return {usage_problem("-o " + *options.out + ": " + ending + " is no format that can be written")};
 }
 
 /// Those variants that this process makes, with their files.
-Result<std::vector<Wanted>> wanted_of(const Options& options, const jobs::SweepRequest& request) {
+Result<std::vector<Wanted>> wanted_of(const SweepOptions& options, const jobs::SweepRequest& request) {
   std::vector<Wanted> wanted;
   for (std::size_t index = options.index; index < request.variants.size(); index += options.count) {
     for (const std::string& output : request.outputs_of_variant()) {
@@ -119,15 +120,14 @@ Result<std::vector<Wanted>> wanted_of(const Options& options, const jobs::SweepR
     each.file = filled(*options.out, names_of(options.graph.path(), each));
     if (files.insert(*each.file).second) continue;
     const std::string all = request.outputs.size() > 1 ? "{index} and {output}" : "{index}, or all of its parameters,";
-    return Problem{.code = "usage",
-                   .detail = "-o " + *options.out + ": " + *each.file +
-                             " would be written twice; the name of each variant is its own with " + all + " in it"};
+    return usage_problem("-o " + *options.out + ": " + *each.file +
+                         " would be written twice; the name of each variant is its own with " + all + " in it");
   }
   return wanted;
 }
 
 SweptVariant swept(const Sweeping& sweeping, const Wanted& wanted) {
-  const Options& options = sweeping.options;
+  const SweepOptions& options = sweeping.options;
   const Engine& engine = *sweeping.given.engine;
   SweptVariant variant{
       .index = wanted.index, .setting = wanted.setting, .output = wanted.output, .file = wanted.file.value_or("")};
@@ -164,7 +164,7 @@ std::string text_of(const Json& setting) {
   return text;
 }
 
-void tell(const Options& options, const SourceText& source, const SweptVariant& variant) {
+void tell(const SweepOptions& options, const SourceText& source, const SweptVariant& variant) {
   Problems problems = variant.outcome.problems;
   for (Problem& problem : problems) {
     const std::string which = options.outputs.size() > 1 ? ", output " + variant.output : "";
@@ -175,7 +175,7 @@ void tell(const Options& options, const SourceText& source, const SweptVariant& 
 }
 
 std::vector<SweptVariant> sweep(const Sweeping& sweeping) {
-  const Options& options = sweeping.options;
+  const SweepOptions& options = sweeping.options;
   std::vector<SweptVariant> variants;
   FailFast fail_fast(options.running);
   Progress progress(sweeping.wanted.size(), !options.quiet);
@@ -212,7 +212,7 @@ Json report_of(const std::vector<SweptVariant>& variants, std::size_t wanted, in
 }
 
 int finish(const Sweeping& sweeping, const std::vector<SweptVariant>& variants) {
-  const Options& options = sweeping.options;
+  const SweepOptions& options = sweeping.options;
   int code = exit_ok;
   std::size_t failures = 0, known = 0;
   for (const SweptVariant& variant : variants) {
@@ -237,14 +237,14 @@ int finish(const Sweeping& sweeping, const std::vector<SweptVariant>& variants) 
   return code;
 }
 
-int run(Options& options, const EngineMaker& make_engine) {
+int run(SweepOptions& options, const EngineMaker& make_engine) {
   const Console& console = options.graph.console();
   const auto refused = [&](const Problems& problems) {
     return console.fail(problems, exit_code_for(problems, Stage::checking));
   };
   if (const Problems wrong = options.running.apply(); !wrong.empty()) return refused(wrong);
   if (options.index >= options.count) {
-    return refused({{.code = "usage", .detail = "--index counts from 0 and stays below --count"}});
+    return refused({usage_problem("--index counts from 0 and stays below --count")});
   }
   const std::vector<OutputPath> tables = {{"--csv", options.csv, OutputKind::table},
                                           {"--report", options.report, OutputKind::report}};
@@ -285,7 +285,7 @@ void add_sweep(CLI::App& program, Command& chosen, const EngineMaker& make_engin
       "dini sweep ring.json --grid reach=0:2:9 --list rule=paper,exact -o 'out/{reach}-{rule}.glb' --csv measures.csv "
       "--mkdir\n"
       "dini sweep ring.json --grid reach=0:2:400 -o 'out/{index}.glb' --index 0 --count 4");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SweepOptions>();
   options->graph.add_options(*command);
   command
       ->add_option("--grid", options->grids,

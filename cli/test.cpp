@@ -19,7 +19,7 @@
 namespace dini::cli {
 namespace {
 
-struct Options {
+struct TestOptions {
   std::vector<std::string> paths = {"."};
   GoldenOptions golden;
   std::optional<std::string> report, junit, sarif, markdown;
@@ -37,7 +37,7 @@ struct Options {
   }
 };
 
-std::vector<OutputPath> outputs_of(const Options& options) {
+std::vector<OutputPath> outputs_of(const TestOptions& options) {
   return {{"--report", options.report, OutputKind::report},
           {"--junit", options.junit, OutputKind::xml},
           {"--sarif", options.sarif, OutputKind::log},
@@ -45,13 +45,13 @@ std::vector<OutputPath> outputs_of(const Options& options) {
 }
 
 /// One case of one graph; none for a graph that cannot be tested.
-struct Work {
+struct TestWork {
   const TestGraph* graph = nullptr;
   const TestCase* asked = nullptr;
 };
 
-std::vector<Work> works_of(const std::vector<TestGraph>& graphs) {
-  std::vector<Work> works;
+std::vector<TestWork> works_of(const std::vector<TestGraph>& graphs) {
+  std::vector<TestWork> works;
   for (const TestGraph& graph : graphs) {
     if (!graph.can_run()) works.push_back({&graph, nullptr});
     if (!graph.can_run()) continue;
@@ -60,21 +60,21 @@ std::vector<Work> works_of(const std::vector<TestGraph>& graphs) {
   return works;
 }
 
-CaseResult done(const Options& options, const Engine& engine, const Work& work) {
+CaseResult done(const TestOptions& options, const Engine& engine, const TestWork& work) {
   if (work.asked == nullptr) return work.graph->failure;
   return run_case(engine, *work.graph, *work.asked, options.golden, options.running);
 }
 
-std::size_t title_width(const std::vector<Work>& works) {
+std::size_t title_width(const std::vector<TestWork>& works) {
   std::size_t width = 0;
-  for (const Work& work : works) {
+  for (const TestWork& work : works) {
     const CaseResult named{.graph = work.graph->found.path, .name = work.asked != nullptr ? work.asked->name : ""};
     width = std::max(width, named.title().size());
   }
   return width;
 }
 
-void tell(const Options& options, const CaseResult& result, std::size_t width) {
+void tell(const TestOptions& options, const CaseResult& result, std::size_t width) {
   if (options.console.json()) return;
   if (options.has_table() && (!options.quiet || !result.passed())) {
     std::cout << table_line(result, width, options.console.colors_output()) << std::endl;
@@ -91,7 +91,7 @@ void tell(const Options& options, const CaseResult& result, std::size_t width) {
 
 /// What is left of cases that are no more goes, or fails: golden results and cases are held against each other both
 /// ways.
-void add_stale(const Options& options, const std::vector<CaseResult>& stale, std::vector<CaseResult>& results) {
+void add_stale(const TestOptions& options, const std::vector<CaseResult>& stale, std::vector<CaseResult>& results) {
   for (const CaseResult& left : stale) {
     const bool says = options.has_table() && !options.quiet;
     if (!options.golden.update) {
@@ -108,14 +108,15 @@ void add_stale(const Options& options, const std::vector<CaseResult>& stale, std
   }
 }
 
-std::vector<CaseResult> all_results(const Options& options, const Engine& engine, const std::vector<Work>& works) {
+std::vector<CaseResult> all_results(const TestOptions& options, const Engine& engine,
+                                    const std::vector<TestWork>& works) {
   std::vector<CaseResult> results;
   FailFast fail_fast(options.running);
   const std::size_t width = title_width(works);
   do_in_order<CaseResult>(
       works.size(), options.running.at_once(),
       [&](std::size_t index) {
-        const Work& work = works[index];
+        const TestWork& work = works[index];
         if (fail_fast.stopped()) {
           return CaseResult{
               .graph = work.graph->found.path, .name = work.asked != nullptr ? work.asked->name : "", .skipped = true};
@@ -132,7 +133,7 @@ std::vector<CaseResult> all_results(const Options& options, const Engine& engine
 }
 
 /// Writes everything that is asked for; the last word of each call.
-int finish(const Options& options, const TestRun& begun, const std::vector<CaseResult>& results, int code) {
+int finish(const TestOptions& options, const TestRun& begun, const std::vector<CaseResult>& results, int code) {
   const auto write = [&](const std::optional<std::string>& path, const auto& make) {
     if (!path) return;
     const Problems wrong = write_output(*path, make());
@@ -149,13 +150,13 @@ int finish(const Options& options, const TestRun& begun, const std::vector<CaseR
 }
 
 /// What keeps everything from being tested is reported as the failure of one case.
-int finish_early(const Options& options, const TestRun& begun, const Problems& problems) {
+int finish_early(const TestOptions& options, const TestRun& begun, const Problems& problems) {
   const int code = exit_code_for(problems, Stage::checking);
   if (!options.console.json()) options.console.problems(problems);
   return finish(options, begun, {{.graph = options.paths.front(), .code = code, .problems = problems}}, code);
 }
 
-int run(Options& options, const EngineMaker& make_engine) {
+int run(TestOptions& options, const EngineMaker& make_engine) {
   const auto refused = [&](const Problems& problems) {
     return options.console.fail(problems, exit_code_for(problems, Stage::checking));
   };
@@ -214,7 +215,7 @@ void add_test(CLI::App& program, Command& chosen, const EngineMaker& make_engine
       "dini test\n"
       "dini test parts --update-golden --golden golden\n"
       "dini test parts --golden golden --junit junit.xml --sarif dini.sarif --markdown summary.md");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TestOptions>();
   command->add_option("paths", options->paths, "Graphs, and folders to find graphs in (default: this folder)");
   add_golden_options(*command, options->golden);
   command->add_option("--report", options->report, "Where the results go as JSON, or - for standard output");

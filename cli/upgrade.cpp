@@ -13,7 +13,7 @@ namespace {
 /// The newest format of documents, and so far the only one. A newer one has its step from the one before in `upgrade`.
 constexpr int newest_format = 1;
 
-struct Options {
+struct UpgradeOptions {
   std::vector<std::string> files;
   Console console;
 };
@@ -37,7 +37,7 @@ void upgrade(const std::string& path, const Engine& engine, bool says, DocumentR
   results.add(source->name, {{"format", newest_format}, {"changed", false}});
 }
 
-int run(const Options& options, const EngineMaker& make_engine) {
+int run(const UpgradeOptions& options, const EngineMaker& make_engine) {
   if (const Problems wrong = read_twice("", options.files); !wrong.empty()) {
     return options.console.fail(wrong, exit_usage);
   }
@@ -51,7 +51,7 @@ int run(const Options& options, const EngineMaker& make_engine) {
 
 void add_upgrade(CLI::App& program, Command& chosen, const EngineMaker& make_engine) {
   auto* command = program.add_subcommand("upgrade", "Bring graph documents of older formats to the newest one");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<UpgradeOptions>();
   command->add_option("files", options->files, "The documents, or - for standard input")->required();
   options->console.add_json_option(*command, "Answer as JSON: the format of each file, or what is wrong with it");
   options->console.add_options(*command);

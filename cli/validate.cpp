@@ -9,7 +9,7 @@
 namespace dini::cli {
 namespace {
 
-struct Options {
+struct ValidateOptions {
   GraphArguments graph;
 };
 
@@ -23,7 +23,7 @@ void print_valid(const Json& verdict) {
   std::cout << "valid" << printable(cost) << (cost.empty() ? "" : ")") << "\n";
 }
 
-int run(const Options& options, const EngineMaker& make_engine) {
+int run(const ValidateOptions& options, const EngineMaker& make_engine) {
   const auto given = options.graph.load(make_engine);
   if (!given) return given.error();
   // As if in a request: only so the pointers tell what is wrong with the graph from what is wrong with the parameters.
@@ -47,7 +47,7 @@ int run(const Options& options, const EngineMaker& make_engine) {
 void add_validate(CLI::App& program, Command& chosen, const EngineMaker& make_engine) {
   auto* command =
       program.add_subcommand("validate", "List everything that is wrong with a graph, without evaluating it");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ValidateOptions>();
   options->graph.add_options(*command);
   options->graph.add_json_option(*command, "Answer as JSON, with types, axes and predicted cost");
   command->callback(

@@ -139,11 +139,22 @@ void Worker::compute(queue::TaskTaker& taker, const queue::Task& task) {
     place = running_.insert(running_.end(), {task, job});
   }
   enter(task);
+  const auto begun = std::chrono::steady_clock::now();
   const auto line = line_of(taker, task, *job);
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begun;
   leave(task);
-  if (line) tell(taker, task, *job, *line);
+  const bool is_counted = line && tell(taker, task, *job, *line);
   const std::lock_guard lock(mutex_);
   running_.erase(place);
+  ++(is_counted ? counts_.counted : counts_.in_vain);
+  counts_.seconds += spent.count();
+}
+
+Worker::Counts Worker::counts() const {
+  const std::lock_guard lock(mutex_);
+  Counts counts = counts_;
+  counts.running = running_.size();
+  return counts;
 }
 
 /// What came of a variant, sealed; nothing when it is to be left to others or nobody wants it.
@@ -168,14 +179,15 @@ std::optional<std::string> Worker::line_of(queue::TaskTaker& taker, const queue:
   return std::nullopt;
 }
 
-/// Tells a line, however long that takes, unless others have the variant by then.
-void Worker::tell(queue::TaskTaker& taker, const queue::Task& task, const Job& job, const std::string& line) {
+/// Tells a line, however long that takes, unless others have the variant by then; whether it was the first.
+bool Worker::tell(queue::TaskTaker& taker, const queue::Task& task, const Job& job, const std::string& line) {
   while (!job.cancel.stopped()) {
     const auto finished = taker.finish(task, line);
-    if (finished) return;
-    if (is_stopped()) return;
+    if (finished) return *finished == queue::TaskTaker::Finished::counted;
+    if (is_stopped()) return false;
     pause(trouble_pause);
   }
+  return false;
 }
 
 Worker::SharedKnown Worker::known_sweep(queue::TaskTaker& taker, const std::string& id) {

@@ -27,6 +27,14 @@ class Worker {
     std::chrono::milliseconds silence{15'000};  ///< see queue::TaskTaker
   };
 
+  /// What it did since it began.
+  struct Counts {
+    std::size_t counted = 0;  ///< variants whose line was taken
+    std::size_t in_vain = 0;  ///< computed, but others were quicker, or nobody wants it any more
+    double seconds = 0;       ///< spent with variants, over all threads
+    std::size_t running = 0;  ///< variants at this moment
+  };
+
   Worker(const Engine& engine, const Terms& terms);
   /// Finishes what is being computed.
   ~Worker();
@@ -37,6 +45,7 @@ class Worker {
   queue::Answered<bool> start();
 
   const std::string& name() const { return name_; }
+  Counts counts() const;
 
  private:
   struct Running {
@@ -60,7 +69,7 @@ class Worker {
   std::optional<std::string> line_of(queue::TaskTaker& taker, const queue::Task& task, const Job& job);
   SharedKnown known_sweep(queue::TaskTaker& taker, const std::string& id);
   bool has_files(queue::TaskTaker& taker, const Known& known);
-  void tell(queue::TaskTaker& taker, const queue::Task& task, const Job& job, const std::string& line);
+  bool tell(queue::TaskTaker& taker, const queue::Task& task, const Job& job, const std::string& line);
   bool is_stopped() const;
   void pause(std::chrono::milliseconds time);
 
@@ -74,6 +83,7 @@ class Worker {
   bool stopped_ = false;
   bool beats_ = true;
   std::list<Running> running_;
+  Counts counts_;
   std::size_t computing_ = 0;
   std::size_t suspects_ = 0;                              ///< that wait to be computed
   bool is_suspected_ = false;                             ///< one is computed

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <optional>
 
+#include "cli/problems.h"
+
 namespace dini::cli {
 namespace {
 
 constexpr std::size_t most_values = 1'000'000;
-
-Problem refused(std::string detail) { return {.code = "usage", .detail = std::move(detail)}; }
 
 template <class Number>
 std::optional<Number> number_in(std::string_view text) {
@@ -82,12 +82,12 @@ Result<Json> read_axes(const std::vector<std::string>& grids, const std::vector<
                        const std::string& accepted) -> Problems {
     const std::size_t equals = word.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == word.size()) {
-      return {refused(option + " takes " + accepted + ", not '" + word + "'")};
+      return {usage_problem(option + " takes " + accepted + ", not '" + word + "'")};
     }
     const std::string name = word.substr(0, equals);
-    if (axes.contains(name)) return {refused("the values of '" + name + "' are given twice")};
+    if (axes.contains(name)) return {usage_problem("the values of '" + name + "' are given twice")};
     std::optional<Json> values = values_of(word.substr(equals + 1));
-    if (!values) return {refused(option + " takes " + accepted + ", not '" + word + "'")};
+    if (!values) return {usage_problem(option + " takes " + accepted + ", not '" + word + "'")};
     axes[name] = *std::move(values);
     return {};
   };
@@ -102,7 +102,7 @@ Result<Json> read_axes(const std::vector<std::string>& grids, const std::vector<
     if (Problems wrong = add(word, "--list", listed, "NAME=VALUE,VALUE,..."); !wrong.empty()) return wrong;
   }
   if (axes.empty())
-    return refused("a sweep needs the values of a parameter: --grid NAME=FROM:TO:COUNT or --list NAME=A,B");
+    return usage_problem("a sweep needs the values of a parameter: --grid NAME=FROM:TO:COUNT or --list NAME=A,B");
   return axes;
 }
 

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "cli/documents.h"
+#include "cli/problems.h"
 
 namespace dini::cli {
 
@@ -45,7 +46,7 @@ Problems Ledger::add(const std::string& file, const std::string& tag, const std:
   const int error = errno;
   if (descriptor >= 0) ::close(descriptor);
   if (written) return {};
-  return {{.code = "io", .detail = path_.string() + ": " + std::generic_category().message(error)}};
+  return {io_problem(path_.string(), error)};
 }
 
 }  // namespace dini::cli

@@ -5,16 +5,16 @@
 namespace dini::cli {
 namespace {
 
-std::string cell(const std::string& text) {
+std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
   return quoted + "\"";
 }
 
-std::string cell(const Json& value) {
+std::string csv_cell(const Json& value) {
   if (value.is_null()) return "";
-  return cell(value.is_string() ? value.get<std::string>() : dump(value));
+  return csv_cell(value.is_string() ? value.get<std::string>() : dump(value));
 }
 
 std::string line(const std::vector<std::string>& cells) {
@@ -30,23 +30,23 @@ std::string table_of(const std::vector<SweptVariant>& variants, const std::vecto
   static const std::vector<std::string> of_model = {"bytes", "vertices", "triangles", "sha256"};
   std::vector<std::string> head = {"index"};
   const Json names = variants.empty() ? Json::object() : variants.front().setting;
-  for (const auto& [name, value] : names.items()) head.push_back(cell(name));
+  for (const auto& [name, value] : names.items()) head.push_back(csv_cell(name));
   if (tells_outputs) head.emplace_back("output");
   head.insert(head.end(), {"file", "result"});
   head.insert(head.end(), of_model.begin(), of_model.end());
-  for (const std::string& measure : measures) head.push_back(cell(measure));
+  for (const std::string& measure : measures) head.push_back(csv_cell(measure));
   std::string table = line(head);
   for (const SweptVariant& variant : variants) {
     const Outcome& outcome = variant.outcome;
     std::vector<std::string> cells = {std::to_string(variant.index)};
-    for (const auto& [name, value] : variant.setting.items()) cells.push_back(cell(value));
-    if (tells_outputs) cells.push_back(cell(variant.output));
-    cells.push_back(cell(variant.file));
-    cells.push_back(outcome.code == exit_ok ? "ok" : cell(outcome.problems.front().code));
+    for (const auto& [name, value] : variant.setting.items()) cells.push_back(csv_cell(value));
+    if (tells_outputs) cells.push_back(csv_cell(variant.output));
+    cells.push_back(csv_cell(variant.file));
+    cells.push_back(outcome.code == exit_ok ? "ok" : csv_cell(outcome.problems.front().code));
     const Json model = outcome.report.value("model", Json::object());
-    for (const std::string& name : of_model) cells.push_back(cell(model.value(name, Json())));
+    for (const std::string& name : of_model) cells.push_back(csv_cell(model.value(name, Json())));
     const Json measured = outcome.report.value("measures", Json::object());
-    for (const std::string& measure : measures) cells.push_back(cell(measured.value(measure, Json())));
+    for (const std::string& measure : measures) cells.push_back(csv_cell(measured.value(measure, Json())));
     table += line(cells);
   }
   return table;

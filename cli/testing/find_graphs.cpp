@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "cli/output_files.h"
+#include "cli/problems.h"
 #include "cli/source_text.h"
 
 namespace dini::cli {
@@ -25,10 +26,6 @@ bool is_graph(const fs::path& path) {
   return json.is_discarded() ? source->text.find("\"nodes\"") != std::string::npos : looks_like_graph(json);
 }
 
-Problem io_problem(const fs::path& path, const std::error_code& error) {
-  return {.code = "io", .detail = path.string() + ": " + error.message()};
-}
-
 Problems find_in(const fs::path& root, std::vector<FoundGraph>& found) {
   std::error_code error;
   fs::recursive_directory_iterator entry(root, error);
@@ -40,7 +37,7 @@ Problems find_in(const fs::path& root, std::vector<FoundGraph>& found) {
       found.push_back({entry->path().lexically_normal().string(), root});
     }
   }
-  if (error) return {io_problem(root, error)};
+  if (error) return {io_problem(root.string(), error.value())};
   return {};
 }
 
@@ -64,7 +61,7 @@ Result<std::vector<FoundGraph>> find_graphs(const std::vector<std::string>& path
   if (!found.empty()) return found;
   std::string list;
   for (const std::string& path : paths) list += (list.empty() ? "" : ", ") + path;
-  return Problem{.code = "usage", .detail = "there is no graph in " + list};
+  return usage_problem("there is no graph in " + list);
 }
 
 }  // namespace dini::cli

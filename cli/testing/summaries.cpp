@@ -56,7 +56,7 @@ Json output_json(const OutputResult& made) {
 }
 
 /// Text that ends no cell of a table and is no markup.
-std::string cell(const std::string& text) {
+std::string markdown_cell(const std::string& text) {
   std::string result;
   for (const char c : printable(text)) {
     if (std::string_view("|<>&*_`[]\\").find(c) != std::string_view::npos) result += '\\';
@@ -92,13 +92,13 @@ std::string test_page_of(const std::vector<CaseResult>& results) {
                      "|---|---|---|---:|---:|---|\n";
   std::string details;
   for (const CaseResult& result : results) {
-    page += "| " + verdict_of(result) + " | " + cell(result.graph) + " | " + cell(result.name) + " | " +
-            in_milliseconds(result.milliseconds) + " | " + std::to_string(bytes_of(result)) + " | " +
-            cell(comparison_of(result)) + " |\n";
+    page += "| " + verdict_of(result) + " | " + markdown_cell(result.graph) + " | " + markdown_cell(result.name) +
+            " | " + in_milliseconds(result.milliseconds) + " | " + std::to_string(bytes_of(result)) + " | " +
+            markdown_cell(comparison_of(result)) + " |\n";
     for (const Problem& problem : result.problems) {
       details += "- " +
-                 cell((result.name.empty() ? "" : "case " + result.name + ": ") +
-                      problem_line(problem, result.source ? &*result.source : nullptr)) +
+                 markdown_cell((result.name.empty() ? "" : "case " + result.name + ": ") +
+                               problem_line(problem, result.source ? &*result.source : nullptr)) +
                  "\n";
     }
   }

@@ -187,6 +187,38 @@ TEST_CASE("A damaged line is seen, counted and computed again") {
   CHECK(fleet.metric("dini_queue_damaged_total") >= 1);
 }
 
+TEST_CASE("A worker tells Prometheus what it does") {
+  Fleet fleet(toy, 0);
+  const int port = support::free_port();
+  fleet.add_worker({"--threads", "1", "--metrics", std::to_string(port)});
+  REQUIRE(support::eventually([&] { return fleet.live_workers() == 1; }));
+  check_complete(support::post(fleet.port(), "/v1/sweeps", support::toy_sweep(5, 1).dump()), 5);
+  const auto has = [&](const std::string& line) {
+    const auto answer = support::get(port, "/metrics");
+    return answer && answer->status == 200 && answer->body.find("\n" + line + "\n") != std::string::npos;
+  };
+  CHECK(support::eventually([&] { return has("dini_worker_variants_total 5"); }));
+  CHECK(support::eventually([&] { return has("dini_worker_running 0"); }));
+  CHECK(has("dini_worker_in_vain_total 0"));
+  CHECK(has("dini_build_info{version=\"0.0.0-toy\"} 1"));
+}
+
+TEST_CASE("A worker says why it cannot tell Prometheus anything") {
+  support::RedisServer redis;
+  const auto said = [&](const std::string& address) {
+    return support::Program({toy, "worker", "--queue", redis.url(), "--metrics", address}).wait();
+  };
+  for (const char* wrong : {"", "here", "127.0.0.1:", "127.0.0.1:99999", "80a"}) {
+    CAPTURE(wrong);
+    const auto outcome = said(wrong);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.err.find("--metrics takes PORT or HOST:PORT") != std::string::npos);
+  }
+  const auto taken = said(std::to_string(redis.port()));
+  CHECK(taken.code == 75);
+  CHECK(taken.err.find("cannot be listened at") != std::string::npos);
+}
+
 TEST_CASE("A worker ends by what it was told: 0 by a signal, 2 for what is wrong, 75 for what may pass") {
   support::RedisServer redis({"--requirepass", "right"});
   const std::string host = "127.0.0.1:" + std::to_string(redis.port());
