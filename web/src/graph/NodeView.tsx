@@ -125,11 +125,12 @@ function Rows({ node, isOpen, isUnfolded }: { node: ViewNode; isOpen: boolean; i
       )}
       {node.outputs.map((row) => (
         <div className="node-row node-output" key={row.name}>
-          <span className="row-name">{row.name}</span>
+          <span className="row-name">{row.title}</span>
           <Socket
             node={node.id}
             side="output"
             name={row.name}
+            title={row.title}
             type={row.type}
             nodeTitle={node.title}
             description={row.description}
@@ -150,6 +151,7 @@ const Input = memo(function Input({ row, id, title }: { row: InputRow; id: strin
           node={id}
           side="input"
           name={row.name}
+          title={row.title}
           type={row.type}
           nodeTitle={title}
           description={row.description}
@@ -161,7 +163,7 @@ const Input = memo(function Input({ row, id, title }: { row: InputRow; id: strin
         title={row.description}
         onDoubleClick={row.linked || row.isDefault ? undefined : reset}
       >
-        {row.name}
+        {row.title}
       </span>
       {row.parameter !== undefined ? (
         <span className="row-parameter" title={`Driven by the parameter “${row.parameter}”`}>
@@ -187,6 +189,7 @@ function Ports({ node }: { node: ViewNode }): ReactElement {
             {...common}
             side="input"
             name={row.name}
+            title={row.title}
             type={row.type}
             description={row.description}
           />
@@ -197,6 +200,7 @@ function Ports({ node }: { node: ViewNode }): ReactElement {
           {...common}
           side="output"
           name={row.name}
+          title={row.title}
           type={row.type}
           description={row.description}
         />

@@ -9,6 +9,8 @@ interface SocketProps {
   node: string;
   side: "input" | "output";
   name: string;
+  /** The name as people read it. */
+  title: string;
   type: string;
   nodeTitle: string;
   description: string;
@@ -19,6 +21,7 @@ export const Socket = memo(function Socket({
   node,
   side,
   name,
+  title,
   type,
   nodeTitle,
   description,
@@ -35,7 +38,7 @@ export const Socket = memo(function Socket({
     const box = element.getBoundingClientRect();
     editor.openConnect({ node, side, name }, { x: box.left + box.width / 2, y: box.bottom + 8 });
   };
-  const shown = { node, side, name, type, description };
+  const shown = { node, side, name, title, type, description };
   return (
     <Handle
       id={name}
@@ -46,7 +49,7 @@ export const Socket = memo(function Socket({
       tabIndex={-1}
       data-stop
       data-fit={fit}
-      aria-label={`${side === "input" ? "Input" : "Output"} ${name} of ${nodeTitle}, ${type || "unknown type"}`}
+      aria-label={`${side === "input" ? "Input" : "Output"} ${title} of ${nodeTitle}, ${type || "unknown type"}`}
       aria-haspopup="dialog"
       onPointerEnter={(event) => inspectSocket(editor, shown, event.currentTarget)}
       onPointerLeave={() => inspectSocket(editor, null)}

@@ -2,6 +2,7 @@ import type { ReactElement } from "react";
 import { useCurrent, useCurrentSession } from "../widgets/context";
 import { Icon } from "../widgets/Icon";
 import { ParameterRow } from "./ParameterRow";
+import { PlayerBar } from "./PlayerBar";
 import { Variants } from "./Variants";
 
 /** A row per graph parameter. Changing one evaluates the graph again. */
@@ -19,6 +20,7 @@ export function Controls(): ReactElement {
           <ParameterRow key={parameter.name} parameter={parameter} />
         ))}
       </div>
+      <PlayerBar />
       <Variants />
       {isChanged && (
         <button type="button" className="button quiet" onClick={() => session.resetParameters()}>

@@ -1,5 +1,6 @@
 // Adding a found node: at a free place, wired to the loose end or into the wire it was looked for.
 
+import { beginningValues } from "../model/beginnings";
 import type { GraphDocument } from "../model/document";
 import { addNodes, type Edit, freeId, inOrder, setInput } from "../model/edit";
 import { addParameter } from "../model/edit_parameters";
@@ -28,7 +29,9 @@ export function addFinding(editor: Editor, finding: Finding, search: Search): st
   }
   const id = freeId(document, card.id);
   const position = placeFor(editor, document, { id, type: card.id }, search);
-  const edits: Edit[] = [addNodes([{ id, type: card.id, position, inputs: finding.inputs }])];
+  const edits: Edit[] = [
+    addNodes([{ id, type: card.id, position, inputs: { ...beginningValues(card), ...finding.inputs } }]),
+  ];
   if (finding.slider) {
     const name = freeParameterId(document, id);
     edits.push(addParameter(name, { ...finding.slider.item, label: name }));

@@ -6,10 +6,12 @@ import { keyText } from "../session/shortcuts";
 import { makeThumbnails } from "../session/thumbnails";
 import { useCurrent, useCurrentSession } from "../widgets/context";
 import { Icon } from "../widgets/Icon";
+import { CompareBar } from "./CompareBar";
 import { showGizmosOf, writeGizmo } from "./gizmo_link";
 import type { OutOfView } from "./in_view";
 import { Legend } from "./Legend";
 import type { CurvatureScale } from "./model_look";
+import { PaletteLegends } from "./PaletteLegends";
 import { SectionPanel } from "./SectionPanel";
 import { useShowMode } from "./show_mode";
 import type { Viewer } from "./Viewer";
@@ -38,6 +40,7 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
   const [viewer, setViewer] = useState<Viewer | null>(null);
   const [failure, setFailure] = useState("");
   const [scale, setScale] = useState<CurvatureScale | null>(null);
+  const [deviation, setDeviation] = useState<number>();
   const [outOfView, setOutOfView] = useState<OutOfView>("");
   const choice = useViewSettings(light, picture);
   const [showing, setShowing] = useShowMode();
@@ -60,6 +63,7 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
           section: (section) => newest.current.set({ section }),
           outOfView: setOutOfView,
           scale: setScale,
+          deviation: setDeviation,
           write: (gizmo, value, gesture) => writeGizmo(session, gizmo, value, gesture),
           end: (_, gesture, cancelled) => (cancelled ? session.cancelGesture(gesture) : session.endGesture()),
         });
@@ -93,7 +97,7 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
       if (camera) session.edit("Keep the view", setCamera(camera));
     },
     view: (view) => viewer?.standardView(view),
-    screenshot: () => void viewer?.screenshot(groundOf(pane.current)).then((blob) => savePicture(blob)),
+    screenshot: () => viewer?.still().toBlob(savePicture, "image/png"),
     show: () => setShowing(!showing),
   };
   const savePicture = (blob: Blob | null): void => {
@@ -135,13 +139,9 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
       {settings.mode === "by-curvature" && (
         <Legend scale={scale} kind={settings.curvatureKind} onKind={(curvatureKind) => choice.set({ curvatureKind })} />
       )}
+      {!picture && <CompareBar deviation={deviation} />}
+      {(settings.mode === "shaded" || settings.mode === "shaded-wire") && !picture && !showing && <PaletteLegends />}
       {showing && <div className="show-controls">{controls}</div>}
     </section>
   );
-}
-
-/** The colors of the pane's ground, top and bottom. */
-function groundOf(pane: HTMLElement | null): [string, string] {
-  const style = getComputedStyle(pane ?? document.documentElement);
-  return [style.getPropertyValue("--view-top").trim(), style.getPropertyValue("--view-bottom").trim()];
 }

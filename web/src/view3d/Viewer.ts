@@ -18,7 +18,7 @@ import { Materials } from "./materials";
 import { ModelLook } from "./model_look";
 import { pointsInward } from "./orientation";
 import { cellSize } from "./overlays";
-import { pictureOf, pngOf } from "./pictures";
+import { onGround, pictureOf } from "./pictures";
 import { fineRatio, Rest, setRatio } from "./rest";
 import { CameraRig, directionOf, type StandardView } from "./rig";
 import { type Section, SectionPlane } from "./section";
@@ -49,6 +49,9 @@ export class Viewer {
   private readonly ratio: number;
   private model: DecodedModel | undefined;
   private control: ControlGeometry | undefined;
+  /** What the model is compared with. */
+  private other: DecodedModel | undefined;
+  private how: "beside" | "over" = "beside";
   private opening: CameraPlace | null = null;
   /** Where the camera stood when it was last at home. */
   private readonly homePlace = { position: new Vector3(), target: new Vector3() };
@@ -152,8 +155,25 @@ export class Viewer {
     this.rest.setBusy(busy);
   }
 
+  compare(other: DecodedModel | null, how: "beside" | "over"): void {
+    if (this.other) this.scene.remove(this.other.scene);
+    this.other?.dispose();
+    this.other = other ?? undefined;
+    if (this.other) this.scene.add(this.other.scene);
+    this.compareHow(how);
+  }
+
+  compareHow(how: "beside" | "over"): void {
+    this.how = how;
+    this.dressModel();
+    this.setHandles();
+    this.resize();
+    this.draw();
+  }
+
   clear(): void {
     this.clearModel();
+    if (this.other) this.compare(null, "beside");
     this.control?.dispose();
     this.control = undefined;
     this.draw();
@@ -227,17 +247,22 @@ export class Viewer {
     return this.opening;
   }
 
-  thumbnail(model: DecodedModel, width: number, height: number): Promise<string> {
-    const picture = pictureOf(this.renderer, model, HOME, width, height);
+  thumbnail(model: DecodedModel, width: number, height: number, camera: CameraPlace | null): Promise<string> {
+    const picture = pictureOf(this.renderer, model, camera ?? HOME, width, height);
     this.resize();
     return picture;
   }
 
-  /** The picture as it is now, as a PNG. */
-  screenshot(background: readonly [string, string]): Promise<Blob | null> {
+  /** The picture as it is now, on its ground. */
+  still(): HTMLCanvasElement {
+    const style = getComputedStyle(this.container);
+    const ground = [
+      style.getPropertyValue("--view-top").trim(),
+      style.getPropertyValue("--view-bottom").trim(),
+    ] as const;
     // Drawn and read in the same task: the drawing is gone with the next frame.
     this.render(true);
-    return pngOf(this.renderer.domElement, background);
+    return onGround(this.renderer.domElement, ground);
   }
 
   dispose(): void {
@@ -293,11 +318,22 @@ export class Viewer {
   }
 
   private dressModel(): void {
-    if (this.model) this.host.scale(this.look.apply(this.model, this.settings));
+    if (!this.model) return;
+    const isOver = this.other !== undefined && this.how === "over";
+    this.host.scale(this.look.apply(this.model, this.settings));
+    this.host.deviation(isOver && this.other ? this.look.applyDeviation(this.model, this.other) : undefined);
+    if (this.other) this.other.scene.visible = !isOver;
+  }
+
+  /** Two pictures beside each other. */
+  private get isSplit(): boolean {
+    return this.other !== undefined && this.how === "beside";
   }
 
   private setHandles(): void {
-    this.handles.set([...(this.settings.section ? [this.section.handle] : []), ...this.gizmos.handles]);
+    // In half the view they would stand in the wrong place.
+    if (this.isSplit) this.handles.set([]);
+    else this.handles.set([...(this.settings.section ? [this.section.handle] : []), ...this.gizmos.handles]);
   }
 
   private placeSection(): void {
@@ -324,7 +360,8 @@ export class Viewer {
     this.gizmos.update();
     const { clientWidth, clientHeight } = this.container;
     setRatio(this.renderer, fine ? Math.max(this.ratio, fineRatio(clientWidth, clientHeight)) : this.ratio);
-    this.renderer.render(this.scene, this.rig.camera);
+    if (this.isSplit) this.renderSplit(clientWidth, clientHeight);
+    else this.renderer.render(this.scene, this.rig.camera);
     this.handles.update();
     this.tellInView();
     // What tests watch: that nothing is drawn for nothing, that nothing is kept for nothing, and from where it is seen.
@@ -332,6 +369,23 @@ export class Viewer {
     const eye = this.rig.perspective.position.toArray().map((value) => value.toPrecision(5));
     Object.assign(this.renderer.domElement.dataset, { frames: ++this.frames, geometries, textures, eye });
     this.rest.drawn(fine);
+  }
+
+  /** The model in the left half, what it is compared with in the right one, from the same place. */
+  private renderSplit(width: number, height: number): void {
+    const { renderer, model, other } = this;
+    renderer.setScissorTest(true);
+    for (const [side, shown] of [model, other].entries()) {
+      if (model) model.scene.visible = shown === model;
+      if (other) other.scene.visible = shown === other;
+      const left = Math.round((side * width) / 2);
+      renderer.setViewport(left, 0, width / 2, height);
+      renderer.setScissor(left, 0, width / 2, height);
+      renderer.render(this.scene, this.rig.camera);
+    }
+    renderer.setScissorTest(false);
+    renderer.setViewport(0, 0, width, height);
+    if (model) model.scene.visible = true;
   }
 
   private tellInView(): void {
@@ -346,7 +400,7 @@ export class Viewer {
     if (clientWidth === 0 || clientHeight === 0) return;
     this.renderer.setSize(clientWidth, clientHeight, true);
     drawingSize.value.set(clientWidth, clientHeight);
-    this.rig.resize(clientWidth / clientHeight);
+    this.rig.resize(clientWidth / (this.isSplit ? 2 : 1) / clientHeight);
     // Setting the size clears the canvas; drawing at once avoids a blank frame.
     this.render();
   }
