@@ -264,7 +264,7 @@ test("a wire says what it carries under the pointer: type, axes and count", () =
 
 test("a socket under the pointer says its type, its value and how far it reaches", () =>
   withEditor(used, { hash: "#example=fig04_boosted_ring", width: 1500, height: 900 }, async (page) => {
-    const socket = pane(page).getByRole("button", { name: /^Output mesh of / });
+    const socket = pane(page).getByRole("button", { name: /^Output Mesh of / });
     const place = await middle(socket.first());
     await page.mouse.move(place.x, place.y);
     const tip = page.getByRole("tooltip");

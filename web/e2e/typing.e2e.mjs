@@ -112,7 +112,7 @@ test("Enter and Escape belong to the input method while it composes", () =>
     await page.keyboard.press("Enter");
     await untilGraph(page, ({ nodes }) => nodes.ring.inputs.radius === 2);
     // Connecting.
-    const out = node(page, "ring").getByRole("button", { name: /^Output circle of / });
+    const out = node(page, "ring").getByRole("button", { name: /^Output Circle of / });
     await out.focus();
     await page.keyboard.press("Enter");
     const list = page.getByRole("combobox", { name: "Connect circle of Circle" });

@@ -10,6 +10,7 @@ import { useCurrent, useCurrentSession, useEditing, useEditor } from "../widgets
 import { Icon } from "../widgets/Icon";
 import { InputField } from "../widgets/InputField";
 import { NameField } from "../widgets/NameField";
+import { DrivenBy } from "./DrivenBy";
 import { MissingInput } from "./MissingInput";
 import { Socket } from "./Socket";
 
@@ -166,9 +167,7 @@ const Input = memo(function Input({ row, id, title }: { row: InputRow; id: strin
         {row.title}
       </span>
       {row.parameter !== undefined ? (
-        <span className="row-parameter" title={`Driven by the parameter “${row.parameter}”`}>
-          <span aria-hidden="true">◈</span> {row.parameter}
-        </span>
+        <DrivenBy name={row.parameterName ?? ""} label={row.parameter} />
       ) : row.linked ? null : (
         <InputField node={id} title={title} row={row} look="node" />
       )}

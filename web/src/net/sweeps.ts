@@ -1,6 +1,7 @@
 // Batches: one graph for many values of its parameters (POST /v1/sweeps), answered line by line as they are done.
 
 import { asArray, asNumber, asObject, asString, isObject, type Json, type JsonObject } from "../model/json";
+import { send } from "./access";
 import { type Problem, readEntry, readProblem } from "./problem";
 
 /** What is asked for: a model for each of the variants, which are told in this order. */
@@ -35,7 +36,7 @@ export async function sweep(
 ): Promise<SweepAnswer> {
   try {
     const headers = { ...JSON_HEADERS, accept: "application/x-ndjson" };
-    const response = await fetch("v1/sweeps", { method: "POST", headers, body: JSON.stringify(body), signal });
+    const response = await send("v1/sweeps", { method: "POST", headers, body: JSON.stringify(body), signal });
     if (!response.ok || !response.body) return await refused(response);
     let rest = "";
     let stopped: Problem | undefined;
@@ -65,7 +66,7 @@ export async function sweepToGlb(
 ): Promise<{ kind: "model"; model: Uint8Array<ArrayBuffer> } | Exclude<SweepAnswer, { kind: "end" }>> {
   try {
     const headers = { ...JSON_HEADERS, accept: "model/gltf-binary" };
-    const response = await fetch("v1/sweeps", { method: "POST", headers, body: JSON.stringify(body), signal });
+    const response = await send("v1/sweeps", { method: "POST", headers, body: JSON.stringify(body), signal });
     if (!response.ok) return await refused(response);
     return { kind: "model", model: new Uint8Array(await response.arrayBuffer()) };
   } catch (error) {
@@ -77,7 +78,7 @@ export async function sweepToGlb(
 /** The bytes of a file that was made; nothing where the server does not keep it any more. Rejects only after `signal`. */
 export async function fetchArtifact(sha256: string, signal: AbortSignal): Promise<Uint8Array<ArrayBuffer> | undefined> {
   try {
-    const response = await fetch(`v1/artifacts/${sha256}`, { signal });
+    const response = await send(`v1/artifacts/${sha256}`, { signal });
     return response.ok ? new Uint8Array(await response.arrayBuffer()) : undefined;
   } catch (error) {
     if (signal.aborted) throw error;

@@ -1,4 +1,5 @@
-import type { ReactElement } from "react";
+import { Fragment, type ReactElement } from "react";
+import { groupedParameters } from "../model/parameter_groups";
 import { useCurrent, useCurrentSession } from "../widgets/context";
 import { Icon } from "../widgets/Icon";
 import { ParameterRow } from "./ParameterRow";
@@ -16,8 +17,13 @@ export function Controls(): ReactElement {
       {open.description && <p className="controls-description">{open.description}</p>}
       {open.parameters.length === 0 && <p className="empty">This graph has no parameters.</p>}
       <div className="parameter-rows" key={open.title}>
-        {open.parameters.map((parameter) => (
-          <ParameterRow key={parameter.name} parameter={parameter} />
+        {groupedParameters(open).map(({ title, parameters }) => (
+          <Fragment key={parameters[0]?.name}>
+            {title && <h3 className="parameter-group">{title}</h3>}
+            {parameters.map((parameter) => (
+              <ParameterRow key={parameter.name} parameter={parameter} />
+            ))}
+          </Fragment>
         ))}
       </div>
       <PlayerBar />

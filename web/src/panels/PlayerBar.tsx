@@ -9,6 +9,7 @@ import { useCurrent, useCurrentSession } from "../widgets/context";
 import { useStore } from "../widgets/hooks";
 import { Icon } from "../widgets/Icon";
 import { Segments } from "../widgets/Segments";
+import { SliderBar } from "../widgets/SliderBar";
 
 const MODES: readonly { id: PlayMode; title: string; hint: string }[] = [
   { id: "loop", title: "Loop", hint: "From the end back to the beginning" },
@@ -106,16 +107,17 @@ function stepText(step: number, values: readonly number[], parameter: Parameter 
 function Track({ player, current }: { player: Player; current: Parameter | undefined }): ReactElement {
   const { values, step } = useStore(player.store, (state) => state);
   return (
-    <input
-      className="player-track"
-      type="range"
-      aria-label={`Step of ${current?.label ?? "the player"}`}
-      aria-valuetext={stepText(step, values, current)}
-      min={0}
-      max={values.length - 1}
-      value={Math.max(0, step)}
-      onChange={(event) => void player.show(Number(event.currentTarget.value))}
-    />
+    <span className="player-track">
+      <SliderBar
+        label={`Step of ${current?.label ?? "the player"}`}
+        text={stepText(step, values, current)}
+        minimum={0}
+        maximum={Math.max(1, values.length - 1)}
+        step={1}
+        value={Math.max(0, step)}
+        onMove={(next) => void player.show(Math.min(values.length - 1, Math.max(0, Math.round(next))))}
+      />
+    </span>
   );
 }
 

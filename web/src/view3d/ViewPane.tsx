@@ -1,10 +1,12 @@
 import { type ReactElement, type ReactNode, useEffect, useRef, useState } from "react";
 import { setCamera } from "../model/edit";
 import { fileName } from "../model/format";
+import { comparisonOf } from "../session/comparison";
 import { saveBlob } from "../session/download";
 import { keyText } from "../session/shortcuts";
 import { makeThumbnails } from "../session/thumbnails";
 import { useCurrent, useCurrentSession } from "../widgets/context";
+import { useStore } from "../widgets/hooks";
 import { Icon } from "../widgets/Icon";
 import { CompareBar } from "./CompareBar";
 import { showGizmosOf, writeGizmo } from "./gizmo_link";
@@ -47,6 +49,7 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
   const stale = useCurrent((state) => state.problem !== null && state.shown !== null);
   // While the server is away no picture is near.
   const busy = useCurrent((state) => state.busy && !state.away);
+  const isCompared = useStore(comparisonOf(session).store, ({ name }) => name !== null);
   const { settings } = choice;
   // The view calls back long after it was made; what it calls is always the newest.
   const newest = useRef(choice);
@@ -140,7 +143,9 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
         <Legend scale={scale} kind={settings.curvatureKind} onKind={(curvatureKind) => choice.set({ curvatureKind })} />
       )}
       {!picture && <CompareBar deviation={deviation} />}
-      {(settings.mode === "shaded" || settings.mode === "shaded-wire") && !picture && !showing && <PaletteLegends />}
+      {(settings.mode === "shaded" || settings.mode === "shaded-wire") && !picture && !showing && !isCompared && (
+        <PaletteLegends />
+      )}
       {showing && <div className="show-controls">{controls}</div>}
     </section>
   );

@@ -52,6 +52,8 @@ export class Viewer {
   /** What the model is compared with. */
   private other: DecodedModel | undefined;
   private how: "beside" | "over" = "beside";
+  /** Where the camera stood before the view was split. */
+  private wholePlace: CameraPlace | undefined;
   private opening: CameraPlace | null = null;
   /** Where the camera stood when it was last at home. */
   private readonly homePlace = { position: new Vector3(), target: new Vector3() };
@@ -168,6 +170,7 @@ export class Viewer {
     this.dressModel();
     this.setHandles();
     this.resize();
+    this.placeForSplit();
     this.draw();
   }
 
@@ -369,6 +372,18 @@ export class Viewer {
     const eye = this.rig.perspective.position.toArray().map((value) => value.toPrecision(5));
     Object.assign(this.renderer.domElement.dataset, { frames: ++this.frames, geometries, textures, eye });
     this.rest.drawn(fine);
+  }
+
+  /** Half a view shows less: the model is framed in it, and seen from where it was when the view is whole again. */
+  private placeForSplit(): void {
+    const { rig } = this;
+    if (this.isSplit && !this.wholePlace) {
+      this.wholePlace = { position: inGraph(rig.perspective.position), target: inGraph(rig.target) };
+      this.frameModel();
+    } else if (!this.isSplit && this.wholePlace && this.model) {
+      this.moveTo(...framingOf(this.wholePlace, samplePositions(this.model.scene), Infinity));
+      this.wholePlace = undefined;
+    }
   }
 
   /** The model in the left half, what it is compared with in the right one, from the same place. */
