@@ -33,7 +33,7 @@ const STATES = {
   },
   "the export": async (page) => {
     await page.getByRole("button", { name: "Export", exact: true }).click();
-    await page.getByRole("dialog", { name: "Export" }).getByText("triangles").first().waitFor();
+    await page.getByRole("dialog", { name: "Export" }).getByText("no point off by more than").waitFor();
   },
   "the list of keys": async (page) => {
     await page.getByRole("button", { name: "Keys and pointer" }).click();

@@ -176,7 +176,10 @@ test("the export says what it makes before it is downloaded, as a GLB in full qu
     // How exact it is, in millimeters and not in bits: the coarsest.
     const precision = dialog.getByRole("combobox", { name: "Position precision" });
     const choices = precision.locator("option");
-    await eventually(() => choices.first().textContent(), (text) => /^within [\d.]+\s(mm|m)$/.test(text));
+    await eventually(
+      () => choices.first().textContent(),
+      (text) => /^within [\d.]+\s(mm|m)$/.test(text),
+    );
     assert.match(await precision.locator("option:checked").textContent(), /^within .*, the usual$/);
     await precision.selectOption({ index: 0 });
     await page.waitForFunction((text) => {

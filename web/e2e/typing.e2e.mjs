@@ -12,7 +12,7 @@ const large = { width: 1500, height: 900 };
 const empty = (run) => withEditor(used, { isEmpty: true, ...large }, run);
 const ring = (run, options = {}) => withEditor(used, { hash: RING, ...large, ...options }, run);
 
-const field = (page, id, name) => node(page, id).getByRole("textbox", { name: new RegExp(`^${name} of `) });
+const field = (page, id, name) => node(page, id).getByRole("textbox", { name: new RegExp(`^${name} of `, "i") });
 const panel = (page) => page.getByRole("tabpanel", { name: "Node" });
 
 for (const key of ["Shift", "Control"]) {

@@ -148,7 +148,11 @@ test("what cannot be made says so in its place of the sheet, and the rest is the
     const lines = (await (await route.fetch()).text()).split("\n");
     const line = JSON.parse(lines[1]);
     delete line.model;
-    lines[1] = JSON.stringify({ ...line, status: "failed", errors: [{ code: "degenerate", detail: "It is too thin." }] });
+    lines[1] = JSON.stringify({
+      ...line,
+      status: "failed",
+      errors: [{ code: "degenerate", detail: "It is too thin." }],
+    });
     await route.fulfill({ body: lines.join("\n"), contentType: "application/x-ndjson" });
   });
   await page.getByRole("button", { name: "Contact sheet" }).click();

@@ -14,6 +14,8 @@ interface SocketProps {
   type: string;
   nodeTitle: string;
   description: string;
+  /** Its height on the node, in pixels, where no row stands beside it. */
+  top?: number;
 }
 
 /** The place where wires end: its color tells the family, its shape the kind, its name both. */
@@ -25,6 +27,7 @@ export const Socket = memo(function Socket({
   type,
   nodeTitle,
   description,
+  top,
 }: SocketProps): ReactElement {
   const editor = useEditor();
   const look = useCurrent((state) => (state.catalogue ? wireType(state.catalogue, type) : undefined));
@@ -45,6 +48,7 @@ export const Socket = memo(function Socket({
       type={side === "input" ? "target" : "source"}
       position={side === "input" ? Position.Left : Position.Right}
       className="socket"
+      style={top === undefined ? undefined : { top }}
       role="button"
       tabIndex={-1}
       data-stop
