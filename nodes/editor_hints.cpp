@@ -46,7 +46,7 @@ Json legend_of(const std::string& id) {
             {"range", "range"},
             {"found", {"minimum", "maximum"}},
             {"kind", "kind"},
-            {"units", {{"gauss", "1/m²"}, {"mean", "1/m"}}},
+            {"units", {{"gauss", "m⁻²"}, {"mean", "m⁻¹"}}},
             {"colors", palettes()}};
   }
   return nullptr;

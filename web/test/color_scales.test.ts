@@ -52,10 +52,10 @@ test("a range of 0 is one that is found: the outputs that tell it are named", ()
   const [found] = scalesOf(seen({}));
   assert.equal(found?.ends, undefined);
   assert.deepEqual(found?.found, ["minimum", "maximum"]);
-  assert.equal(found?.unit, "1/m²");
+  assert.equal(found?.unit, "m⁻²");
   const [given] = scalesOf(seen({ range: 3, kind: "mean" }));
   assert.deepEqual(given?.ends, [-3, 3]);
-  assert.equal(given?.unit, "1/m");
+  assert.equal(given?.unit, "m⁻¹");
 });
 
 test("new nodes are given what their cards say, and nothing else", () => {

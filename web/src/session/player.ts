@@ -154,7 +154,9 @@ export class Player {
     const { [name]: _, ...shared } = parameters;
     const waiting: Promise<void>[] = [];
     const take = (line: SweepLine): void => {
-      waiting.push(this.fetch(line, { ...body, parameters: { ...shared, [name]: values[line.index] ?? 0 } }, signal));
+      const one = { ...body, parameters: { ...shared, [name]: values[line.index] ?? 0 } };
+      // What is given up while the others still come is not waited for.
+      waiting.push(this.fetch(line, one, signal).catch(() => undefined));
     };
     const grid = { [name]: values };
     const answer = await sweep({ graph, parameters: shared, grid, output, quality: "draft" }, take, signal);
