@@ -14,6 +14,7 @@ import {
   placeOf,
   said,
   undo,
+  untilApart,
   untilGraph,
   wire,
   withEditor,
@@ -213,6 +214,10 @@ test("a node is put into a wire by dropping it there, or from the wire's menu", 
       page,
       ({ nodes }) => nodes.twist?.inputs.shape?.from === "circle" && nodes.surface.inputs.shape?.from === "twist",
     );
+    // What is behind it makes room: it stands between the two, and none lies over another.
+    const places = await Promise.all(["circle", "twist", "surface"].map((id) => placeOf(page, id)));
+    assert.ok(places[0].x < places[1].x && places[1].x < places[2].x, JSON.stringify(places));
+    await untilApart(page);
   }));
 
 test("Delete removes a node, Ctrl+Delete joins what it stood between", () =>

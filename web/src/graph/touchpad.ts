@@ -8,7 +8,7 @@ const LEAST_NOTCH = 40;
 /** What follows within this time belongs to the same movement. */
 const PAUSE_MILLISECONDS = 250;
 
-/** Tells fingers from wheels: by the first of several events in a row, for swinging out makes large steps as well. */
+/** Tells fingers from wheels: small or slanting steps are those of fingers, and so are large ones that follow at once. */
 export class TouchpadSense {
   private last = Number.NEGATIVE_INFINITY;
   private isTouchpad = false;
@@ -19,7 +19,8 @@ export class TouchpadSense {
     const isNew = timeStamp - this.last > PAUSE_MILLISECONDS;
     this.last = timeStamp;
     const isFine = deltaMode === 0 && (Math.abs(deltaY) < LEAST_NOTCH || !Number.isInteger(deltaY));
-    if (isNew) this.isTouchpad = isFine || deltaX !== 0;
+    if (isFine || deltaX !== 0) this.isTouchpad = true;
+    else if (isNew) this.isTouchpad = false;
     return this.isTouchpad;
   }
 }
