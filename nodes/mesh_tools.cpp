@@ -175,7 +175,7 @@ void add_mesh_tools(Registry& registry) {
           .input("kind", &CurvatureColorInputs::kind, "Product or mean of the principal curvatures.", defaults("gauss"))
           .input("range", &CurvatureColorInputs::range,
                  "Curvature at the ends of the palette; 0 means the largest magnitude found.",
-                 defaults(0).hard(0, 1e9).soft(0, 10).title("Largest curvature"))
+                 defaults(0).hard(0, 1e9).soft(0, 10))
           .input("palette", &CurvatureColorInputs::palette, palette_doc, defaults("diverging"))
           .cost([](const RunSize& size) {
             return RunCost{200 * size.vertices, 120 * size.vertices};

@@ -273,6 +273,6 @@ test("a socket under the pointer says its type, its value and how far it reaches
     const place = await middle(socket.first());
     await page.mouse.move(place.x, place.y);
     const tip = page.getByRole("tooltip");
-    await tip.getByText(/^mesh: mesh$/).waitFor();
+    await tip.getByText(/^Mesh: mesh$/).waitFor();
     await tip.getByText(/\d+ vertices, .* triangles/).waitFor();
   }));

@@ -17,6 +17,13 @@ export function CompareBar({ deviation }: { deviation: number | undefined }): Re
   const comparison = comparisonOf(useCurrentSession());
   const { name, how, isLoading, error } = useStore(comparison.store, (state) => state);
   if (name === null) return null;
+  // Lines and points have no surface to be far from.
+  const isBare = how === "over" && deviation === undefined;
+  const stateText = isLoading
+    ? `Making ${name}…`
+    : isBare
+      ? "There are no surfaces to compare"
+      : `Compared with ${name}`;
   const gradient = DEVIATION_COLORS.map((color) => `color(srgb-linear ${color.join(" ")})`).join(", ");
   return (
     <>
@@ -27,7 +34,7 @@ export function CompareBar({ deviation }: { deviation: number | undefined }): Re
         </div>
       )}
       <section className="compare-bar" aria-label="Comparison">
-        <span role="status">{error || (isLoading ? `Making ${name}…` : `Compared with ${name}`)}</span>
+        <span role="status">{error || stateText}</span>
         <Segments label="Compare" options={HOWS} chosen={how} onChoose={(next) => comparison.set(next)} />
         {how === "over" && deviation !== undefined && (
           <span className="compare-scale">

@@ -23,6 +23,8 @@ import { fineRatio, Rest, setRatio } from "./rest";
 import { CameraRig, directionOf, type StandardView } from "./rig";
 import { type Section, SectionPlane } from "./section";
 import { isSoftwareRendering } from "./software";
+import { type ComparedHow, SplitView } from "./split_view";
+import { StudioLight } from "./studio_light";
 import { drawingSize } from "./thick_lines";
 import { PLAIN, type ViewerHost, type ViewSettings } from "./viewer_settings";
 
@@ -33,10 +35,12 @@ export class Viewer {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly rig: CameraRig;
-  private readonly materials = new Materials();
+  /** Light that is computed, where there is a graphics processor for it. */
+  private readonly studio: StudioLight | undefined;
+  private readonly materials: Materials;
   private readonly controlMaterials = new ControlMaterials();
-  private readonly decoder = new Decoder(this.materials);
-  private readonly look = new ModelLook(this.materials);
+  private readonly decoder: Decoder;
+  private readonly look: ModelLook;
   private readonly gizmos: GizmoLayer;
   private readonly handles: HandleLayer;
   private readonly section: SectionPlane;
@@ -49,11 +53,7 @@ export class Viewer {
   private readonly ratio: number;
   private model: DecodedModel | undefined;
   private control: ControlGeometry | undefined;
-  /** What the model is compared with. */
-  private other: DecodedModel | undefined;
-  private how: "beside" | "over" = "beside";
-  /** Where the camera stood before the view was split. */
-  private wholePlace: CameraPlace | undefined;
+  private readonly split = new SplitView(this.scene);
   private opening: CameraPlace | null = null;
   /** Where the camera stood when it was last at home. */
   private readonly homePlace = { position: new Vector3(), target: new Vector3() };
@@ -76,6 +76,10 @@ export class Viewer {
   ) {
     this.isSoftware = isSoftwareRendering();
     this.renderer = makeRenderer(container, label, smooth ? "smooth" : this.isSoftware ? "plain" : "usual");
+    this.studio = this.isSoftware || smooth ? undefined : new StudioLight(this.renderer);
+    this.materials = new Materials(this.studio?.environment);
+    this.decoder = new Decoder(this.materials);
+    this.look = new ModelLook(this.materials);
     const canvas = this.renderer.domElement;
     this.ratio = this.renderer.getPixelRatio();
     this.rest = new Rest(this.isSoftware && !smooth, {
@@ -95,6 +99,7 @@ export class Viewer {
       project: (place) => this.project(place),
     });
     this.scene.add(this.ground.group, this.section.group, this.gizmos.group);
+    if (this.studio) this.scene.add(this.studio.group);
     this.rig.look(HOME, { target: new Vector3(), distance: 8, radius: 1 });
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(container);
@@ -111,7 +116,9 @@ export class Viewer {
     this.clearModel();
     this.model = model;
     this.scene.add(model.scene);
-    this.inView.setModel(samplePositions(model.scene, MOST_SEEN));
+    const points = samplePositions(model.scene, MOST_SEEN);
+    this.inView.setModel(points);
+    this.studio?.place(points);
     this.materials.setInward(pointsInward(model.meshes.map((mesh) => mesh.geometry)));
     this.dressModel();
     this.draw();
@@ -157,16 +164,13 @@ export class Viewer {
     this.rest.setBusy(busy);
   }
 
-  compare(other: DecodedModel | null, how: "beside" | "over"): void {
-    if (this.other) this.scene.remove(this.other.scene);
-    this.other?.dispose();
-    this.other = other ?? undefined;
-    if (this.other) this.scene.add(this.other.scene);
+  compare(other: DecodedModel | null, how: ComparedHow): void {
+    this.split.set(other);
     this.compareHow(how);
   }
 
-  compareHow(how: "beside" | "over"): void {
-    this.how = how;
+  compareHow(how: ComparedHow): void {
+    this.split.setHow(how);
     this.dressModel();
     this.setHandles();
     this.resize();
@@ -176,7 +180,7 @@ export class Viewer {
 
   clear(): void {
     this.clearModel();
-    if (this.other) this.compare(null, "beside");
+    if (this.split.other) this.compare(null, "beside");
     this.control?.dispose();
     this.control = undefined;
     this.draw();
@@ -280,6 +284,7 @@ export class Viewer {
     this.look.dispose();
     this.rig.dispose();
     this.materials.dispose();
+    this.studio?.dispose();
     this.controlMaterials.dispose();
     this.decoder.dispose();
     this.renderer.dispose();
@@ -322,20 +327,14 @@ export class Viewer {
 
   private dressModel(): void {
     if (!this.model) return;
-    const isOver = this.other !== undefined && this.how === "over";
+    const { other, isSplit } = this.split;
     this.host.scale(this.look.apply(this.model, this.settings));
-    this.host.deviation(isOver && this.other ? this.look.applyDeviation(this.model, this.other) : undefined);
-    if (this.other) this.other.scene.visible = !isOver;
-  }
-
-  /** Two pictures beside each other. */
-  private get isSplit(): boolean {
-    return this.other !== undefined && this.how === "beside";
+    this.host.deviation(other && !isSplit ? this.look.applyDeviation(this.model, other) : undefined);
   }
 
   private setHandles(): void {
     // In half the view they would stand in the wrong place.
-    if (this.isSplit) this.handles.set([]);
+    if (this.split.isSplit) this.handles.set([]);
     else this.handles.set([...(this.settings.section ? [this.section.handle] : []), ...this.gizmos.handles]);
   }
 
@@ -363,7 +362,8 @@ export class Viewer {
     this.gizmos.update();
     const { clientWidth, clientHeight } = this.container;
     setRatio(this.renderer, fine ? Math.max(this.ratio, fineRatio(clientWidth, clientHeight)) : this.ratio);
-    if (this.isSplit) this.renderSplit(clientWidth, clientHeight);
+    const { split, model } = this;
+    if (split.isSplit) split.render(this.renderer, this.rig.camera, model, clientWidth, clientHeight);
     else this.renderer.render(this.scene, this.rig.camera);
     this.handles.update();
     this.tellInView();
@@ -376,31 +376,14 @@ export class Viewer {
 
   /** Half a view shows less: the model is framed in it, and seen from where it was when the view is whole again. */
   private placeForSplit(): void {
-    const { rig } = this;
-    if (this.isSplit && !this.wholePlace) {
-      this.wholePlace = { position: inGraph(rig.perspective.position), target: inGraph(rig.target) };
+    const { rig, split, model } = this;
+    if (split.isSplit && !split.wholePlace) {
+      split.wholePlace = { position: inGraph(rig.perspective.position), target: inGraph(rig.target) };
       this.frameModel();
-    } else if (!this.isSplit && this.wholePlace && this.model) {
-      this.moveTo(...framingOf(this.wholePlace, samplePositions(this.model.scene), Infinity));
-      this.wholePlace = undefined;
+    } else if (!split.isSplit && split.wholePlace && model) {
+      this.moveTo(...framingOf(split.wholePlace, samplePositions(model.scene), Infinity));
+      split.wholePlace = undefined;
     }
-  }
-
-  /** The model in the left half, what it is compared with in the right one, from the same place. */
-  private renderSplit(width: number, height: number): void {
-    const { renderer, model, other } = this;
-    renderer.setScissorTest(true);
-    for (const [side, shown] of [model, other].entries()) {
-      if (model) model.scene.visible = shown === model;
-      if (other) other.scene.visible = shown === other;
-      const left = Math.round((side * width) / 2);
-      renderer.setViewport(left, 0, width / 2, height);
-      renderer.setScissor(left, 0, width / 2, height);
-      renderer.render(this.scene, this.rig.camera);
-    }
-    renderer.setScissorTest(false);
-    renderer.setViewport(0, 0, width, height);
-    if (model) model.scene.visible = true;
   }
 
   private tellInView(): void {
@@ -415,7 +398,7 @@ export class Viewer {
     if (clientWidth === 0 || clientHeight === 0) return;
     this.renderer.setSize(clientWidth, clientHeight, true);
     drawingSize.value.set(clientWidth, clientHeight);
-    this.rig.resize(clientWidth / (this.isSplit ? 2 : 1) / clientHeight);
+    this.rig.resize(clientWidth / (this.split.isSplit ? 2 : 1) / clientHeight);
     // Setting the size clears the canvas; drawing at once avoids a blank frame.
     this.render();
   }
