@@ -39,6 +39,7 @@ void add_answers(Registry& registry) {
   registry.add(node("measure", measured)
                    .title("Measure")
                    .family("answers")
+                   .synonyms({"volume", "area", "size", "statistics", "bounding box", "weight"})
                    .doc("Area, volume, counts and bounds of a mesh.")
                    .details("The volume is enclosed only when the mesh is closed; it is signed, positive for outward "
                             "faces. Vertices are "
@@ -59,6 +60,7 @@ void add_answers(Registry& registry) {
   registry.add(node("check", checked)
                    .title("Check")
                    .family("answers")
+                   .synonyms({"assert", "test", "limit", "guard", "verify"})
                    .doc("Passes a number on when it is within bounds; fails the whole evaluation when it is not.")
                    .details("A check runs in every evaluation of its graph, whether or not the output needs it.")
                    .input("value", "The number to check.")

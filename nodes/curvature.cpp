@@ -129,6 +129,7 @@ void add_curvature(Registry& registry) {
       node("curvature", curvature_generator)
           .title("Curvature")
           .family("generators")
+          .synonyms({"bend", "bending", "curve"})
           .doc("The generator that bends a line or a plane at a point to the curvatures asked for.")
           .source("Boosted Surfaces, eqs. (17), (18), figs. 13, 14")
           .details("With u = v = 0 it is eq. (17): -(curvature_u + curvature_v)/2 times the unit null pair; a line "
@@ -143,15 +144,17 @@ void add_curvature(Registry& registry) {
           .input("normal", &CurvatureInputs::normal, "Normal of the plane, or of the line; of any length.",
                  defaults({0, 0, 1}).direction_handle("position"))
           .input("u_direction", &CurvatureInputs::u_direction, "Where u runs in the plane; v runs to its left.",
-                 defaults({1, 0, 0}).direction_handle("position"))
+                 defaults({1, 0, 0}).direction_handle("position").title("Direction of u"))
           .input("curvature_u", &CurvatureInputs::curvature_u,
-                 "Curvature along u; above 0 it bends against the normal.", curvature_input(1))
+                 "Curvature along u; above 0 it bends against the normal.",
+                 curvature_input(1).title("Curvature along u"))
           .input("curvature_v", &CurvatureInputs::curvature_v,
-                 "Curvature along v; above 0 it bends against the normal.", curvature_input(0))
+                 "Curvature along v; above 0 it bends against the normal.",
+                 curvature_input(0).title("Curvature along v"))
           .input("u", &CurvatureInputs::u, "Place of the bent point along u.",
-                 defaults(0).hard(-1e9, 1e9).soft(-2, 2).unit("m"))
+                 defaults(0).hard(-1e9, 1e9).soft(-2, 2).unit("m").title("Place along u"))
           .input("v", &CurvatureInputs::v, "Place of the bent point along v.",
-                 defaults(0).hard(-1e9, 1e9).soft(-2, 2).unit("m"))
+                 defaults(0).hard(-1e9, 1e9).soft(-2, 2).unit("m").title("Place along v"))
           .input("method", &CurvatureInputs::method, "Curvatures as asked, or eq. (18) to the letter.",
                  defaults("exact"))
           .output("generator", "The generator; boost the point with amount 1."));
@@ -160,35 +163,45 @@ void add_curvature(Registry& registry) {
       node("curvature_patch", curvature_patch)
           .title("Curvature patch")
           .family("surfaces")
+          .synonyms({"bend", "quad", "sheet", "dome"})
           .doc("A surface patch from the curvatures along u and along v at its four corners.")
           .source("Boosted Surfaces, section 5.1, fig. 15")
           .details("The corners stay where they are and keep their tangent plane. The exact method blends so smoothly "
                    "that the curvatures at each corner are the ones asked for, along both edges; the paper's blends "
                    "eq. (18) bilinearly. Since the corners stay, four equal curvatures make a wave rather than a dome.")
           .degenerate("zero direction", "Vectors that span no plane give an empty mesh.")
-          .input("curvature_u_a", &CurvaturePatchInputs::curvature_u_a, "Along u at u = 0, v = 0.", curvature_input(1))
-          .input("curvature_v_a", &CurvaturePatchInputs::curvature_v_a, "Along v at u = 0, v = 0.", curvature_input(1))
-          .input("curvature_u_b", &CurvaturePatchInputs::curvature_u_b, "Along u at u = 1, v = 0.", curvature_input(1))
-          .input("curvature_v_b", &CurvaturePatchInputs::curvature_v_b, "Along v at u = 1, v = 0.", curvature_input(1))
-          .input("curvature_u_c", &CurvaturePatchInputs::curvature_u_c, "Along u at u = 0, v = 1.", curvature_input(1))
-          .input("curvature_v_c", &CurvaturePatchInputs::curvature_v_c, "Along v at u = 0, v = 1.", curvature_input(1))
-          .input("curvature_u_d", &CurvaturePatchInputs::curvature_u_d, "Along u at u = 1, v = 1.", curvature_input(1))
-          .input("curvature_v_d", &CurvaturePatchInputs::curvature_v_d, "Along v at u = 1, v = 1.", curvature_input(1))
+          .input("curvature_u_a", &CurvaturePatchInputs::curvature_u_a, "Along u at u = 0, v = 0.",
+                 curvature_input(1).title("Along u at 0, 0"))
+          .input("curvature_v_a", &CurvaturePatchInputs::curvature_v_a, "Along v at u = 0, v = 0.",
+                 curvature_input(1).title("Along v at 0, 0"))
+          .input("curvature_u_b", &CurvaturePatchInputs::curvature_u_b, "Along u at u = 1, v = 0.",
+                 curvature_input(1).title("Along u at 1, 0"))
+          .input("curvature_v_b", &CurvaturePatchInputs::curvature_v_b, "Along v at u = 1, v = 0.",
+                 curvature_input(1).title("Along v at 1, 0"))
+          .input("curvature_u_c", &CurvaturePatchInputs::curvature_u_c, "Along u at u = 0, v = 1.",
+                 curvature_input(1).title("Along u at 0, 1"))
+          .input("curvature_v_c", &CurvaturePatchInputs::curvature_v_c, "Along v at u = 0, v = 1.",
+                 curvature_input(1).title("Along v at 0, 1"))
+          .input("curvature_u_d", &CurvaturePatchInputs::curvature_u_d, "Along u at u = 1, v = 1.",
+                 curvature_input(1).title("Along u at 1, 1"))
+          .input("curvature_v_d", &CurvaturePatchInputs::curvature_v_d, "Along v at u = 1, v = 1.",
+                 curvature_input(1).title("Along v at 1, 1"))
           .input("center", &CurvaturePatchInputs::center, "The middle.",
                  defaults({0, 0, 0}).unit("m").position_handle())
           .input("u_vector", &CurvaturePatchInputs::u_vector, "Half the extent along u.",
-                 defaults({1, 0, 0}).unit("m").direction_handle("center"))
+                 defaults({1, 0, 0}).unit("m").direction_handle("center").title("Half width"))
           .input("v_vector", &CurvaturePatchInputs::v_vector, "Half the extent along v.",
-                 defaults({0, 1, 0}).unit("m").direction_handle("center"))
+                 defaults({0, 1, 0}).unit("m").direction_handle("center").title("Half depth"))
           .input("amount", &CurvaturePatchInputs::amount, "Factor of the blended generator.", defaults(1).soft(-2, 2))
           .input("count_u", &CurvaturePatchInputs::count_u, "How many points along u.",
-                 defaults(96).hard(2, 65536).soft(8, 256))
+                 defaults(96).hard(2, 65536).soft(8, 256).title("Points along u"))
           .input("count_v", &CurvaturePatchInputs::count_v, "How many points along v.",
-                 defaults(96).hard(2, 65536).soft(8, 256))
+                 defaults(96).hard(2, 65536).soft(8, 256).title("Points along v"))
           .input("method", &CurvaturePatchInputs::method, "Curvatures as asked, or eq. (18) to the letter.",
                  defaults("exact"))
           .input("rule", &CurvaturePatchInputs::rule,
-                 "The true exponential, or the paper's with the scalar part of the square only.", defaults("exact"))
+                 "The true exponential, or the paper's with the scalar part of the square only.",
+                 defaults("exact").title("Exponential"))
           .input("at_infinity", &CurvaturePatchInputs::at_infinity,
                  "What to do where the surface leaves the clip radius.", defaults("clip"))
           .input("clip_radius", &CurvaturePatchInputs::clip_radius, "Distance from the origin that counts as infinity.",

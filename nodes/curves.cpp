@@ -158,6 +158,7 @@ void add_curves(Registry& registry) {
       node("orbit", orbit_points)
           .title("Orbit")
           .family("fields")
+          .synonyms({"path", "trajectory", "flow line", "streamline", "spiral", "curve"})
           .doc("Where exp(t * generator) carries a point, for t along a new axis.")
           .source("Boosted Surfaces, section 4, fig. 8")
           .version(2)
@@ -170,14 +171,15 @@ void add_curves(Registry& registry) {
           .input("point", &OrbitInputs::point, "Where the orbit passes at t = 0.",
                  defaults({1, 0, 0}).unit("m").position_handle())
           .input("generator", &OrbitInputs::generator, "What moves the point.")
-          .input("from", &OrbitInputs::from, "First t.", defaults(0).hard(-1e6, 1e6).soft(-4, 4))
-          .input("to", &OrbitInputs::to, "Last t.", defaults(1).hard(-1e6, 1e6).soft(-4, 4))
+          .input("from", &OrbitInputs::from, "First t.", defaults(0).hard(-1e6, 1e6).soft(-4, 4).title("First t"))
+          .input("to", &OrbitInputs::to, "Last t.", defaults(1).hard(-1e6, 1e6).soft(-4, 4).title("Last t"))
           .input("count", &OrbitInputs::count, "How many points.", defaults(64).hard(1, 1'000'000).soft(2, 256))
           .input("clip_radius", &OrbitInputs::clip_radius, "Distance from the origin at which the orbit ends.",
                  clip_radius_input())
           .made_axis("axis", "Name of the axis; empty means the id of this node.")
           .input("rule", &OrbitInputs::rule,
-                 "The true exponential, or the paper's with the scalar part of the square only.", defaults("exact"))
+                 "The true exponential, or the paper's with the scalar part of the square only.",
+                 defaults("exact").title("Exponential"))
           .axes(one_axis("count", "axis"))
           .makes_curves()
           .cost(cost_of_orbit)
@@ -187,6 +189,7 @@ void add_curves(Registry& registry) {
       node("contour", contour_points)
           .title("Contour")
           .family("fields")
+          .synonyms({"level set", "equipotential", "isoline", "curve"})
           .doc("The curve through a point that runs across the displacements of a field in a plane: an equipotential "
                "line.")
           .source("Boosted Surfaces, figs. 8, 9")

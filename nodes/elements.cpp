@@ -71,6 +71,7 @@ void add_elements(Registry& registry) {
   registry.add(node("point", point_at_position)
                    .title("Point")
                    .family("elements")
+                   .synonyms({"position", "location", "dot", "vertex", "empty"})
                    .doc("A position in space.")
                    .input("position", "Where it is.", defaults({0, 0, 0}).unit("m").position_handle())
                    .passes_on()
@@ -80,6 +81,7 @@ void add_elements(Registry& registry) {
       node("circle", circle_element)
           .title("Circle")
           .family("elements")
+          .synonyms({"ring", "loop", "round", "disc", "arc", "hoop"})
           .doc("An oriented circle; it runs counter-clockwise about its normal.")
           .details("A radius below a few ten-millionths of the distance from the origin is lost in round-off "
                    "and an error.")
@@ -96,6 +98,7 @@ void add_elements(Registry& registry) {
       node("line", line_element)
           .title("Line")
           .family("elements")
+          .synonyms({"axis", "straight", "ray", "edge"})
           .doc("An oriented line: a circle through infinity.")
 
           .degenerate("zero direction", "An error.")
@@ -107,6 +110,7 @@ void add_elements(Registry& registry) {
   registry.add(node("point_pair", point_pair)
                    .title("Point pair")
                    .family("elements")
+                   .synonyms({"dipole", "tangent", "bend", "tangent vector", "handle", "boost generator"})
                    .doc("A generator of boosts: a tangent vector at a point, null or split into two poles.")
                    .source("Boosted Surfaces, eqs. (1), (4), fig. 8")
                    .details("With split s the square of the pair is 2 s |direction|^2.")
@@ -123,6 +127,7 @@ void add_elements(Registry& registry) {
       node("point_pair_through", pair_through)
           .title("Point pair through two points")
           .family("elements")
+          .synonyms({"dipole", "two points", "poles", "segment"})
           .doc("The geometric product of two weighted points: a scalar and the point pair that joins them.")
           .source("Boosted Surfaces, eqs. (19), (20)")
           .details("The weight replaces the no coefficient of a point.")
@@ -130,18 +135,21 @@ void add_elements(Registry& registry) {
           .degenerate(
               "w = -1",
               "With both weights -1 the scalar of a unit pair about the origin is 0 and the generator alone is left.")
-          .input("a", &TwoPointsInputs::a, "First point.", defaults({0, 0, 1}).unit("m").position_handle())
+          .input("a", &TwoPointsInputs::a, "First point.",
+                 defaults({0, 0, 1}).unit("m").position_handle().title("First point"))
           .input("weight_a", &TwoPointsInputs::weight_a, "Weight of its no coefficient.",
-                 defaults(1).hard(-1e9, 1e9).soft(-1, 1))
-          .input("b", &TwoPointsInputs::b, "Second point.", defaults({0, 0, -1}).unit("m").position_handle())
+                 defaults(1).hard(-1e9, 1e9).soft(-1, 1).title("First weight"))
+          .input("b", &TwoPointsInputs::b, "Second point.",
+                 defaults({0, 0, -1}).unit("m").position_handle().title("Second point"))
           .input("weight_b", &TwoPointsInputs::weight_b, "Weight of its no coefficient.",
-                 defaults(1).hard(-1e9, 1e9).soft(-1, 1))
+                 defaults(1).hard(-1e9, 1e9).soft(-1, 1).title("Second weight"))
           .output("generator", "The bivector part of the product.")
           .output("scalar", "The scalar part of the product."));
 
   registry.add(node("flat_point", flat)
                    .title("Flat point")
                    .family("elements")
+                   .synonyms({"scaling", "dilation", "zoom"})
                    .doc("A generator of scaling about a point: exp(k p^ni) scales by e^(2k).")
                    .source("Boosted Surfaces, section 4")
                    .input("position", "The center of the scaling.", defaults({0, 0, 0}).unit("m").position_handle())
@@ -150,6 +158,7 @@ void add_elements(Registry& registry) {
   registry.add(node("direction", free_direction)
                    .title("Direction")
                    .family("elements")
+                   .synonyms({"translation", "shift", "move generator"})
                    .doc("A generator of translation: exp(k v^ni) moves by -2 k v.")
                    .source("Boosted Surfaces, section 4")
                    .degenerate("zero direction", "The zero generator: its exponential is the identity.")
@@ -159,11 +168,12 @@ void add_elements(Registry& registry) {
   registry.add(node("rotation", rotation_about)
                    .title("Rotation")
                    .family("elements")
+                   .synonyms({"turn", "spin", "revolve", "dual line"})
                    .doc("A generator of rotation about a line: exp(k B) turns by -2 k radians, right hand.")
                    .source("Boosted Surfaces, section 4")
                    .details("The generator is the dual of the line, of unit length.")
                    .degenerate("circle to line", "A circle is an error; one that has become a line is an axis.")
-                   .input("axis", "The line to turn about.")
+                   .input("axis", "The line to turn about.", required().title("Line"))
                    .output("generator", "The dual line."));
 }
 

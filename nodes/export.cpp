@@ -103,6 +103,7 @@ void add_export(Registry& registry) {
       node("export", export_file)
           .title("Export")
           .family("answers")
+          .synonyms({"save", "output", "download", "file", "glb", "gltf", "render", "write"})
           .doc("Writes meshes, circles and points as one file: glTF with Draco, or what is asked for.")
           .details("Everything shares one quantization grid, so seams never crack. Circles and points travel "
                    "uncompressed; of more than 15 625 circles each has fewer than the usual 256 segments. "
@@ -110,14 +111,17 @@ void add_export(Registry& registry) {
                    "glTF turns to Y up, other formats stay Z up. All are in meters.")
           .input("model", "Meshes, circles or points, over any axes.", required().several())
           .input("position_bits", &ExportInputs::position_bits, "Bits per coordinate over the largest extent.",
-                 defaults(14).hard(8, 20))
-          .input("normal_bits", &ExportInputs::normal_bits, "Bits per normal coordinate.", defaults(10).hard(6, 16))
+                 defaults(14).hard(8, 20).unit("bit").title("Position precision"))
+          .input("normal_bits", &ExportInputs::normal_bits, "Bits per normal coordinate.",
+                 defaults(10).hard(6, 16).unit("bit").title("Normal precision"))
           .input("uv_bits", &ExportInputs::uv_bits, "Bits per texture coordinate over its range.",
-                 defaults(12).hard(8, 20))
-          .input("speed", &ExportInputs::speed, "0 smallest file, 10 fastest.", defaults(7).hard(0, 10))
-          .input("normals", &ExportInputs::normals, "Whether normals are sent.", defaults(true))
+                 defaults(12).hard(8, 20).unit("bit").title("Texture precision"))
+          .input("speed", &ExportInputs::speed, "0 smallest file, 10 fastest.",
+                 defaults(7).hard(0, 10).title("Quick or small"))
+          .input("normals", &ExportInputs::normals, "Whether normals are sent.", defaults(true).title("With normals"))
           .input("draco", &ExportInputs::draco,
-                 "Whether meshes are compressed with Draco; many programs read only files without.", defaults(true))
+                 "Whether meshes are compressed with Draco; many programs read only files without.",
+                 defaults(true).title("Compressed"))
           .depends_on_quality()
           .names_parts()
           .cost(cost_of_export)

@@ -91,6 +91,7 @@ void add_fields(Registry& registry) {
       node("warp", warp_points, warp_mesh)
           .title("Warp")
           .family("fields")
+          .synonyms({"deform", "bend", "displace", "field", "distort", "attract", "magnet", "sculpt"})
           .doc("Moves every point by all generators together, each weighted by its distance.")
           .source("Boosted Surfaces, eqs. (13), (16)")
           .details("Weight 1 / (d^power + softening), rotor exp(strength * weighted sum). With power 2 and no "

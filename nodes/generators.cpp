@@ -41,6 +41,7 @@ void add_generators(Registry& registry) {
   registry.add(node("add", weighted_sum)
                    .title("Add")
                    .family("generators")
+                   .synonyms({"sum", "combine", "mix", "plus", "total"})
                    .doc("The weighted sum of generators, along one axis.")
                    .source("Boosted Surfaces, section 4.1")
                    .input("generators", &AddInputs::generators, "Links to one or several, or one family of them.",
@@ -54,14 +55,15 @@ void add_generators(Registry& registry) {
       node("interpolate", interpolated)
           .title("Interpolate")
           .family("generators")
+          .synonyms({"blend", "mix", "lerp", "morph", "between", "tween"})
           .doc("Blends two generators linearly, or four bilinearly.")
           .source("Boosted Surfaces, section 4.1, eq. (15)")
           .details(
               "a stands at (u, v) = (0, 0), b at (1, 0), c at (0, 1), d at (1, 1). Without c and d, v has no effect.")
-          .input("a", &InterpolateInputs::a, "Generator at u = 0, v = 0.")
-          .input("b", &InterpolateInputs::b, "Generator at u = 1, v = 0.")
-          .input("c", &InterpolateInputs::c, "Generator at u = 0, v = 1.")
-          .input("d", &InterpolateInputs::d, "Generator at u = 1, v = 1.")
+          .input("a", &InterpolateInputs::a, "Generator at u = 0, v = 0.", required().title("At u 0, v 0"))
+          .input("b", &InterpolateInputs::b, "Generator at u = 1, v = 0.", required().title("At u 1, v 0"))
+          .input("c", &InterpolateInputs::c, "Generator at u = 0, v = 1.", required().title("At u 0, v 1"))
+          .input("d", &InterpolateInputs::d, "Generator at u = 1, v = 1.", required().title("At u 1, v 1"))
           .input("u", &InterpolateInputs::u, "Position from a to b.", defaults(0.5).soft(0, 1))
           .input("v", &InterpolateInputs::v, "Position from a to c.", defaults(0.5).soft(0, 1))
           .output("generator", "The blend."));

@@ -88,19 +88,21 @@ void add_import(Registry& registry) {
       node("import", imported)
           .title("Import")
           .family("meshes")
+          .synonyms({"file", "load", "open", "obj", "stl", "ply", "glb", "read"})
           .doc("A mesh from an OBJ, PLY, STL or GLB file that was uploaded, or given on the command line.")
           .version(2)
           .details("Texture coordinates, vertex colors and normals are kept; missing normals are computed. "
                    "Materials, textures and animations are left out, and skins are taken in the pose of the file. "
                    "Polygons become triangles. What of the file is left out is a warning. A file that is not "
                    "known here is an error.")
-          .input("asset", "The sha256 of an uploaded file, or the name given to a file by --asset.")
+          .input("asset", "The sha256 of an uploaded file, or the name given to a file by --asset.",
+                 required().title("File"))
           .input("up", &ImportInputs::up, "Which axis of the file is up; by its format: y in GLB, z in the others.",
-                 defaults("format"))
+                 defaults("format").title("Up axis"))
           .input("scale", &ImportInputs::scale, "Factor from the file's unit to meters.",
-                 defaults(1).hard(1e-9, 1e9).soft(0.1, 10))
+                 defaults(1).hard(1e-9, 1e9).soft(0.1, 10).title("Meters per unit"))
           .input("center", &ImportInputs::center, "Whether the middle of the mesh moves to the origin.",
-                 defaults(false))
+                 defaults(false).title("To the origin"))
           .vertices(vertices_of, most_vertices_of)
           .thinned_to(12)
           .cost([](const RunSize& size) {

@@ -128,6 +128,7 @@ void add_mesh_tools(Registry& registry) {
       node("box_mesh", box)
           .title("Box mesh")
           .family("meshes")
+          .synonyms({"cube", "block", "cuboid", "brick"})
           .doc("A box as a mesh with flat faces.")
           .details("Edges that are not positive are an error. Faces have vertices of their own along common edges.")
           .input("center", &BoxMeshInputs::center, "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
@@ -145,6 +146,7 @@ void add_mesh_tools(Registry& registry) {
       node("subdivide", subdivided)
           .title("Subdivide")
           .family("meshes")
+          .synonyms({"refine", "smooth", "tessellate", "more triangles"})
           .doc("Cuts every triangle of a mesh into four, so that it can bend.")
           .details("The shape stays the same. Normals, texture coordinates and colors are averaged along edges.")
           .input("shape", "The mesh.")
@@ -161,6 +163,7 @@ void add_mesh_tools(Registry& registry) {
       node("curvature_color", colored_by_curvature)
           .title("Curvature color")
           .family("meshes")
+          .synonyms({"heat map", "analysis", "gauss", "mean curvature", "zebra"})
           .doc("Colors a mesh by its Gauss or mean curvature, and tells the extremes.")
           .source("Rusinkiewicz, Estimating curvatures and their derivatives on triangle meshes (2004)")
           .details("Curvatures are estimated from the triangles around each vertex; the error falls with the "
@@ -185,6 +188,7 @@ void add_mesh_tools(Registry& registry) {
       node("color_by", colored_by_number)
           .title("Color by number")
           .family("meshes")
+          .synonyms({"gradient", "heat map", "palette", "rainbow", "ramp"})
           .doc("Gives each mesh of a family the color of a number on a palette.")
           .details("Numbers outside the range take the nearer end, or go around on the cyclic palette. With "
                    "equal ends every number takes the middle.")

@@ -80,13 +80,14 @@ void add_meshes(Registry& registry) {
       node("sphere_mesh", sphere)
           .title("Sphere mesh")
           .family("meshes")
+          .synonyms({"ball", "globe", "uv sphere", "planet"})
           .doc("A sphere as a mesh with clean poles.")
           .degenerate("zero radius", "Refused as out of range.")
           .input("center", &SphereMeshInputs::center, "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
           .input("radius", &SphereMeshInputs::radius, "Its radius.",
                  defaults(1).hard(1e-9, 1e6).soft(0.1, 4).unit("m").radius_handle("center"))
           .input("segments", &SphereMeshInputs::segments, "Around the vertical axis.",
-                 defaults(96).hard(3, 8192).soft(8, 256))
+                 defaults(96).hard(3, 8192).soft(8, 256).title("Segments around"))
           .input("rings", &SphereMeshInputs::rings, "From pole to pole.", defaults(48).hard(2, 8192).soft(4, 128))
           .vertices([](const Literals& literals, const Axes&) { return grid_vertices(literals, "segments", "rings"); })
           .thinned_to(6)
@@ -97,6 +98,7 @@ void add_meshes(Registry& registry) {
       node("torus_mesh", torus)
           .title("Torus mesh")
           .family("meshes")
+          .synonyms({"donut", "doughnut", "ring", "tire"})
           .doc("A torus as a mesh.")
 
           .degenerate("zero radius", "Refused as out of range.")
@@ -104,12 +106,15 @@ void add_meshes(Registry& registry) {
           .input("center", &TorusMeshInputs::center, "Its center.", defaults({0, 0, 0}).unit("m").position_handle())
           .input("axis", &TorusMeshInputs::axis, "Direction of its axis, of any length.",
                  defaults({0, 0, 1}).direction_handle("center"))
-          .input("major_radius", &TorusMeshInputs::major_radius, "From the center to the middle of the tube.",
-                 defaults(1).hard(1e-9, 1e6).soft(0.1, 4).unit("m").radius_handle("center", "axis"))
+          .input(
+              "major_radius", &TorusMeshInputs::major_radius, "From the center to the middle of the tube.",
+              defaults(1).hard(1e-9, 1e6).soft(0.1, 4).unit("m").radius_handle("center", "axis").title("Large radius"))
           .input("minor_radius", &TorusMeshInputs::minor_radius, "Of the tube.",
-                 defaults(0.3).hard(1e-9, 1e6).soft(0.05, 1).unit("m"))
-          .input("segments", &TorusMeshInputs::segments, "Around the axis.", defaults(128).hard(3, 8192).soft(8, 256))
-          .input("sides", &TorusMeshInputs::sides, "Around the tube.", defaults(48).hard(3, 8192).soft(4, 128))
+                 defaults(0.3).hard(1e-9, 1e6).soft(0.05, 1).unit("m").title("Small radius"))
+          .input("segments", &TorusMeshInputs::segments, "Around the axis.",
+                 defaults(128).hard(3, 8192).soft(8, 256).title("Around the axis"))
+          .input("sides", &TorusMeshInputs::sides, "Around the tube.",
+                 defaults(48).hard(3, 8192).soft(4, 128).title("Around the tube"))
           .vertices([](const Literals& literals, const Axes&) { return grid_vertices(literals, "segments", "sides"); })
           .thinned_to(18)
           .cost(cost_of_grid_surface)
@@ -118,6 +123,7 @@ void add_meshes(Registry& registry) {
   registry.add(node("merge", merged)
                    .title("Merge")
                    .family("meshes")
+                   .synonyms({"join", "union", "combine", "group", "weld"})
                    .doc("One mesh from many: all links, and all values of their axes.")
                    .input("meshes", "Meshes, over any axes.", required().several())
                    .cost([](const RunSize& size) {
@@ -129,6 +135,7 @@ void add_meshes(Registry& registry) {
       node("color", colored)
           .title("Color")
           .family("meshes")
+          .synonyms({"paint", "tint", "hue", "rgb"})
           .doc("Gives a mesh one color.")
           .input("shape", "The mesh.")
           .input("color", &ColorInputs::color, "Linear red, green, blue and alpha.", defaults({0.2, 0.5, 0.9, 1.0}))
@@ -139,6 +146,7 @@ void add_meshes(Registry& registry) {
       node("material", with_material)
           .title("Material")
           .family("meshes")
+          .synonyms({"finish", "metal", "glass", "gloss", "shader", "pbr", "transparent"})
           .doc("Gives a mesh one color, and says how its surface takes light.")
           .details(
               "Colors of vertices are left out; a node that colors them may follow, and leaves metallic, roughness "

@@ -53,6 +53,7 @@ void add_numbers(Registry& registry) {
   registry.add(node("number", number_value)
                    .title("Number")
                    .family("numbers")
+                   .synonyms({"slider", "value", "constant", "scalar", "float", "parameter"})
                    .doc("A number to use in several places.")
                    .input("value", "The number.", defaults(0).soft(-10, 10))
                    .output("value", "The same number."));
@@ -61,6 +62,7 @@ void add_numbers(Registry& registry) {
       node("range", range_values)
           .title("Range")
           .family("numbers")
+          .synonyms({"series", "sequence", "array", "steps", "linspace", "repeat", "copies", "count", "family"})
           .doc("Evenly spaced numbers along a new axis.")
           .details(
               "An open range holds both ends; a closed one leaves the end value out, because it is the start again.")
@@ -77,6 +79,7 @@ void add_numbers(Registry& registry) {
                     list_item<Circle>, list_item<Sphere>)
                    .title("List")
                    .family("numbers")
+                   .synonyms({"array", "values", "table", "sequence", "items"})
                    .doc("Values given one by one, along a new axis.")
                    .details("Literal triples are read as points.")
                    .input("items", "Links or literals, all of one type; three numbers are a point, vectors are linked.",
@@ -89,6 +92,7 @@ void add_numbers(Registry& registry) {
   registry.add(node("vector", vector_of)
                    .title("Vector")
                    .family("numbers")
+                   .synonyms({"xyz", "offset", "displacement", "arrow", "combine"})
                    .doc("A free direction from its three coordinates.")
                    .input("x", &VectorInputs::x, "Along the first axis.", defaults(0).soft(-2, 2).unit("m"))
                    .input("y", &VectorInputs::y, "Along the second axis.", defaults(0).soft(-2, 2).unit("m"))
@@ -99,6 +103,8 @@ void add_numbers(Registry& registry) {
       node("expression", expression_values)
           .title("Expression")
           .family("numbers")
+          .synonyms({"formula", "math", "function", "equation", "calculate", "multiply", "divide", "subtract", "sine",
+                     "cosine", "wave"})
           .doc("A formula over x, y, z and w, evaluated for every combination of their axes.")
           .details(
               "Operators + - * / ^ < <= > >= == != && || ? :, constants pi and e, functions " +

@@ -122,26 +122,31 @@ void add_operators(Registry& registry) {
       VersorNode<loxodrome>::declare("loxodrome")
           .title("Loxodrome")
           .family("transforms")
+          .synonyms({"spiral", "rhumb", "helix"})
           .doc("A boost at the origin and a translation in one exponential: exp(amount (lambda no^a + gamma b^ni)).")
           .source("Boosted Surfaces, section 3, fig. 3")
           .details("The generator is simple, and both rules agree, only when a and b are parallel.")
           .degenerate("zero direction", "A zero vector leaves out its part; without both it is the identity.")
           .input("shape", "Points, circles, spheres, generators or meshes.")
-          .input("a", &LoxodromeInputs::a, "Direction of the boost.", defaults({1, 0, 0}).direction_handle())
+          .input("a", &LoxodromeInputs::a, "Direction of the boost.",
+                 defaults({1, 0, 0}).direction_handle().title("Boost direction"))
           .input("lambda", &LoxodromeInputs::lambda, "Strength of the boost.",
-                 defaults(1).hard(-1e6, 1e6).soft(-4, 4).unit("1/m"))
-          .input("b", &LoxodromeInputs::b, "Direction of the translation.", defaults({0, 1, 0}).direction_handle())
+                 defaults(1).hard(-1e6, 1e6).soft(-4, 4).unit("1/m").title("Boost strength"))
+          .input("b", &LoxodromeInputs::b, "Direction of the translation.",
+                 defaults({0, 1, 0}).direction_handle().title("Travel direction"))
           .input("gamma", &LoxodromeInputs::gamma, "Strength of the translation.",
-                 defaults(1).hard(-1e6, 1e6).soft(-4, 4).unit("m"))
+                 defaults(1).hard(-1e6, 1e6).soft(-4, 4).unit("m").title("Travel strength"))
           .input("amount", &LoxodromeInputs::amount, "How far along the loxodrome.", defaults(1).soft(-4, 4))
           .input("rule", &LoxodromeInputs::rule,
-                 "The true exponential, or the paper's with the scalar part of the square only.", defaults("exact"))
+                 "The true exponential, or the paper's with the scalar part of the square only.",
+                 defaults("exact").title("Exponential"))
           .output("shape", "The transformed shape."));
 
   registry.add(
       VersorNode<product_of_points>::declare("product")
           .title("Product of points")
           .family("transforms")
+          .synonyms({"rotor", "geometric product", "two points"})
           .doc("Applies the geometric product of two weighted points, with its bivector part scaled by an amount.")
           .source("Boosted Surfaces, eq. (20), fig. 16")
           .details("K = <ab>_0 + amount <ab>_2; each weight replaces the no coefficient of its point. Where K ~K = 0 "
@@ -152,12 +157,14 @@ void add_operators(Registry& registry) {
                       "With both weights -1 the scalar part of a unit pair about the origin is 0: every amount gives "
                       "the same map, and amount 0, where K = 0, is an error.")
           .input("shape", "Points, circles, spheres, generators or meshes.")
-          .input("a", &ProductInputs::a, "First point.", defaults({0, 0, 1}).unit("m").position_handle())
+          .input("a", &ProductInputs::a, "First point.",
+                 defaults({0, 0, 1}).unit("m").position_handle().title("First point"))
           .input("weight_a", &ProductInputs::weight_a, "Weight of its no coefficient.",
-                 defaults(1).hard(-1e6, 1e6).soft(-1, 1))
-          .input("b", &ProductInputs::b, "Second point.", defaults({0, 0, -1}).unit("m").position_handle())
+                 defaults(1).hard(-1e6, 1e6).soft(-1, 1).title("First weight"))
+          .input("b", &ProductInputs::b, "Second point.",
+                 defaults({0, 0, -1}).unit("m").position_handle().title("Second point"))
           .input("weight_b", &ProductInputs::weight_b, "Weight of its no coefficient.",
-                 defaults(1).hard(-1e6, 1e6).soft(-1, 1))
+                 defaults(1).hard(-1e6, 1e6).soft(-1, 1).title("Second weight"))
           .input("amount", &ProductInputs::amount, "Factor of the bivector part.",
                  defaults(0.5).hard(-1e6, 1e6).soft(-1, 1))
           .output("shape", "The transformed shape."));
@@ -166,6 +173,7 @@ void add_operators(Registry& registry) {
       VersorNode<sphere_to_sphere>::declare("boost_between")
           .title("Boost between")
           .family("transforms")
+          .synonyms({"morph", "sphere to sphere", "inversion", "align"})
           .doc("Applies a power of the simple rotor that takes one sphere or plane to another.")
           .source("Colapinto, Composing Surfaces with Conformal Rotors, AACA 27 (2017)")
           .details(
@@ -188,6 +196,7 @@ void add_operators(Registry& registry) {
       node("hopf", hopf_fiber)
           .title("Hopf fiber")
           .family("transforms")
+          .synonyms({"linked circles", "fibration", "villarceau", "bundle"})
           .doc("A base circle boosted towards a line and twisted towards its axis: one fiber of a bundle of "
                "linked circles.")
           .source("Boosted Surfaces, eqs. (9), (10), (11), (12), figs. 6, 7")
@@ -196,8 +205,9 @@ void add_operators(Registry& registry) {
                    "the paper's. Latitude 0 is the base, 1 its axis.")
           .degenerate("circle to line", "Latitude 1 is the axis, a line; a line as the base is an error.")
           .degenerate("zero radius", "An error: the base has no size to measure by.")
-          .input("shape", "The base circle.")
-          .input("theta", &HopfInputs::theta, "Longitude; 1 is once around.", defaults(0).soft(0, 1).unit("turn"))
+          .input("shape", "The base circle.", required().title("Base circle"))
+          .input("theta", &HopfInputs::theta, "Longitude; 1 is once around.",
+                 defaults(0).soft(0, 1).unit("turn").title("Longitude"))
           .input("latitude", &HopfInputs::latitude, "From the base circle to its axis: the paper's 1/2 + phi/pi.",
                  defaults(0.5).hard(0, 1).soft(0, 1))
           .input("method", &HopfInputs::method, "True Hopf fibers, or the paper's boost and twist.", defaults("exact"))

@@ -55,6 +55,7 @@ void add_random(Registry& registry) {
       node("random", random_samples)
           .title("Random")
           .family("numbers")
+          .synonyms({"noise", "scatter", "jitter", "seed", "shuffle", "distribution"})
           .doc("Evenly distributed numbers, and points in a box, along a new axis; the same for the same seed.")
           .source("Steele, Lea and Flood, Fast splittable pseudorandom number generators (2014)")
           .details("The same on every machine. A larger count keeps the samples of a smaller one. When from equals to, "

@@ -125,19 +125,24 @@ void add_rounds(Registry& registry) {
   registry.add(node("circle_through", circle_of_three)
                    .title("Circle through three points")
                    .family("elements")
+                   .synonyms({"three points", "arc", "circumcircle", "ring"})
                    .doc("The circle through three points, run from a over b to c.")
 
                    .degenerate("circle to line", "Collinear points, or one at infinity, give the line.")
                    .degenerate("coincident points", "An error: many circles pass through two points.")
-                   .input("a", &ThreePointsInputs::a, "First point.", defaults({1, 0, 0}).unit("m").position_handle())
-                   .input("b", &ThreePointsInputs::b, "Second point.", defaults({0, 1, 0}).unit("m").position_handle())
-                   .input("c", &ThreePointsInputs::c, "Third point.", defaults({-1, 0, 0}).unit("m").position_handle())
+                   .input("a", &ThreePointsInputs::a, "First point.",
+                          defaults({1, 0, 0}).unit("m").position_handle().title("First point"))
+                   .input("b", &ThreePointsInputs::b, "Second point.",
+                          defaults({0, 1, 0}).unit("m").position_handle().title("Second point"))
+                   .input("c", &ThreePointsInputs::c, "Third point.",
+                          defaults({-1, 0, 0}).unit("m").position_handle().title("Third point"))
                    .output("circle", "The circle, or the line."));
 
   registry.add(
       node("sphere", sphere_element)
           .title("Sphere")
           .family("elements")
+          .synonyms({"ball", "globe", "round"})
           .doc("An oriented sphere as an element; transforms carry it, also into planes.")
           .details(
               "To draw one, see sphere mesh. A radius below a few ten-millionths of the distance from the origin is "
@@ -151,6 +156,7 @@ void add_rounds(Registry& registry) {
   registry.add(node("osculating_sphere", sphere_of_curvature)
                    .title("Osculating sphere")
                    .family("elements")
+                   .synonyms({"tangent sphere", "touching", "ball"})
                    .doc("The sphere of a given curvature through a point: a plane bent by the boost of its own normal.")
                    .source("Colapinto, Composing Surfaces with Conformal Rotors, AACA 27 (2017)")
                    .details("Its center is at position - normal / curvature; curvature 0 gives the plane.")
@@ -167,6 +173,7 @@ void add_rounds(Registry& registry) {
   registry.add(node("axis_of", axis_of_circle)
                    .title("Axis of")
                    .family("elements")
+                   .synonyms({"center line", "normal line"})
                    .doc("The line through the center of a circle along its normal.")
                    .source("Boosted Surfaces, eqs. (6), (7), (8)")
                    .details("The axis runs along the normal, about which the circle runs counter-clockwise.")
@@ -180,6 +187,7 @@ void add_rounds(Registry& registry) {
       node("poles_of", poles_of_circle, poles_of_pair)
           .title("Poles of")
           .family("elements")
+          .synonyms({"ends", "points of", "tips", "endpoints"})
           .doc("The two poles of a circle, of which it is the equator; or the two points of a point pair.")
           .source("Boosted Surfaces, section 6, fig. 16")
           .details("A circle of radius zero and a null pair have both poles in one point; a flat point has "
@@ -194,6 +202,7 @@ void add_rounds(Registry& registry) {
   registry.add(node("center_of", center_of_circle, center_of_sphere, center_of_generator)
                    .title("Center of")
                    .family("elements")
+                   .synonyms({"midpoint", "middle", "centroid", "position of"})
                    .doc("The center of a circle or sphere, or the place where a generator sits.")
                    .details("Lines, planes and directions have theirs at infinity. A rotation sits at the point of its "
                             "axis nearest the origin.")
@@ -206,6 +215,7 @@ void add_rounds(Registry& registry) {
   registry.add(node("radius_of", radius_of_circle, radius_of_sphere)
                    .title("Radius of")
                    .family("elements")
+                   .synonyms({"size of", "length", "distance"})
                    .doc("The radius of a circle or sphere.")
 
                    .degenerate("circle to line", "A line, or a plane, has no finite radius: an error.")

@@ -65,6 +65,7 @@ void add_sampling(Registry& registry) {
       node("sample", circle_samples)
           .title("Sample")
           .family("sampling")
+          .synonyms({"divide", "resample", "points on curve", "instances", "populate"})
           .doc("Points along a circle, or along a piece of a line, on a new axis.")
           .details("A circle starts at a fixed direction that depends on its normal. A line is sampled about its point "
                    "nearest the origin.")
@@ -75,7 +76,7 @@ void add_sampling(Registry& registry) {
           .input("closed", &SampleInputs::closed,
                  "Whether the last point joins the first; a closed circle does not repeat its start.", defaults(true))
           .input("length", &SampleInputs::length, "Length of the piece of a line.",
-                 defaults(10).hard(0, 1e9).soft(0, 20).unit("m"))
+                 defaults(10).hard(0, 1e9).soft(0, 20).unit("m").title("Length of line"))
           .made_axis("axis", "Name of the axis; empty means the id of this node.")
           .axes(one_axis("count", "axis", "closed"))
           .makes_curves()
@@ -84,27 +85,29 @@ void add_sampling(Registry& registry) {
           })
           .output("points", "The points, over the new axis."));
 
-  registry.add(
-      node("grid", grid_points)
-          .title("Grid")
-          .family("sampling")
-          .doc("Points of a flat parallelogram over two new axes, with their positions u and v from 0 to 1.")
-          .details("It spans center - u_vector - v_vector to center + u_vector + v_vector. A count of 1 "
-                   "stands at the start.")
-          .degenerate("zero direction", "Points repeat along the axis of a zero vector.")
-          .input("center", &GridInputs::center, "The middle.", defaults({0, 0, 0}).unit("m").position_handle())
-          .input("u_vector", &GridInputs::u_vector, "Half the extent along u.",
-                 defaults({1, 0, 0}).unit("m").direction_handle("center"))
-          .input("v_vector", &GridInputs::v_vector, "Half the extent along v.",
-                 defaults({0, 1, 0}).unit("m").direction_handle("center"))
-          .input("count_u", &GridInputs::count_u, "How many points along u.", defaults(32).hard(1, 65536).soft(2, 256))
-          .input("count_v", &GridInputs::count_v, "How many points along v.", defaults(32).hard(1, 65536).soft(2, 256))
-          .made_axis("axis_u", "Name of the u axis.", "u")
-          .made_axis("axis_v", "Name of the v axis.", "v")
-          .axes(grid_axes)
-          .output("points", "The points, over u and v.")
-          .output("u", "0 to 1 over the u axis.")
-          .output("v", "0 to 1 over the v axis."));
+  registry.add(node("grid", grid_points)
+                   .title("Grid")
+                   .family("sampling")
+                   .synonyms({"plane", "lattice", "points", "rows", "array"})
+                   .doc("Points of a flat parallelogram over two new axes, with their positions u and v from 0 to 1.")
+                   .details("It spans center - u_vector - v_vector to center + u_vector + v_vector. A count of 1 "
+                            "stands at the start.")
+                   .degenerate("zero direction", "Points repeat along the axis of a zero vector.")
+                   .input("center", &GridInputs::center, "The middle.", defaults({0, 0, 0}).unit("m").position_handle())
+                   .input("u_vector", &GridInputs::u_vector, "Half the extent along u.",
+                          defaults({1, 0, 0}).unit("m").direction_handle("center").title("Half width"))
+                   .input("v_vector", &GridInputs::v_vector, "Half the extent along v.",
+                          defaults({0, 1, 0}).unit("m").direction_handle("center").title("Half depth"))
+                   .input("count_u", &GridInputs::count_u, "How many points along u.",
+                          defaults(32).hard(1, 65536).soft(2, 256).title("Points along u"))
+                   .input("count_v", &GridInputs::count_v, "How many points along v.",
+                          defaults(32).hard(1, 65536).soft(2, 256).title("Points along v"))
+                   .made_axis("axis_u", "Name of the u axis.", "u")
+                   .made_axis("axis_v", "Name of the v axis.", "v")
+                   .axes(grid_axes)
+                   .output("points", "The points, over u and v.")
+                   .output("u", "0 to 1 over the u axis.")
+                   .output("v", "0 to 1 over the v axis."));
 }
 
 }  // namespace dini

@@ -176,6 +176,7 @@ void add_surfaces(Registry& registry) {
       node("surface", surface_of_points, surface_of_circles)
           .title("Surface")
           .family("surfaces")
+          .synonyms({"loft", "skin", "lathe", "sweep", "revolve", "mesh"})
           .doc("A mesh through points over two axes, or through circles over one.")
           .details("Closed axes are welded. Rows that shrink to a point become clean poles. Where the surface passes "
                    "through "
@@ -201,6 +202,7 @@ void add_surfaces(Registry& registry) {
       node("tube", tube_of_points, tube_of_circle)
           .title("Tube")
           .family("surfaces")
+          .synonyms({"pipe", "sweep", "cable", "wire", "hose", "thicken"})
           .doc("A round tube along a curve: points over one axis, or a circle.")
           .details("A closed axis makes a closed tube. Parts beyond the clip radius are left out.")
           .degenerate("circle to line", "A straight tube as long as the clip radius allows.")
@@ -226,25 +228,29 @@ void add_surfaces(Registry& registry) {
       node("patch", patch_mesh)
           .title("Patch")
           .family("surfaces")
+          .synonyms({"coons", "quad", "bezier", "sheet", "four corners"})
           .doc("A surface patch: every point of a flat parallelogram moved by the bilinear blend of four generators.")
           .source("Boosted Surfaces, eq. (15), fig. 11")
           .details("The parallelogram spans center - u_vector - v_vector to center + u_vector + v_vector.")
           .degenerate("point at a generator", "A corner that stands at its own null pair stays.")
           .degenerate("zero direction", "Vectors that span no plane give an empty mesh.")
-          .input("a", &PatchInputs::a, "Generator at u = 0, v = 0.")
-          .input("b", &PatchInputs::b, "Generator at u = 1, v = 0.")
-          .input("c", &PatchInputs::c, "Generator at u = 0, v = 1.")
-          .input("d", &PatchInputs::d, "Generator at u = 1, v = 1.")
+          .input("a", &PatchInputs::a, "Generator at u = 0, v = 0.", required().title("At u 0, v 0"))
+          .input("b", &PatchInputs::b, "Generator at u = 1, v = 0.", required().title("At u 1, v 0"))
+          .input("c", &PatchInputs::c, "Generator at u = 0, v = 1.", required().title("At u 0, v 1"))
+          .input("d", &PatchInputs::d, "Generator at u = 1, v = 1.", required().title("At u 1, v 1"))
           .input("center", &PatchInputs::center, "The middle.", defaults({0, 0, 0}).unit("m").position_handle())
           .input("u_vector", &PatchInputs::u_vector, "Half the extent along u.",
-                 defaults({1, 0, 0}).unit("m").direction_handle("center"))
+                 defaults({1, 0, 0}).unit("m").direction_handle("center").title("Half width"))
           .input("v_vector", &PatchInputs::v_vector, "Half the extent along v.",
-                 defaults({0, 1, 0}).unit("m").direction_handle("center"))
+                 defaults({0, 1, 0}).unit("m").direction_handle("center").title("Half depth"))
           .input("amount", &PatchInputs::amount, "Factor of the blended generator.", defaults(1).soft(-2, 2))
-          .input("count_u", &PatchInputs::count_u, "How many points along u.", defaults(96).hard(2, 65536).soft(8, 256))
-          .input("count_v", &PatchInputs::count_v, "How many points along v.", defaults(96).hard(2, 65536).soft(8, 256))
+          .input("count_u", &PatchInputs::count_u, "How many points along u.",
+                 defaults(96).hard(2, 65536).soft(8, 256).title("Points along u"))
+          .input("count_v", &PatchInputs::count_v, "How many points along v.",
+                 defaults(96).hard(2, 65536).soft(8, 256).title("Points along v"))
           .input("rule", &PatchInputs::rule,
-                 "The true exponential, or the paper's with the scalar part of the square only.", defaults("exact"))
+                 "The true exponential, or the paper's with the scalar part of the square only.",
+                 defaults("exact").title("Exponential"))
           .input("at_infinity", &PatchInputs::at_infinity, "What to do where the surface leaves the clip radius.",
                  defaults("clip"))
           .input("clip_radius", &PatchInputs::clip_radius, "Distance from the origin that counts as infinity.",

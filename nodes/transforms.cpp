@@ -107,7 +107,8 @@ auto exponential_node(const char* id) {
              "The generator B of the rotor exp(amount B).")
       .input("amount", &BoostInputs::amount, &BoostPointsInputs::amount, "How much of it.", defaults(1).soft(-2, 2))
       .input("rule", &BoostInputs::rule, &BoostPointsInputs::rule,
-             "The true exponential, or the paper's with the scalar part of the square only.", defaults("exact"))
+             "The true exponential, or the paper's with the scalar part of the square only.",
+             defaults("exact").title("Exponential"))
       .cost(cost_of_moved_mesh)
       .output("shape", "The transformed shape.");
 }
@@ -118,6 +119,7 @@ void add_transforms(Registry& registry) {
   registry.add(
       exponential_node("boost")
           .title("Boost")
+          .synonyms({"bend", "deform", "dipole", "stretch", "flow"})
           .doc("Bends a shape with the boosting rotor of a point pair.")
           .source("Boosted Surfaces, eqs. (2), (5), (14)")
           .details(
@@ -126,6 +128,7 @@ void add_transforms(Registry& registry) {
 
   registry.add(exponential_node("transform")
                    .title("Transform")
+                   .synonyms({"rotor", "exponential", "versor", "move", "apply"})
                    .doc("Applies the exponential of any generator to a shape.")
                    .source("Boosted Surfaces, eq. (14)"));
 
@@ -133,11 +136,12 @@ void add_transforms(Registry& registry) {
       VersorNode<screw>::declare("twist")
           .title("Twist")
           .family("transforms")
+          .synonyms({"screw", "helix", "spiral", "lathe", "spin", "revolve", "corkscrew", "coil"})
           .doc("Turns a shape about a line while sliding it along the line.")
           .source("Boosted Surfaces, section 3.1, fig. 5")
           .degenerate("circle to line", "A circle as axis is an error; one that has become a line is an axis.")
           .input("shape", "Points, circles, spheres, generators or meshes.")
-          .input("axis", &TwistInputs::axis, "The line to turn about.")
+          .input("axis", &TwistInputs::axis, "The line to turn about.", required().title("Line"))
           .input("angle", &TwistInputs::angle, "The turn, right hand.", defaults(90).soft(-360, 360).unit("deg"))
           .input("slide", &TwistInputs::slide, "The way along the line.", defaults(0).soft(-4, 4).unit("m"))
           .output("shape", "The twisted shape."));
@@ -145,6 +149,7 @@ void add_transforms(Registry& registry) {
   registry.add(VersorNode<line_to_line>::declare("twist_between")
                    .title("Twist between")
                    .family("transforms")
+                   .synonyms({"screw", "motion between", "morph", "align"})
                    .doc("Applies a power of the screw motion that takes one line to another.")
                    .source("Boosted Surfaces, eq. (11)")
                    .details("The turn is the shorter one.")
@@ -161,6 +166,7 @@ void add_transforms(Registry& registry) {
       VersorNode<translation>::declare("translate")
           .title("Translate")
           .family("transforms")
+          .synonyms({"move", "shift", "offset", "displace"})
           .doc("Moves a shape.")
           .degenerate("zero direction", "The identity.")
           .input("shape", "Points, circles, spheres, generators or meshes.")
@@ -171,16 +177,18 @@ void add_transforms(Registry& registry) {
       VersorNode<turn>::declare("rotate")
           .title("Rotate")
           .family("transforms")
+          .synonyms({"turn", "spin", "revolve", "orient", "lathe"})
           .doc("Turns a shape about a line.")
           .degenerate("circle to line", "A circle as axis is an error; one that has become a line is an axis.")
           .input("shape", "Points, circles, spheres, generators or meshes.")
-          .input("axis", &RotateInputs::axis, "The line to turn about.")
+          .input("axis", &RotateInputs::axis, "The line to turn about.", required().title("Line"))
           .input("angle", &RotateInputs::angle, "The turn, right hand.", defaults(90).soft(-360, 360).unit("deg"))
           .output("shape", "The turned shape."));
 
   registry.add(VersorNode<scaling>::declare("scale")
                    .title("Scale")
                    .family("transforms")
+                   .synonyms({"size", "resize", "zoom", "grow", "shrink", "enlarge"})
                    .doc("Scales a shape about a point.")
                    .input("shape", "Points, circles, spheres, generators or meshes.")
                    .input("center", &ScaleInputs::center, "The point that stays.",

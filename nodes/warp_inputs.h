@@ -25,10 +25,10 @@ auto warp_settings(const Json& strength, const Json& power, const std::string& p
         .input("softening", &Inputs::softening, "Added to the power of the distance.",
                defaults(0).hard(0, 1e9).soft(0, 2))
         .input("rule", &Inputs::rule, "The true exponential, or the paper's with the scalar part of the square only.",
-               defaults("exact"))
+               defaults("exact").title("Exponential"))
         .input("method", &Inputs::method,
                "One rotor from the summed generators, or the sum of what each would do alone.",
-               defaults("sum_generators"));
+               defaults("sum_generators").title("Combine by"));
   };
 }
 

@@ -10,6 +10,7 @@
 #include "graph/stopped.h"
 #include "graph/value_json.h"
 #include "nodes/all.h"
+#include "nodes/editor_hints.h"
 #include "nodes/formats.h"
 #include "service/document_graph.h"
 #include "service/explain.h"
@@ -46,6 +47,7 @@ void add_old_names(Json& described) {
 
 Json card_for_all(const NodeType& type) {
   Json described = card(type);
+  add_editor_hints(described);
   add_old_names(described);
   for (const char* const ports : {"inputs", "outputs"}) {
     for (Json& port : described[ports]) add_old_names(port);

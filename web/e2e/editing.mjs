@@ -99,9 +99,13 @@ const nodeNames = (page) =>
 export const inPanel = (page, id) => page.getByRole("button", { name: `Rename ${id}`, exact: true }).waitFor();
 
 export const node = (page, id) => pane(page).getByRole("group", { name: new RegExp(`, ${id}$`) });
-export const input = (page, id, name) => node(page, id).getByRole("button", { name: new RegExp(`^Input ${name} of `) });
-export const output = (page, id, name) =>
-  node(page, id).getByRole("button", { name: new RegExp(`^Output ${name} of `) });
+/** A socket by the name that documents have for it; what people read is its title. */
+const socket = (page, id, side, name) =>
+  node(page, id)
+    .getByRole("button", { name: new RegExp(`^${side} .* of `) })
+    .and(page.locator(`[data-handleid="${name}"]`));
+export const input = (page, id, name) => socket(page, id, "Input", name);
+export const output = (page, id, name) => socket(page, id, "Output", name);
 
 /** Where a node stands. How tall it is may still change: its problems come from the server. */
 export async function placeOf(page, id) {

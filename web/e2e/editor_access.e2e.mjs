@@ -179,9 +179,7 @@ test("in a narrow window graph and panel are tabs, and a node can be added and c
     await search.getByRole("combobox").fill("torus mesh");
     await page.keyboard.press("Enter");
     await untilGraph(page, ({ nodes }) => nodes.torus_mesh);
-    await node(page, "torus_mesh")
-      .getByRole("textbox", { name: /^major.radius of / })
-      .fill("3");
+    await node(page, "torus_mesh").getByRole("textbox", { name: "Large radius of Torus mesh" }).fill("3");
     await page.keyboard.press("Enter");
     await untilGraph(page, ({ nodes }) => nodes.torus_mesh.inputs.major_radius === 3);
   }));

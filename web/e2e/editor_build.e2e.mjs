@@ -127,15 +127,15 @@ test(
       await focusOn("Circle, circle");
       // Into the node, to its output, and on to a new node from there.
       await enter();
-      await focusOn("Input center");
-      await tabTo("Output circle of Circle");
+      await focusOn("Input Center");
+      await tabTo("Output Circle of Circle");
       await press("Enter");
       await search("new node", "Connect");
       await search("boost");
       await untilGraph(page, ({ nodes }) => nodes.boost?.inputs.shape?.from === "circle");
       await focusOn("Boost, boost");
       await enter();
-      await tabTo("Input generator of Boost");
+      await tabTo("Input Generator of Boost");
       await press("Enter");
       await search("new node", "Connect");
       await search("point pair");
@@ -146,12 +146,12 @@ test(
       await focusOn("Tube, tube");
       // A socket that is there is chosen from the list.
       await enter();
-      await tabTo("Input shape of Tube");
+      await tabTo("Input Shape of Tube");
       await press("Enter");
       await search("boost", "Connect");
       await untilGraph(page, ({ nodes }) => nodes.tube.inputs.shape?.from === "boost");
-      await focusOn("Input shape of Tube");
-      await tabTo("Output mesh of Tube");
+      await focusOn("Input Shape of Tube");
+      await tabTo("Output Mesh of Tube");
       await press("Enter");
       await search("new node", "Connect");
       await search("export");
@@ -169,7 +169,7 @@ test(
       await search("tube", "Find a node");
       await focusOn("Tube, tube");
       await enter();
-      await tabTo("radius of Tube");
+      await tabTo("Radius of Tube");
       await press("Control+a");
       await page.keyboard.type("0.2");
       await press("Enter");
@@ -184,11 +184,11 @@ test(
       await press("Control+z");
       await eventually(placeOf, ({ y }) => Math.abs(y - before.y) < 1, "a tube back in its place");
       await enter();
-      await tabTo("Input shape of Tube");
+      await tabTo("Input Shape of Tube");
       await press("Enter");
       await search("disconnect", "Connect");
       await untilGraph(page, ({ nodes }) => nodes.tube.inputs.shape === undefined);
-      await focusOn("Input shape of Tube");
+      await focusOn("Input Shape of Tube");
       await press("Escape");
       await focusOn("Tube, tube");
       await press("Delete");

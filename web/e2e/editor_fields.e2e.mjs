@@ -58,7 +58,7 @@ test("vectors, choices, switches, colors, texts and lists have their fields in t
     await page.keyboard.press("Tab");
     await untilGraph(page, ({ nodes }) => JSON.stringify(nodes.circle.inputs.normal) === "[1,0,1]");
     await addNode(page, "boost", 300, 460);
-    await panel.getByRole("combobox", { name: "rule of Boost" }).selectOption("paper");
+    await panel.getByRole("combobox", { name: "Exponential of Boost" }).selectOption("paper");
     await untilGraph(page, ({ nodes }) => nodes.boost.inputs.rule === "paper");
     await addNode(page, "range", 560, 160);
     await panel.getByRole("checkbox", { name: "closed of Range" }).check();
@@ -124,7 +124,7 @@ test("a value out of range is a problem with a fix, which is applied and can be 
     const id = Object.entries(page.graph().nodes).find(([, item]) => typeof item.inputs.count === "number")[0];
     await choose(page, id);
     const panel = page.getByRole("tabpanel", { name: "Node" });
-    await panel.getByRole("textbox", { name: /^count of / }).fill("0");
+    await panel.getByRole("textbox", { name: /^Count of / }).fill("0");
     await page.keyboard.press("Enter");
     await page.locator(`[data-id="${id}"] .node[data-tone="error"] .node-message`).waitFor();
     await page.getByRole("tab", { name: /^Problems/ }).click();

@@ -14,6 +14,7 @@ import {
   placeOf,
   said,
   undo,
+  untilApart,
   untilGraph,
   wire,
   withEditor,
@@ -213,6 +214,10 @@ test("a node is put into a wire by dropping it there, or from the wire's menu", 
       page,
       ({ nodes }) => nodes.twist?.inputs.shape?.from === "circle" && nodes.surface.inputs.shape?.from === "twist",
     );
+    // What is behind it makes room: it stands between the two, and none lies over another.
+    const places = await Promise.all(["circle", "twist", "surface"].map((id) => placeOf(page, id)));
+    assert.ok(places[0].x < places[1].x && places[1].x < places[2].x, JSON.stringify(places));
+    await untilApart(page);
   }));
 
 test("Delete removes a node, Ctrl+Delete joins what it stood between", () =>
@@ -264,10 +269,10 @@ test("a wire says what it carries under the pointer: type, axes and count", () =
 
 test("a socket under the pointer says its type, its value and how far it reaches", () =>
   withEditor(used, { hash: "#example=fig04_boosted_ring", width: 1500, height: 900 }, async (page) => {
-    const socket = pane(page).getByRole("button", { name: /^Output mesh of / });
+    const socket = pane(page).getByRole("button", { name: /^Output Mesh of / });
     const place = await middle(socket.first());
     await page.mouse.move(place.x, place.y);
     const tip = page.getByRole("tooltip");
-    await tip.getByText(/^mesh: mesh$/).waitFor();
+    await tip.getByText(/^Mesh: mesh$/).waitFor();
     await tip.getByText(/\d+ vertices, .* triangles/).waitFor();
   }));

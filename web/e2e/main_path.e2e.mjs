@@ -173,7 +173,15 @@ test("the export says what it makes before it is downloaded, as a GLB in full qu
     const result = dialog.getByRole("status").filter({ hasText: /kB · .* triangles · no point off by more than/ });
     await result.waitFor();
     const before = await result.textContent();
-    await dialog.getByRole("slider", { name: "Position bits" }).press("Home");
+    // How exact it is, in millimeters and not in bits: the coarsest.
+    const precision = dialog.getByRole("combobox", { name: "Position precision" });
+    const choices = precision.locator("option");
+    await eventually(
+      () => choices.first().textContent(),
+      (text) => /^within [\d.]+\s(mm|m)$/.test(text),
+    );
+    assert.match(await precision.locator("option:checked").textContent(), /^within .*, the usual$/);
+    await precision.selectOption({ index: 0 });
     await page.waitForFunction((text) => {
       const now = document.querySelector(".export-result")?.textContent ?? "";
       return now !== text && now.includes("triangles");

@@ -175,3 +175,16 @@ test("a server that does not answer is said in the list, with a way to try again
     await list.getByRole("button", { name: "Try again" }).click();
     await list.getByRole("alert").waitFor({ state: "detached" });
   }));
+
+test("a stored graph is deleted in two presses; its versions keep their addresses", () =>
+  withPage({}, async (page) => {
+    await keepAs(page, "to-go");
+    await fromMenu(page, "Open from the server…");
+    const list = dialog(page, "Open from the server");
+    await list.getByRole("button", { name: "Delete to-go" }).click();
+    assert.equal((await kept("to-go")).format, 1, "one press deletes nothing");
+    await list.getByRole("button", { name: "Really delete to-go" }).click();
+    await list.getByRole("button", { name: "Open to-go" }).waitFor({ state: "detached" });
+    assert.equal((await fetch(`${used.server.url}/v1/graphs/to-go`)).status, 404);
+    assert.equal((await kept("to-go@1")).format, 1);
+  }));

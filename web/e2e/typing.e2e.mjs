@@ -12,7 +12,7 @@ const large = { width: 1500, height: 900 };
 const empty = (run) => withEditor(used, { isEmpty: true, ...large }, run);
 const ring = (run, options = {}) => withEditor(used, { hash: RING, ...large, ...options }, run);
 
-const field = (page, id, name) => node(page, id).getByRole("textbox", { name: new RegExp(`^${name} of `) });
+const field = (page, id, name) => node(page, id).getByRole("textbox", { name: new RegExp(`^${name} of `, "i") });
 const panel = (page) => page.getByRole("tabpanel", { name: "Node" });
 
 for (const key of ["Shift", "Control"]) {
@@ -112,7 +112,7 @@ test("Enter and Escape belong to the input method while it composes", () =>
     await page.keyboard.press("Enter");
     await untilGraph(page, ({ nodes }) => nodes.ring.inputs.radius === 2);
     // Connecting.
-    const out = node(page, "ring").getByRole("button", { name: /^Output circle of / });
+    const out = node(page, "ring").getByRole("button", { name: /^Output Circle of / });
     await out.focus();
     await page.keyboard.press("Enter");
     const list = page.getByRole("combobox", { name: "Connect circle of Circle" });

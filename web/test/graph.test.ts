@@ -3,7 +3,7 @@ import { test } from "node:test";
 import { type GraphDocument, readDocument, readLink } from "../src/model/document";
 import { fileOutput, type ViewGraph, viewGraph } from "../src/model/graph";
 import type { Json } from "../src/model/json";
-import { layeredLayout, NODE_WIDTH, nodeHeight } from "../src/model/layout";
+import { layeredLayout, nodeHeight, nodeWidth } from "../src/model/layout";
 import { randomFrom } from "./random";
 import { catalogue, examples } from "./real";
 
@@ -19,11 +19,12 @@ function assertNoOverlap(view: ViewGraph): void {
   const boxes = view.nodes.map((node) => ({
     ...(places.get(node.id) ?? { x: 0, y: 0 }),
     id: node.id,
+    width: nodeWidth(node),
     height: nodeHeight(node),
   }));
   for (const a of boxes) {
     for (const b of boxes) {
-      if (a === b || Math.abs(a.x - b.x) >= NODE_WIDTH) continue;
+      if (a === b || a.x + a.width <= b.x || b.x + b.width <= a.x) continue;
       assert.ok(a.y + a.height <= b.y || b.y + b.height <= a.y, `${a.id} and ${b.id} overlap`);
     }
   }

@@ -4,12 +4,13 @@ import { runsThrough } from "../src/graph/drop_on_wire";
 import { readCatalogue } from "../src/model/catalogue";
 import { readDocument } from "../src/model/document";
 import { evaluateExpression } from "../src/model/expression";
+import { Habits } from "../src/model/habits";
 import { asParameter, controlKind, listText, readList } from "../src/model/inputs";
 import type { Json } from "../src/model/json";
 import { patchDocument } from "../src/model/patch";
 import { freePlace } from "../src/model/place";
 import { findNodes } from "../src/model/search";
-import { catalogue } from "./real";
+import { catalogue, examples } from "./real";
 
 const titles = (text: string): string[] => findNodes(catalogue, text).map(({ card }) => card.title);
 
@@ -22,6 +23,68 @@ test("the search finds by title, id, family, description, and with letters left 
   assert.equal(titles("sphrmsh")[0], "Sphere mesh");
   assert.deepEqual(titles("qqqq"), []);
   assert.equal(titles("").length, catalogue.nodes.size);
+});
+
+/** What people type who do not know what we call it, and one of what they may mean, which is to come first. */
+const WORDS: readonly [string, readonly string[]][] = [
+  ["ring", ["circle"]],
+  ["lathe", ["surface", "twist", "rotate"]],
+  ["slider", ["number"]],
+  ["helix", ["helix", "twist", "loxodrome"]],
+  ["array", ["array", "range", "list"]],
+  ["bend", ["boost", "point_pair", "warp", "curvature"]],
+  ["noise", ["noise", "random"]],
+  ["ball", ["sphere", "sphere_mesh"]],
+  ["cube", ["box_mesh"]],
+  ["donut", ["torus_mesh"]],
+  ["pipe", ["tube"]],
+  ["loft", ["surface"]],
+  ["move", ["translate"]],
+  ["resize", ["scale"]],
+  ["turn", ["rotate", "rotation"]],
+  ["screw", ["twist"]],
+  ["blend", ["interpolate", "blend"]],
+  ["formula", ["expression"]],
+  ["dipole", ["point_pair", "point_pair_through"]],
+  ["deform", ["warp", "boost"]],
+  ["streamline", ["orbit"]],
+  ["isoline", ["contour"]],
+  ["paint", ["color"]],
+  ["glass", ["material"]],
+  ["gradient", ["color_by"]],
+  ["volume", ["measure"]],
+  ["download", ["export"]],
+  ["obj", ["import"]],
+  ["join", ["merge"]],
+  ["linked circles", ["hopf"]],
+  ["path trajectory", ["orbit"]],
+];
+
+test("other words find what is meant, and say so", () => {
+  for (const [word, meant] of WORDS) {
+    const [first] = findNodes(catalogue, word);
+    assert.ok(first && meant.includes(first.card.id), `${word} finds ${first?.card.id} first`);
+  }
+  assert.equal(findNodes(catalogue, "donut")[0]?.word, "donut");
+  assert.equal(findNodes(catalogue, "boost")[0]?.word, undefined);
+});
+
+test("every node can be found by other words than its own", () => {
+  for (const card of catalogue.nodes.values()) assert.ok(card.synonyms.length > 0, card.id);
+});
+
+test("the likeliest node for a loose wire comes first, as the examples connect such wires", () => {
+  const habits = new Habits(
+    catalogue,
+    examples.map(({ graph }) => graph),
+  );
+  const first = (side: "output" | "input", type: string): string | undefined =>
+    findNodes(catalogue, "", { side, types: [type] }, habits)[0]?.card.id;
+  assert.equal(first("output", "asset"), undefined);
+  assert.equal(first("output", "generator"), "boost");
+  assert.ok(["export", "merge", "color", "material"].includes(first("output", "mesh") ?? ""), first("output", "mesh"));
+  assert.equal(first("input", "generator"), "point_pair");
+  assert.ok(["surface", "tube"].includes(first("input", "mesh") ?? ""), first("input", "mesh"));
 });
 
 test("a loose wire limits the search to nodes with a socket for it", () => {

@@ -89,7 +89,7 @@ function Page(): ReactElement {
             tabs={[
               { id: "model", title: "Model", content: model },
               { id: "graph", title: "Graph", content: <GraphPane /> },
-              { id: "examples", title: "Examples", content: <Examples /> },
+              { id: "examples", title: "Examples", content: <Examples light={theme === "light"} /> },
             ]}
           />
         ) : isBelow ? (
@@ -110,7 +110,7 @@ function Page(): ReactElement {
       </main>
       {isGalleryOpen && !narrow && (
         <Dialog title="Examples" className="gallery-dialog" onClose={() => setGalleryOpen(false)}>
-          <Examples onOpened={() => setGalleryOpen(false)} />
+          <Examples light={theme === "light"} onOpened={() => setGalleryOpen(false)} />
         </Dialog>
       )}
       <Hint />

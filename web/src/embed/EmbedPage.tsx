@@ -59,7 +59,14 @@ function EmbedView({ show, onViewer }: ShowProps & { onViewer(viewer: Viewer): v
     import("../view3d/Viewer")
       .then(({ Viewer: Made }) => {
         if (!place.current || made.current) return;
-        const host = { section: nothing, outOfView: nothing, scale: nothing, write: nothing, end: nothing };
+        const host = {
+          section: nothing,
+          outOfView: nothing,
+          scale: nothing,
+          deviation: nothing,
+          write: nothing,
+          end: nothing,
+        };
         made.current = new Made(place.current, LABEL, false, host);
         made.current.setSettings({ ...PLAIN, light: light.current, axes: false, control: false });
         onViewer(made.current);

@@ -1,11 +1,14 @@
 import { type ReactElement, useEffect, useState } from "react";
-import { byteText, fileName, grouped } from "../model/format";
+import type { Catalogue } from "../model/catalogue";
+import type { GraphDocument } from "../model/document";
+import { byteText, fileName, grouped, lengthText } from "../model/format";
 import { fileOutput } from "../model/graph";
 import { asParameter, fieldValue, withinHard } from "../model/inputs";
-import type { Json } from "../model/json";
+import { isNumber, type Json } from "../model/json";
 import { documentWithValues } from "../model/saved_values";
 import { evaluate } from "../net/api";
 import { problemText } from "../net/problem";
+import type { Report } from "../net/report";
 import type { Answer, Quality } from "../net/requests";
 import { saveBlob } from "../session/download";
 import { useCurrent, useCurrentSession } from "../widgets/context";
@@ -16,6 +19,7 @@ import { documentText } from "./document_text";
 import { type ExportOption, exportOptions, withOptions } from "./export_options";
 import { filesOf } from "./Files";
 import { withGraph } from "./glb_graph";
+import { BITS, errorName, type Measured, PrecisionField } from "./PrecisionField";
 
 const GRAPH = "json";
 /** The format that this page puts the graph into. */
@@ -36,6 +40,8 @@ export function ExportDialog(): ReactElement {
   const [changes, setChanges] = useState<Record<string, Json>>({});
   const [withDocument, setWithDocument] = useState(true);
   const [answer, setAnswer] = useState<Answer | null>(null);
+  /** What the last answer told of how exact it is, by what the report calls it. */
+  const [measured, setMeasured] = useState<Readonly<Record<string, Measured>>>({});
   const [attempt, setAttempt] = useState(0);
   const isOverdue = useLasting(answer === null, OVERDUE_MILLISECONDS);
   // Nothing chosen is the usual format, and GRAPH none of a model.
@@ -50,13 +56,19 @@ export function ExportDialog(): ReactElement {
     const timer = window.setTimeout(() => {
       const graph = withOptions(document, output, changes);
       const effort = { quality, triangles: DRAFT_TRIANGLES, format: formatName };
-      evaluate({ graph, parameters: values, output }, effort, request.signal).then(setAnswer, () => undefined);
+      evaluate({ graph, parameters: values, output }, effort, request.signal).then(
+        (found) => {
+          setAnswer(found);
+          if (found.kind === "model") setMeasured(measuredIn(found.report, document, catalogue, changes));
+        },
+        () => undefined,
+      );
     }, PAUSE_MILLISECONDS);
     return () => {
       window.clearTimeout(timer);
       request.abort();
     };
-  }, [document, values, output, quality, changes, formatName, attempt]);
+  }, [document, catalogue, values, output, quality, changes, formatName, attempt]);
 
   const name = `${fileName(document?.title ?? "")}${format?.extension ?? ".json"}`;
   const model = answer?.kind === "model" ? answer.model : undefined;
@@ -116,6 +128,7 @@ export function ExportDialog(): ReactElement {
                   key={option.input.name}
                   option={option}
                   value={changes[option.input.name] ?? option.value}
+                  measured={measured[errorName(option.input)]}
                   onChange={(value) => setChanges({ ...changes, [option.input.name]: value })}
                 />
               ))}
@@ -156,26 +169,48 @@ function resultText(output: string | undefined, answer: Answer | null, bytes: nu
   if (answer.kind === "away") return "The server does not answer.";
   if (answer.kind === "problem") return problemText(answer.problem);
   const { report } = answer;
+  const off = report.errors.get("position");
   const parts = [byteText(bytes), `${grouped(report.triangles)} triangles`];
-  if (report.positionError !== undefined) parts.push(`no point off by more than ${lengthText(report.positionError)}`);
+  if (off !== undefined) parts.push(`no point off by more than ${lengthText(off)}`);
   return parts.join(" · ");
 }
 
-/** Meters in the unit that suits: "0.12 mm". */
-function lengthText(meters: number): string {
-  const [factor, unit] = meters < 1e-3 ? [1e6, "µm"] : meters < 1 ? [1e3, "mm"] : [1, "m"];
-  return `${Number((meters * Number(factor)).toPrecision(2))}\u202f${unit}`;
+/** How exact the answer is, and with how many bits. */
+function measuredIn(
+  { errors }: Report,
+  document: GraphDocument,
+  catalogue: Catalogue | null,
+  changes: Readonly<Record<string, Json>>,
+): Record<string, Measured> {
+  const found: Record<string, Measured> = {};
+  for (const { input, value } of catalogue ? exportOptions(document, catalogue) : []) {
+    const bits = changes[input.name] ?? value;
+    const error = errors.get(errorName(input));
+    if (input.unit === BITS && isNumber(bits) && error !== undefined) found[errorName(input)] = { bits, error };
+  }
+  return found;
 }
 
 interface OptionFieldProps {
   option: ExportOption;
   value: Json;
+  measured?: Measured;
   onChange(value: Json): void;
 }
 
-function OptionField({ option: { input, kind }, value, onChange }: OptionFieldProps): ReactElement {
+function OptionField({ option: { input, kind }, value, measured, onChange }: OptionFieldProps): ReactElement {
   const id = `export-${input.name}`;
   const parameter = asParameter(input, kind);
+  if (input.unit === BITS && isNumber(value)) {
+    return (
+      <>
+        <label htmlFor={id} title={input.description}>
+          {parameter.label}
+        </label>
+        <PrecisionField {...{ id, input, value, measured, onChange }} />
+      </>
+    );
+  }
   return (
     <>
       <label htmlFor={id} title={input.description}>

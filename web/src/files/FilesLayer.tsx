@@ -9,6 +9,7 @@ import { KeepDialog } from "./KeepDialog";
 import { OpenStoredDialog } from "./OpenStoredDialog";
 import { RecoverDialog } from "./RecoverDialog";
 import { ShareDialog } from "./ShareDialog";
+import { TokenDialog } from "./TokenDialog";
 
 /** What files bring over the page: dialogs, a place to drop, and what was done. */
 export function FilesLayer(): ReactElement {
@@ -24,6 +25,7 @@ export function FilesLayer(): ReactElement {
       {dialog === "open-stored" && <OpenStoredDialog />}
       {dialog === "keep" && <KeepDialog />}
       {dialog === "conflict" && <ConflictDialog />}
+      <TokenDialog />
       {dropping && (
         <div className="drop-place">
           <p>Drop a graph (.json), a model of Dini (.glb) or a mesh (.obj, .ply, .stl, .glb)</p>

@@ -1,6 +1,14 @@
 import { type ReactElement, useEffect, useState } from "react";
-import { listGraphs, listVersions, readGraph, type StoredList, type StoredVersion } from "../net/graph_store";
+import {
+  deleteGraph,
+  listGraphs,
+  listVersions,
+  readGraph,
+  type StoredList,
+  type StoredVersion,
+} from "../net/graph_store";
 import { problemText } from "../net/problem";
+import { IconButton } from "../widgets/Button";
 import { useCurrentSession } from "../widgets/context";
 import { Dialog } from "../widgets/Dialog";
 import { GraphPicture } from "../widgets/GraphPicture";
@@ -53,7 +61,7 @@ export function OpenStoredDialog(): ReactElement {
       )}
       <ul className="kept-list">
         {list?.graphs.map((graph) => (
-          <Row key={graph.id} graph={graph} />
+          <Row key={graph.id} graph={graph} onDeleted={() => setAttempt(attempt + 1)} />
         ))}
       </ul>
       {list?.isMore && <p className="dialog-note">There are more; type a part of their names.</p>}
@@ -61,8 +69,10 @@ export function OpenStoredDialog(): ReactElement {
   );
 }
 
-function Row({ graph }: { graph: StoredVersion }): ReactElement {
+function Row({ graph, onDeleted }: { graph: StoredVersion; onDeleted(): void }): ReactElement {
   const files = filesOf(useCurrentSession());
+  const [isDeleting, setDeleting] = useState(false);
+  const [error, setError] = useState("");
   const [versions, setVersions] = useState<StoredVersion[] | null>(null);
   const toggle = async (): Promise<void> => {
     if (versions) {
@@ -71,6 +81,11 @@ function Row({ graph }: { graph: StoredVersion }): ReactElement {
     }
     const found = await listVersions(graph.id);
     setVersions("value" in found ? found.value : []);
+  };
+  const remove = async (): Promise<void> => {
+    const failed = await deleteGraph(graph);
+    if (failed) setError(problemText(failed.problem));
+    else onDeleted();
   };
   const title = graph.title || graph.id;
   return (
@@ -87,6 +102,18 @@ function Row({ graph }: { graph: StoredVersion }): ReactElement {
           Versions
         </button>
       )}
+      {isDeleting ? (
+        <button type="button" className="button kept-delete" onClick={() => void remove()}>
+          Really delete {graph.id}
+        </button>
+      ) : (
+        <IconButton
+          label={`Delete ${graph.id}`}
+          icon="trash"
+          hint="Take it out of this list; addresses of its versions go on working"
+          onClick={() => setDeleting(true)}
+        />
+      )}
       <button
         type="button"
         className="button primary"
@@ -95,6 +122,11 @@ function Row({ graph }: { graph: StoredVersion }): ReactElement {
       >
         Open
       </button>
+      {error && (
+        <p className="dialog-error" role="alert">
+          {error}
+        </p>
+      )}
       {versions && (
         <ul className="version-list" aria-label={`Versions of ${graph.id}`}>
           {versions.map(({ version, title: called, created }) => (

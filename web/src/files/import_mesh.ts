@@ -5,6 +5,7 @@ import type { GraphDocument } from "../model/document";
 import { addNodes, type Edit, freeId, inOrder } from "../model/edit";
 import { setFlag } from "../model/edit_ui";
 import { asString } from "../model/json";
+import { send } from "../net/access";
 import { problemText, readProblem } from "../net/problem";
 
 export interface Uploaded {
@@ -19,7 +20,7 @@ export const MESH_FILE = /\.(obj|ply|glb)$/i;
 export async function uploadMesh(bytes: Blob): Promise<Uploaded | { error: string }> {
   try {
     const headers = { "content-type": "application/octet-stream" };
-    const response = await fetch("v1/assets", { method: "POST", headers, body: bytes });
+    const response = await send("v1/assets", { method: "POST", headers, body: bytes });
     const json = await response.json();
     if (!response.ok) return { error: problemText(readProblem(response.status, json)) };
     return { sha256: asString(json.sha256), triangles: Number(json.triangles) || 0 };

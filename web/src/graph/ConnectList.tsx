@@ -34,7 +34,7 @@ export function ConnectList({ start }: { start: SocketPlace & { screen: Position
       for (const row of side === "input" ? node.rows : node.outputs) {
         const place: SocketPlace = { node: node.id, side, name: row.name };
         if (refusals.has(socketKey(place)) || node.id === start.node) continue;
-        if (!matchText(`${node.title} ${node.id} ${row.name}`, text)) continue;
+        if (!matchText(`${node.title} ${node.id} ${row.name} ${row.title}`, text)) continue;
         found.push({
           place,
           key: socketKey(place).replace(/[^\w-]/g, "_"),
@@ -42,7 +42,7 @@ export function ConnectList({ start }: { start: SocketPlace & { screen: Position
             <>
               <Mark type={row.type} />
               <span className="chooser-title">{node.title}</span>
-              <span className="chooser-socket">{row.name}</span>
+              <span className="chooser-socket">{row.title}</span>
               <span className="chooser-family">{node.id}</span>
             </>
           ),
@@ -71,7 +71,10 @@ export function ConnectList({ start }: { start: SocketPlace & { screen: Position
   }, [editor, view, start, text]);
   const close = (): void => editor.store.set({ connecting: null });
   if (!document) return null;
-  const label = `Connect ${start.name} of ${view?.byId.get(start.node)?.title ?? start.node}`;
+  const from = view?.byId.get(start.node);
+  const rows = start.side === "output" ? from?.outputs : from?.rows;
+  const socket = rows?.find(({ name }) => name === start.name)?.title ?? start.name;
+  const label = `Connect ${socket} of ${from?.title ?? start.node}`;
   return (
     <Popup screen={start.screen} label={label} className="node-search" onClose={close}>
       <Chooser

@@ -13,6 +13,7 @@ import { useHandlers } from "./handlers";
 import { NodeView } from "./NodeView";
 import { Overlays } from "./Overlays";
 import { LEAST_ZOOM } from "./opening";
+import { useTouchpad } from "./touchpad";
 import { openingFit, useCanvas } from "./use_canvas";
 import { type WireEdge, WireView } from "./WireView";
 
@@ -42,6 +43,7 @@ export function GraphPane(): ReactElement {
   // Until the canvas of a graph that was just opened is there, the last one must not be asked for places.
   const flow = made?.opened === opened ? made.flow : null;
   const { noteMove, fitAll } = useCanvas(flow, element);
+  useTouchpad(flow, element, noteMove);
   const handlers = useHandlers(flow);
   return (
     <section

@@ -41,7 +41,7 @@ export function MissingInput({ node }: { node: ViewNode }): ReactElement | null 
         className="button quiet"
         tabIndex={-1}
         data-stop
-        aria-label={`Find a node for ${row.name} of ${node.title}`}
+        aria-label={`Find a node for ${row.title} of ${node.title}`}
         onClick={() => {
           const wanted = search();
           if (wanted) editor.openSearch(wanted);

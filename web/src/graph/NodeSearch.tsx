@@ -22,7 +22,7 @@ export function NodeSearch({ search }: { search: Search }): ReactElement {
   const choices = useMemo<FoundChoice[]>(() => {
     if (!catalogue || !document) return [];
     const end = looseEnd(search);
-    let found = findNodes(catalogue, text, end);
+    let found = findNodes(catalogue, text, end, editor.habits());
     const { wire } = search;
     if (wire) found = found.filter(({ card }) => socketsFor(document, catalogue, card, wire));
     // Without a text the families are headings; with one the best match comes first.
@@ -43,15 +43,16 @@ export function NodeSearch({ search }: { search: Search }): ReactElement {
           <>
             <Mark type={card.outputs[0]?.types.length === 1 ? card.outputs[0].types[0] : undefined} />
             <span className="chooser-title">{finding.title ?? card.title}</span>
+            {finding.word !== undefined && <span className="chooser-socket">{finding.word}</span>}
             {finding.socket !== undefined && card.inputs.length + card.outputs.length > 2 && (
-              <span className="chooser-socket">{finding.socket}</span>
+              <span className="chooser-socket">{socketTitle(finding)}</span>
             )}
             {!isList && <span className="chooser-family">{family}</span>}
           </>
         ),
       };
     });
-  }, [catalogue, document, search, text]);
+  }, [catalogue, document, editor, search, text]);
   const { loose } = search;
   const note = loose && `${loose.side === "output" ? "takes" : "gives"} ${listed(loose.types)}`;
   const label = search.replaced !== undefined ? "Replace by" : search.wire ? "Insert a node" : "Add a node";
@@ -75,4 +76,9 @@ export function NodeSearch({ search }: { search: Search }): ReactElement {
       />
     </Popup>
   );
+}
+
+/** What the socket is called that the wire would end at. */
+function socketTitle({ card, socket }: Finding): string | undefined {
+  return [...card.inputs, ...card.outputs].find(({ name }) => name === socket)?.title;
 }

@@ -3,6 +3,7 @@ import { memo, type ReactElement, useEffect, useState } from "react";
 import { FILE_TYPE } from "../model/catalogue";
 import { millisecondText, plural } from "../model/format";
 import type { InputRow, ViewNode } from "../model/graph";
+import { isPill, pillSocket } from "../model/layout";
 import { problemsOf } from "../net/problem";
 import { toggleFlag } from "../session/actions";
 import { socketKey } from "../session/editor";
@@ -10,6 +11,7 @@ import { useCurrent, useCurrentSession, useEditing, useEditor } from "../widgets
 import { Icon } from "../widgets/Icon";
 import { InputField } from "../widgets/InputField";
 import { NameField } from "../widgets/NameField";
+import { DrivenBy } from "./DrivenBy";
 import { MissingInput } from "./MissingInput";
 import { Socket } from "./Socket";
 
@@ -39,7 +41,9 @@ function Face({ node, isSelected }: { node: ViewNode; isSelected: boolean }): Re
   const tone = useCurrent((state) => problemsOf(state, node.id)?.tone);
   const text = useCurrent((state) => problemsOf(state, node.id)?.text);
   const isOpen = isUnfolded || isWanted;
-  useEffect(() => update(node.id), [isOpen, node.rows, node.collapsed, text, node.id, update]);
+  // What is wrong with a node needs room to be said.
+  const isShort = isPill(node) && !isOpen && !text;
+  useEffect(() => update(node.id), [isOpen, isShort, node.rows, node.collapsed, text, node.id, update]);
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: the canvas makes the node around it an element with a role and keys.
     // biome-ignore lint/a11y/useKeyWithClickEvents: nothing is done here, only kept from being done twice.
@@ -50,6 +54,7 @@ function Face({ node, isSelected }: { node: ViewNode; isSelected: boolean }): Re
       data-bypass={node.bypass}
       data-known={node.known}
       data-collapsed={node.collapsed}
+      data-pill={isShort}
       onClick={(event) => {
         // With a key held a press in a field means a number, and not one more selected node.
         const isField = event.target instanceof Element && event.target.closest(".nokey") !== null;
@@ -58,8 +63,12 @@ function Face({ node, isSelected }: { node: ViewNode; isSelected: boolean }): Re
       onPointerEnter={() => setIsOver(true)}
       onPointerLeave={() => setIsOver(false)}
     >
-      <Head node={node} tone={tone} />
-      {node.collapsed ? <Ports node={node} /> : <Rows node={node} isOpen={isOpen} isUnfolded={isUnfolded} />}
+      <Head node={node} tone={tone} isPill={isShort} />
+      {node.collapsed || isShort ? (
+        <Ports node={node} isPill={isShort} />
+      ) : (
+        <Rows node={node} isOpen={isOpen} isUnfolded={isUnfolded} />
+      )}
       {text && !node.collapsed && <p className="node-message">{text}</p>}
       {text && !node.collapsed && <MissingInput node={node} />}
       {!node.known && <p className="node-message">The server does not know this node.</p>}
@@ -67,7 +76,13 @@ function Face({ node, isSelected }: { node: ViewNode; isSelected: boolean }): Re
   );
 }
 
-const Head = memo(function Head({ node, tone }: { node: ViewNode; tone?: string }): ReactElement {
+interface HeadProps {
+  node: ViewNode;
+  tone?: string;
+  isPill: boolean;
+}
+
+const Head = memo(function Head({ node, tone, isPill: isShort }: HeadProps): ReactElement {
   const editor = useEditor();
   const isRenaming = useEditing((state) => state.renaming === node.id);
   const hasPicture = node.outputs.some((row) => row.type !== FILE_TYPE && isDrawn(row.type));
@@ -84,7 +99,7 @@ const Head = memo(function Head({ node, tone }: { node: ViewNode; tone?: string 
           {!isPlainName(node) && <span className="node-name">{node.id}</span>}
         </span>
       )}
-      {hasPicture && (
+      {hasPicture && !isShort && (
         <button
           type="button"
           className="node-eye nodrag"
@@ -98,7 +113,21 @@ const Head = memo(function Head({ node, tone }: { node: ViewNode; tone?: string 
           <Icon name="eye" />
         </button>
       )}
-      <Timing id={node.id} />
+      {isShort ? (
+        <button
+          type="button"
+          className="node-eye nodrag"
+          tabIndex={-1}
+          data-stop
+          aria-label={`Show the inputs of ${node.title}`}
+          title="Show all inputs"
+          onClick={() => editor.unfold([node.id], true)}
+        >
+          <Icon name="open" />
+        </button>
+      ) : (
+        <Timing id={node.id} />
+      )}
     </div>
   );
 });
@@ -110,7 +139,7 @@ function Rows({ node, isOpen, isUnfolded }: { node: ViewNode; isOpen: boolean; i
       {(isOpen ? node.rows : node.inputs).map((row) => (
         <Input key={row.name} row={row} id={node.id} title={node.title} />
       ))}
-      {node.folded.length > 0 && (
+      {(node.folded.length > 0 || isPill(node)) && (
         <button
           type="button"
           className="node-fold nodrag"
@@ -119,17 +148,18 @@ function Rows({ node, isOpen, isUnfolded }: { node: ViewNode; isOpen: boolean; i
           data-stop
           onClick={() => editor.unfold([node.id], !isUnfolded)}
         >
-          {isUnfolded ? "Hide defaults" : plural(node.folded.length, "default")}
+          {foldText(node, isUnfolded)}
           <Icon name="open" />
         </button>
       )}
       {node.outputs.map((row) => (
         <div className="node-row node-output" key={row.name}>
-          <span className="row-name">{row.name}</span>
+          <span className="row-name">{row.title}</span>
           <Socket
             node={node.id}
             side="output"
             name={row.name}
+            title={row.title}
             type={row.type}
             nodeTitle={node.title}
             description={row.description}
@@ -150,6 +180,7 @@ const Input = memo(function Input({ row, id, title }: { row: InputRow; id: strin
           node={id}
           side="input"
           name={row.name}
+          title={row.title}
           type={row.type}
           nodeTitle={title}
           description={row.description}
@@ -161,12 +192,10 @@ const Input = memo(function Input({ row, id, title }: { row: InputRow; id: strin
         title={row.description}
         onDoubleClick={row.linked || row.isDefault ? undefined : reset}
       >
-        {row.name}
+        {row.title}
       </span>
       {row.parameter !== undefined ? (
-        <span className="row-parameter" title={`Driven by the parameter “${row.parameter}”`}>
-          <span aria-hidden="true">◈</span> {row.parameter}
-        </span>
+        <DrivenBy name={row.parameterName ?? ""} label={row.parameter} />
       ) : row.linked ? null : (
         <InputField node={id} title={title} row={row} look="node" />
       )}
@@ -174,29 +203,37 @@ const Input = memo(function Input({ row, id, title }: { row: InputRow; id: strin
   );
 });
 
-/** The sockets of a collapsed node, on its head. */
-function Ports({ node }: { node: ViewNode }): ReactElement {
+function foldText(node: ViewNode, isUnfolded: boolean): string {
+  if (!isUnfolded) return plural(node.folded.length, "default");
+  return isPill(node) ? "Title only" : "Hide defaults";
+}
+
+/** The sockets of a collapsed node, on its head; those of a pill have places of their own. */
+function Ports({ node, isPill: isShort }: { node: ViewNode; isPill: boolean }): ReactElement {
   const common = { node: node.id, nodeTitle: node.title };
+  const linked = node.inputs.filter((row) => row.linked);
   return (
     <div className="node-ports">
-      {node.inputs
-        .filter((row) => row.linked)
-        .map((row) => (
-          <Socket
-            key={`in ${row.name}`}
-            {...common}
-            side="input"
-            name={row.name}
-            type={row.type}
-            description={row.description}
-          />
-        ))}
+      {linked.map((row, index) => (
+        <Socket
+          key={`in ${row.name}`}
+          {...common}
+          side="input"
+          top={isShort ? pillSocket(index, linked.length) : undefined}
+          name={row.name}
+          title={row.title}
+          type={row.type}
+          description={row.description}
+        />
+      ))}
       {node.outputs.map((row) => (
         <Socket
           key={`out ${row.name}`}
           {...common}
+          top={isShort ? pillSocket(0, 1) : undefined}
           side="output"
           name={row.name}
+          title={row.title}
           type={row.type}
           description={row.description}
         />

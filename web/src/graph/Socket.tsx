@@ -9,9 +9,13 @@ interface SocketProps {
   node: string;
   side: "input" | "output";
   name: string;
+  /** The name as people read it. */
+  title: string;
   type: string;
   nodeTitle: string;
   description: string;
+  /** Its height on the node, in pixels, where no row stands beside it. */
+  top?: number;
 }
 
 /** The place where wires end: its color tells the family, its shape the kind, its name both. */
@@ -19,9 +23,11 @@ export const Socket = memo(function Socket({
   node,
   side,
   name,
+  title,
   type,
   nodeTitle,
   description,
+  top,
 }: SocketProps): ReactElement {
   const editor = useEditor();
   const look = useCurrent((state) => (state.catalogue ? wireType(state.catalogue, type) : undefined));
@@ -35,18 +41,19 @@ export const Socket = memo(function Socket({
     const box = element.getBoundingClientRect();
     editor.openConnect({ node, side, name }, { x: box.left + box.width / 2, y: box.bottom + 8 });
   };
-  const shown = { node, side, name, type, description };
+  const shown = { node, side, name, title, type, description };
   return (
     <Handle
       id={name}
       type={side === "input" ? "target" : "source"}
       position={side === "input" ? Position.Left : Position.Right}
       className="socket"
+      style={top === undefined ? undefined : { top }}
       role="button"
       tabIndex={-1}
       data-stop
       data-fit={fit}
-      aria-label={`${side === "input" ? "Input" : "Output"} ${name} of ${nodeTitle}, ${type || "unknown type"}`}
+      aria-label={`${side === "input" ? "Input" : "Output"} ${title} of ${nodeTitle}, ${type || "unknown type"}`}
       aria-haspopup="dialog"
       onPointerEnter={(event) => inspectSocket(editor, shown, event.currentTarget)}
       onPointerLeave={() => inspectSocket(editor, null)}

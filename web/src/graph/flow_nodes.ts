@@ -3,7 +3,7 @@
 
 import { applyNodeChanges, type NodeChange } from "@xyflow/react";
 import { useCallback, useEffect, useRef, useState } from "react";
-import { NODE_WIDTH } from "../model/layout";
+import { isPill, NODE_WIDTH, PILL_WIDTH } from "../model/layout";
 import { type Box, frameKey, noteKey, type Position } from "../model/ui";
 import type { SessionState } from "../session/state";
 import { useCurrentSession } from "../widgets/context";
@@ -67,7 +67,7 @@ export function flowNodes(before: readonly FlowNode[], state: SessionState): Flo
       old.selected === node.selected &&
       old.ariaLabel === node.ariaLabel &&
       (old.dragging || (old.position.x === node.position.x && old.position.y === node.position.y)) &&
-      (!box || (old.width === box.width && old.height === box.height));
+      (box ? old.width === box.width && old.height === box.height : old.width === node.width);
     if (isSame) next.push(old);
     else next.push({ ...old, ...node, position: old?.dragging ? old.position : node.position } as FlowNode);
   };
@@ -84,7 +84,8 @@ export function flowNodes(before: readonly FlowNode[], state: SessionState): Flo
       id: node.id,
       type: "graph",
       position: document?.positions.get(node.id) ?? { x: 0, y: 0 },
-      width: NODE_WIDTH,
+      // A pill is as wide as it is drawn: opened, it is as wide as others.
+      ...(isPill(node) ? { width: undefined, initialWidth: PILL_WIDTH } : { width: NODE_WIDTH }),
       selected: selection.has(node.id),
       data: { id: node.id },
       ariaLabel: `${node.title}, ${node.id}`,

@@ -10,6 +10,8 @@ export interface InspectedSocket {
   node: string;
   side: "input" | "output";
   name: string;
+  /** The name as people read it. */
+  title: string;
   type: string;
   description: string;
 }
@@ -34,7 +36,7 @@ export function inspectSocket(editor: Editor, socket: InspectedSocket | null, el
 async function look(editor: Editor, socket: InspectedSocket, element: Element): Promise<void> {
   const box = element.getBoundingClientRect();
   const screen = { x: box.left + box.width / 2, y: box.top };
-  const title = `${socket.name}: ${socket.type || "unknown type"}`;
+  const title = `${socket.title}: ${socket.type || "unknown type"}`;
   editor.store.set({ inspected: { screen, side: socket.side, title, description: socket.description, lines: [] } });
   const place = sourceOf(editor, socket);
   const { document, values } = editor.session.store.get();

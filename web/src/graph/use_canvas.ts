@@ -3,7 +3,7 @@
 import type { FitViewOptions } from "@xyflow/react";
 import { type RefObject, useCallback, useEffect, useRef } from "react";
 import { fileOutput } from "../model/graph";
-import { NODE_WIDTH, nodeHeight } from "../model/layout";
+import { nodeHeight, nodeWidth } from "../model/layout";
 import type { Box, Position } from "../model/ui";
 import type { SocketPlace } from "../session/editor";
 import type { SessionState } from "../session/state";
@@ -22,7 +22,7 @@ export function openingFit({ view, document, catalogue }: SessionState, pane: HT
   const boxes = new Map<string, Box>();
   for (const node of view?.nodes ?? []) {
     const place = document?.positions.get(node.id);
-    if (place) boxes.set(node.id, { ...place, width: NODE_WIDTH, height: nodeHeight(node) });
+    if (place) boxes.set(node.id, { ...place, width: nodeWidth(node), height: nodeHeight(node) });
   }
   const end = document && catalogue ? fileOutput(document, catalogue) : undefined;
   const { clientWidth: width, clientHeight: height } = pane ?? window.document.documentElement;

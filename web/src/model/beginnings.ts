@@ -1,6 +1,7 @@
 // Nodes to begin with: those that make something of nothing.
 
 import type { Catalogue, NodeCard } from "./catalogue";
+import type { JsonObject } from "./json";
 
 /** Types worth beginning with, the likeliest first. */
 export const FIRST_TYPES: readonly string[] = ["circle", "generator", "mesh"];
@@ -29,4 +30,11 @@ export function likelySource(catalogue: Catalogue, types: readonly string[]): No
     if (card) return card;
   }
   return undefined;
+}
+
+/** What a new node is given at its inputs, where that is not the default. */
+export function beginningValues({ inputs }: NodeCard): JsonObject {
+  return Object.fromEntries(
+    inputs.flatMap(({ name, beginning }) => (beginning === undefined ? [] : [[name, beginning]])),
+  ) as JsonObject;
 }

@@ -1,6 +1,7 @@
 // The catalogue of node types as GET /v1/nodes answers it. Everything the page knows about nodes comes from here.
 
 import { asArray, asNumber, asObject, asString, isNumber, type Json, type JsonObject } from "./json";
+import { sentenceCase } from "./parameters";
 
 /** A wire type: what its sockets and wires look like. */
 export interface WireType {
@@ -16,11 +17,15 @@ export interface WireType {
 /** An input of a node type: what it accepts and the literal it falls back to. */
 export interface InputCard {
   name: string;
+  /** As people read it: "Clip radius". */
+  title: string;
   types: string[];
   description: string;
   required: boolean;
   several: boolean;
   fallback?: Json;
+  /** What a new node is given here, where the default stays for the sake of older documents. */
+  beginning?: Json;
   unit: string;
   /** Outside of these the server refuses a value. */
   minimum?: number;
@@ -52,6 +57,7 @@ export interface HandleHint {
 /** An output of a node type; `sameAs` names the input whose type it repeats. */
 export interface OutputCard {
   name: string;
+  title: string;
   types: string[];
   description: string;
   sameAs?: string;
@@ -61,12 +67,32 @@ export interface NodeCard {
   id: string;
   title: string;
   family: string;
+  /** Other words, in lower case, by which people look for it. */
+  synonyms: string[];
   description: string;
   /** More than the one sentence of `description`; may be empty. */
   details: string;
   source: string;
   inputs: InputCard[];
   outputs: OutputCard[];
+  legend?: LegendHint;
+}
+
+/** Where the scale of the colors stands that a node gives to meshes: names of its inputs and outputs. */
+export interface LegendHint {
+  /** The input that names the palette. */
+  palette: string;
+  /** Inputs with the numbers at both ends of the palette. */
+  ends?: [string, string];
+  /** Or: the input with the number at one end, with the other one opposite; 0 is the largest found. */
+  range?: string;
+  /** Outputs with the least and the greatest number found. */
+  found?: [string, string];
+  /** The input that says what is shown, and the units of its choices. */
+  kind?: string;
+  units?: Readonly<Record<string, string>>;
+  /** Linear red, green and blue at even places, by palette. */
+  colors: Readonly<Record<string, readonly (readonly number[])[]>>;
 }
 
 /** A format that models are written in. */
@@ -159,22 +185,49 @@ function readCard(item: Record<string, Json>): NodeCard {
     id,
     title: asString(item["title"]) || id,
     family: asString(item["family"]),
+    synonyms: asArray(item["synonyms"]).map(asString),
     description: asString(item["description"]),
     details: asString(item["details"]),
     source: asString(item["source"]),
     inputs: asArray(item["inputs"]).map(asObject).map(readInput),
     outputs: asArray(item["outputs"]).map(asObject).map(readOutput),
+    legend: readLegend(asObject(item["legend"])),
+  };
+}
+
+function readLegend(item: JsonObject): LegendHint | undefined {
+  const palette = asString(item["palette"]);
+  if (!palette) return undefined;
+  const pair = (value: Json): [string, string] | undefined => {
+    const [first, second] = asArray(value).map(asString);
+    return first && second ? [first, second] : undefined;
+  };
+  return {
+    palette,
+    ends: pair(item["ends"]),
+    range: asString(item["range"]) || undefined,
+    found: pair(item["found"]),
+    kind: asString(item["kind"]) || undefined,
+    colors: Object.fromEntries(
+      Object.entries(asObject(item["colors"])).map(([name, list]) => [
+        name,
+        asArray(list).map((color) => asArray(color).filter(isNumber)),
+      ]),
+    ),
+    units: Object.fromEntries(Object.entries(asObject(item["units"])).map(([name, unit]) => [name, asString(unit)])),
   };
 }
 
 function readInput(item: Record<string, Json>): InputCard {
   return {
     name: asString(item["name"]),
+    title: titleOf(item),
     types: asArray(item["types"]).map(asString),
     description: asString(item["description"]),
     required: item["required"] === true,
     several: item["several"] === true || isNumber(item["several"]),
     fallback: item["default"],
+    beginning: item["begin"],
     unit: asString(item["unit"]),
     minimum: asNumber(item["min"]),
     maximum: asNumber(item["max"]),
@@ -190,6 +243,11 @@ function readInput(item: Record<string, Json>): InputCard {
   };
 }
 
+/** The title, or the words of the name where a server tells none. */
+function titleOf(item: JsonObject): string {
+  return asString(item["title"]) || sentenceCase(asString(item["name"]));
+}
+
 function readHandle({ kind, at, normal }: Record<string, Json>): HandleHint | undefined {
   if (kind !== "position" && kind !== "direction" && kind !== "radius") return undefined;
   return { kind, at: asString(at) || undefined, normal: asString(normal) || undefined };
@@ -198,6 +256,7 @@ function readHandle({ kind, at, normal }: Record<string, Json>): HandleHint | un
 function readOutput(item: Record<string, Json>): OutputCard {
   return {
     name: asString(item["name"]),
+    title: titleOf(item),
     types: asArray(item["types"]).map(asString),
     description: asString(item["description"]),
     sameAs: asString(item["same_as"]) || undefined,

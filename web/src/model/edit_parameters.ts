@@ -21,7 +21,7 @@ export function expose(node: string, input: InputCard, value: Json): Edit {
     const type = parameterTypeFor(input);
     if (type === undefined || value === undefined || value === null) return document;
     const name = freeParameter(document, input.name);
-    const item: JsonObject = { type, default: value, label: sentenceCase(name) };
+    const item: JsonObject = { type, default: value, label: name === input.name ? input.title : sentenceCase(name) };
     if (type === "number" || type === "integer") {
       const [minimum, maximum] = rangeAround(input, Number(value));
       if (minimum !== undefined) item["min"] = minimum;

@@ -58,3 +58,9 @@ export function fileName(title: string): string {
 export function plural(count: number, word: string): string {
   return `${grouped(count)} ${word}${count === 1 ? "" : "s"}`;
 }
+
+/** Meters in the unit that suits: "0.12 mm". */
+export function lengthText(meters: number): string {
+  const [factor, unit] = meters < 1e-3 ? [1e6, "µm"] : meters < 1 ? [1e3, "mm"] : [1, "m"];
+  return `${Number((meters * Number(factor)).toPrecision(2))}\u202f${unit}`;
+}

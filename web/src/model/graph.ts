@@ -5,11 +5,14 @@ import type { GraphDocument, GraphNode, Source } from "./document";
 import { isEqual } from "./equal";
 import { literalText } from "./format";
 import type { Json } from "./json";
+import { sentenceCase } from "./parameters";
 import { OutputTypes } from "./types";
 
 /** One input row: its socket, and the value or parameter that stands there. */
 export interface InputRow {
   name: string;
+  /** As people read it. */
+  title: string;
   type: string;
   types: string[];
   description: string;
@@ -31,6 +34,7 @@ export interface InputRow {
 
 export interface OutputRow {
   name: string;
+  title: string;
   type: string;
   description: string;
 }
@@ -143,6 +147,7 @@ function viewNode(
     folded: rows.filter((row) => row.isDefault && !row.required),
     outputs: (card?.outputs ?? []).map((output) => ({
       name: output.name,
+      title: output.title,
       type: types.of(node.id, output.name) ?? "",
       description: output.description,
     })),
@@ -166,6 +171,7 @@ function inputRow(
     input?.fallback === undefined || input.fallback === null ? "" : withUnit(literalText(input.fallback));
   return {
     name,
+    title: input?.title ?? sentenceCase(name),
     type: (link && types.of(link.node, link.output)) ?? input?.types[0] ?? "",
     types: input?.types ?? [],
     description: input?.description ?? "",

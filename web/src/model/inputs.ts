@@ -5,7 +5,7 @@ import { evaluateExpression } from "./expression";
 import { numberText } from "./format";
 import { isNumber, type Json } from "./json";
 import { splitNumbers } from "./numbers";
-import { type Parameter, type ParameterType, type ParameterValue, readParameter, sentenceCase } from "./parameters";
+import { type Parameter, type ParameterType, type ParameterValue, readParameter } from "./parameters";
 
 /** The control for an input: that of a parameter of this type, or a line of several values. */
 export type ControlKind = ParameterType | "list";
@@ -41,7 +41,7 @@ export function asParameter(card: InputCard, kind: ParameterType): Parameter {
   const isNarrow = kind === "integer" && card.softMaximum === undefined && maximum - minimum <= NARROW;
   return {
     ...parameter,
-    label: sentenceCase(card.name),
+    label: card.title,
     description: card.description,
     choices: card.choices,
     unit: card.unit,

@@ -5,10 +5,15 @@ import type { ViewGraph, ViewNode } from "./graph";
 
 /** Measures of a drawn node in pixels; the style sheet uses the same (graph.css). */
 export const NODE_WIDTH = 208;
+export const PILL_WIDTH = 140;
+export const PILL_HEIGHT = 28;
 export const HEADER_HEIGHT = 34;
 export const ROW_HEIGHT = 24;
 const NODE_PADDING = 12;
 const MESSAGE_HEIGHT = 80;
+
+/** More sockets would have no room on a pill to be hit. */
+const MOST_PILL_INPUTS = 2;
 
 const COLUMN_GAP = 32;
 const ROW_GAP = 22;
@@ -17,8 +22,24 @@ const SWEEPS = 8;
 type Drawn = Pick<ViewGraph, "nodes" | "wires">;
 type HeightOf = (node: ViewNode) => number;
 
+/** A node on which nothing could be changed, for all that it is given comes by wires: it is drawn as its title alone. */
+export function isPill({ known, collapsed, inputs, outputs }: ViewNode): boolean {
+  const isWired = inputs.length > 0 && inputs.length <= MOST_PILL_INPUTS && inputs.every((row) => row.linked);
+  return known && !collapsed && isWired && outputs.length === 1;
+}
+
+export function nodeWidth(node: ViewNode): number {
+  return isPill(node) ? PILL_WIDTH : NODE_WIDTH;
+}
+
+/** Height of one of the sockets on a side of a pill, from its top. */
+export function pillSocket(index: number, count: number): number {
+  return (PILL_HEIGHT * (index + 0.5)) / count;
+}
+
 /** Height of a node with its inputs folded. */
 export function nodeHeight(node: ViewNode): number {
+  if (isPill(node)) return PILL_HEIGHT;
   if (node.collapsed) return HEADER_HEIGHT;
   const rows = node.inputs.length + node.outputs.length + (node.folded.length > 0 ? 1 : 0);
   return HEADER_HEIGHT + NODE_PADDING + rows * ROW_HEIGHT;
@@ -121,12 +142,14 @@ function neighborsOf(graph: Drawn, heightOf: HeightOf): Map<string, Neighbor[]> 
 /** Height of an input's socket below the node's center. */
 function inputHeight(node: ViewNode, name: string, heightOf: HeightOf): number {
   const row = node.inputs.findIndex((input) => input.name === name);
+  if (isPill(node)) return pillSocket(row, node.inputs.length) - PILL_HEIGHT / 2;
   return HEADER_HEIGHT + NODE_PADDING / 2 + (row + 0.5) * ROW_HEIGHT - heightOf(node) / 2;
 }
 
 /** Height of an output's socket below the node's center; outputs are the last rows. */
 function outputHeight(node: ViewNode, name: string, heightOf: HeightOf): number {
   const row = node.outputs.findIndex((output) => output.name === name);
+  if (isPill(node)) return 0;
   return heightOf(node) / 2 - NODE_PADDING / 2 - (node.outputs.length - row - 0.5) * ROW_HEIGHT;
 }
 
@@ -166,12 +189,14 @@ function stack(column: ViewNode[], wanted: number[], centers: Map<string, number
 
 function positions(columns: ViewNode[][], centers: Map<string, number>, heightOf: HeightOf): Map<string, Position> {
   const places = new Map<string, Position>();
-  columns.forEach((column, index) => {
+  let x = 0;
+  for (const column of columns) {
     for (const node of column) {
       const y = (centers.get(node.id) ?? 0) - heightOf(node) / 2;
-      places.set(node.id, { x: index * (NODE_WIDTH + COLUMN_GAP), y: Math.round(y) });
+      places.set(node.id, { x, y: Math.round(y) });
     }
-  });
+    x += Math.max(...column.map(nodeWidth)) + COLUMN_GAP;
+  }
   return places;
 }
 

@@ -28,10 +28,17 @@ export interface Finding {
   /** Values given with the node. */
   inputs?: JsonObject;
   slider?: Slider;
+  /** The other word by which it was found. */
+  word?: string;
 }
 
-/** Node types that fit, the best first. Without a text, all that take the loose end, in the catalogue's order. */
-export function findNodes(catalogue: Catalogue, text: string, end?: LooseEnd): Finding[] {
+/** How likely a loose wire ends at this socket of a node type: 0 and more. */
+export interface Likelihood {
+  likelihood(card: string, socket: string, end: LooseEnd): number;
+}
+
+/** Node types that fit, the best first. Without a text, all that take the loose end, the likeliest first. */
+export function findNodes(catalogue: Catalogue, text: string, end?: LooseEnd, habits?: Likelihood): Finding[] {
   const query = text.trim().toLowerCase();
   const typed = end ? [] : typedValues(catalogue, query);
   const found: { finding: Finding; score: number }[] = [];
@@ -39,22 +46,49 @@ export function findNodes(catalogue: Catalogue, text: string, end?: LooseEnd): F
     const socket = end && socketFor(card, end);
     if (end && !socket) continue;
     const family = catalogue.families.get(card.family) ?? card.family;
-    const score = query === "" ? 1 : matchScore(card, family, query.replaceAll("_", " "));
-    if (score > 0) found.push({ finding: { card, socket: socket?.name }, score: score + (socket?.score ?? 0) });
+    const match = query === "" ? { score: 1 } : matchOf(card, family, query.replaceAll("_", " "));
+    const habit = end && socket ? (habits?.likelihood(card.id, socket.name, end) ?? 0) : 0;
+    const finding: Finding = { card, socket: socket?.name, word: match.word };
+    if (match.score > 0) found.push({ finding, score: match.score + (socket?.score ?? 0) + habit });
   }
   if (query !== "" || end) found.sort((a, b) => b.score - a.score);
   return [...typed, ...found.map(({ finding }) => finding)];
 }
 
-/** How well a name, an id, a family or a description matches; 0 where it does not. */
-export function matchScore(card: NodeCard, family: string, query: string): number {
+interface Match {
+  /** 0 where nothing fits. */
+  score: number;
+  word?: string;
+}
+
+/**
+ * How well a name, another word, a family or a description matches. A whole other word is as good as the beginning of
+ * a name: who types "ring" wants a circle, and not what has "ring" somewhere in its title.
+ */
+export function matchOf(card: NodeCard, family: string, query: string): Match {
   const [title, id] = [card.title.toLowerCase(), card.id.replaceAll("_", " ").toLowerCase()];
   const names = Math.max(textScore(title, query), 0.98 * textScore(id, query));
-  if (names > 0) return 10 + names;
-  if (family.toLowerCase().startsWith(query)) return 6;
-  if (query.length > 2 && card.description.toLowerCase().includes(query)) return 4;
+  const other = wordOf(card.synonyms, query);
+  if (names >= 0.98 || names > other.score) return { score: names >= 0.98 ? 10 + names : 7 + names };
+  if (other.score > 0) return other;
+  if (family.toLowerCase().startsWith(query)) return { score: 6 };
+  const texts = [title, id, family.toLowerCase(), card.description.toLowerCase(), ...card.synonyms];
+  const words = query.split(/\s+/);
+  if (words.length > 1 && words.every((word) => texts.some((one) => one.includes(word)))) return { score: 5 };
+  if (query.length > 2 && card.description.toLowerCase().includes(query)) return { score: 4 };
   const scattered = Math.max(subsequenceScore(title, query), subsequenceScore(id, query));
-  return scattered > 0 ? 1 + scattered : 0;
+  return { score: scattered > 0 ? 1 + scattered : 0 };
+}
+
+/** The other word that matches best: whole ones before beginnings, the first of the list before the last. */
+function wordOf(words: readonly string[], query: string): Match {
+  let best: Match = { score: 0 };
+  words.forEach((word, index) => {
+    const fit = textScore(word, query);
+    const score = fit >= 3.5 ? 12 - 0.05 * index : fit >= 1 && query.length > 1 ? 8 + fit / 4 - 0.01 * index : 0;
+    if (score > best.score) best = { score, word };
+  });
+  return best;
 }
 
 /** The first socket of the card that the loose end fits, the more particular the better. */

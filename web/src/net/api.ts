@@ -1,6 +1,7 @@
 // The calls to the server. Addresses are relative to the page, so that it also works below a prefix.
 
 import { type Json, parseJsonBytes } from "../model/json";
+import { send } from "./access";
 import { failedChecks, withoutNodes } from "./checks";
 import { boundaryOf, readMultipart } from "./multipart";
 import { readProblem } from "./problem";
@@ -16,7 +17,7 @@ const BUSY_STATUS = new Set([429, 502, 503]);
 /** GET of a JSON answer. Rejects if the server cannot be reached or answers an error. */
 export async function getJson(path: string): Promise<Json> {
   const signal = AbortSignal.timeout(LONGEST_MILLISECONDS);
-  const response = await fetch(path, { headers: { accept: "application/json" }, signal });
+  const response = await send(path, { headers: { accept: "application/json" }, signal });
   if (!response.ok) throw new Error(`${path}: ${response.status}`);
   return (await response.json()) as Json;
 }
@@ -41,7 +42,7 @@ export async function evaluate(
   const headers: Record<string, string> = { "content-type": "application/json", accept: MULTIPART };
   if (supersedeKey) headers["supersede-key"] = supersedeKey;
   try {
-    const response = await fetch(format ? `v1/evaluate?format=${encodeURIComponent(format)}` : "v1/evaluate", {
+    const response = await send(format ? `v1/evaluate?format=${encodeURIComponent(format)}` : "v1/evaluate", {
       method: "POST",
       headers,
       body: JSON.stringify({ ...body, quality, ...(quality === "draft" ? { triangle_budget: triangles } : {}) }),
@@ -58,7 +59,7 @@ export async function evaluate(
 export async function fetchPreview(body: EvaluateBody, signal: AbortSignal): Promise<Uint8Array<ArrayBuffer> | null> {
   if (!body.preview) return null;
   try {
-    const response = await fetch("v1/evaluate", {
+    const response = await send("v1/evaluate", {
       method: "POST",
       headers: { "content-type": "application/json", accept: MODEL },
       body: JSON.stringify({ ...body, output: undefined, quality: "draft" }),

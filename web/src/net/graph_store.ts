@@ -1,6 +1,7 @@
 // The graphs that the server keeps, by their names and versions.
 
 import { asArray, asNumber, asObject, asString, type Json } from "../model/json";
+import { send } from "./access";
 import { localProblem, type Problem, readProblem } from "./problem";
 import type { Found } from "./stored";
 
@@ -63,6 +64,12 @@ export async function writeGraph(id: string, text: string, replaces: string | un
   return found.problem.status === PRECONDITION_FAILED ? { conflict: true } : found;
 }
 
+/** Takes a graph out of the list, if it is that version still; its versions stay. */
+export async function deleteGraph({ id, tag }: StoredVersion): Promise<{ problem: Problem } | undefined> {
+  const found = await ask(addressOf(id), { method: "DELETE", headers: { "if-match": tag } });
+  return "problem" in found ? found : undefined;
+}
+
 function readVersion(json: Json): StoredVersion {
   const item = asObject(json);
   return {
@@ -82,7 +89,7 @@ function addressOf(name: string): string {
 async function ask(address: string, request: RequestInit = {}): Promise<Found<{ json: Json; tag: string }>> {
   try {
     const signal = AbortSignal.timeout(LONGEST_MILLISECONDS);
-    const response = await fetch(address, { cache: "no-store", ...request, signal });
+    const response = await send(address, { cache: "no-store", ...request, signal });
     const json = (await response.json().catch(() => null)) as Json;
     if (!response.ok) return { problem: readProblem(response.status, json) };
     return { value: { json, tag: response.headers.get("etag") ?? "" } };

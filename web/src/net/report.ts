@@ -1,6 +1,6 @@
 // The report that comes with every evaluated model.
 
-import { asArray, asNumber, asObject, asString, isObject, type Json } from "../model/json";
+import { asArray, asNumber, asObject, asString, isNumber, isObject, type Json } from "../model/json";
 import { type ProblemEntry, readEntry } from "./problem";
 
 export interface Axis {
@@ -30,10 +30,13 @@ export interface Report {
   bytes: number;
   vertices: number;
   triangles: number;
-  positionError?: number;
+  /** How far values of a kind ("position", "normal") may be from their originals. */
+  errors: ReadonlyMap<string, number>;
   checks: Check[];
   warnings: ProblemEntry[];
 }
+
+const ERROR_ENDING = "_error";
 
 export function readReport(json: Json): Report {
   const root = asObject(json);
@@ -50,7 +53,11 @@ export function readReport(json: Json): Report {
     bytes: asNumber(model["bytes"]) ?? 0,
     vertices: asNumber(model["vertices"]) ?? 0,
     triangles: asNumber(model["triangles"]) ?? 0,
-    positionError: asNumber(model["position_error"]),
+    errors: new Map(
+      Object.entries(model).flatMap(([name, error]) =>
+        name.endsWith(ERROR_ENDING) && isNumber(error) ? [[name.slice(0, -ERROR_ENDING.length), error] as const] : [],
+      ),
+    ),
     checks: asArray(root["checks"])
       .filter(isObject)
       .map((item) => ({

@@ -1,6 +1,7 @@
 // Questions about a graph that evaluate nothing that is not asked for: what is wrong with it, what a wire carries.
 
 import { asArray, asNumber, asObject, asString, isObject, type Json } from "../model/json";
+import { send } from "./access";
 import { type Problem, type ProblemEntry, readEntry, readProblem } from "./problem";
 import { type Axis, readAxes } from "./report";
 import type { EvaluateBody } from "./requests";
@@ -61,7 +62,7 @@ async function post(
   signal?: AbortSignal,
 ): Promise<{ status: number; json: Json } | undefined> {
   try {
-    const response = await fetch(path, {
+    const response = await send(path, {
       method: "POST",
       headers: { "content-type": "application/json", accept: "application/json" },
       body: JSON.stringify(body),

@@ -1,7 +1,9 @@
-import type { ReactElement } from "react";
+import { Fragment, type ReactElement } from "react";
+import { groupedParameters } from "../model/parameter_groups";
 import { useCurrent, useCurrentSession } from "../widgets/context";
 import { Icon } from "../widgets/Icon";
 import { ParameterRow } from "./ParameterRow";
+import { PlayerBar } from "./PlayerBar";
 import { Variants } from "./Variants";
 
 /** A row per graph parameter. Changing one evaluates the graph again. */
@@ -15,10 +17,16 @@ export function Controls(): ReactElement {
       {open.description && <p className="controls-description">{open.description}</p>}
       {open.parameters.length === 0 && <p className="empty">This graph has no parameters.</p>}
       <div className="parameter-rows" key={open.title}>
-        {open.parameters.map((parameter) => (
-          <ParameterRow key={parameter.name} parameter={parameter} />
+        {groupedParameters(open).map(({ title, parameters }) => (
+          <Fragment key={parameters[0]?.name}>
+            {title && <h3 className="parameter-group">{title}</h3>}
+            {parameters.map((parameter) => (
+              <ParameterRow key={parameter.name} parameter={parameter} />
+            ))}
+          </Fragment>
         ))}
       </div>
+      <PlayerBar />
       <Variants />
       {isChanged && (
         <button type="button" className="button quiet" onClick={() => session.resetParameters()}>

@@ -1,13 +1,14 @@
-import { type ReactElement, useState } from "react";
+import { type ReactElement, type RefObject, useEffect, useRef, useState } from "react";
 import type { Example } from "../session/state";
 import { useCurrent, useCurrentSession } from "../widgets/context";
+import { GraphPicture } from "../widgets/GraphPicture";
 import { Icon } from "../widgets/Icon";
 
 /** Until the list is here. */
 const PLACEHOLDERS = ["a", "b", "c", "d", "e", "f"];
 
 /** The gallery: a card per built-in graph. `onOpened` is told when one was chosen. */
-export function Examples({ onOpened }: { onOpened?(): void }): ReactElement {
+export function Examples({ light, onOpened }: { light: boolean; onOpened?(): void }): ReactElement {
   const session = useCurrentSession();
   const [query, setQuery] = useState("");
   const examples = useCurrent((state) => state.examples);
@@ -28,6 +29,7 @@ export function Examples({ onOpened }: { onOpened?(): void }): ReactElement {
           <li key={example.id}>
             <Card
               example={example}
+              light={light}
               isChosen={example.id === chosen}
               onOpen={() => {
                 session.openExample(example.id);
@@ -53,11 +55,20 @@ function fits({ title, description, figure }: Example, query: string): boolean {
     .every((word) => text.includes(word));
 }
 
-function Card({ example, isChosen, onOpen }: { example: Example; isChosen: boolean; onOpen(): void }): ReactElement {
+interface CardProps {
+  example: Example;
+  light: boolean;
+  isChosen: boolean;
+  onOpen(): void;
+}
+
+function Card({ example, light, isChosen, onOpen }: CardProps): ReactElement {
   return (
     <button type="button" className="card" aria-current={isChosen} onClick={onOpen}>
       <span className="card-picture">
-        {example.image ? <img src={example.image} alt="" draggable={false} /> : <Icon name="gallery" />}
+        {example.image && <img src={example.image} alt="" draggable={false} />}
+        {!example.image && !light && <Icon name="gallery" />}
+        {light && <LightPicture example={example} />}
       </span>
       <span className="card-text">
         <span className="card-title">
@@ -68,4 +79,30 @@ function Card({ example, isChosen, onOpen }: { example: Example; isChosen: boole
       </span>
     </button>
   );
+}
+
+/** The server's pictures are dark. In the light theme the cards in sight are drawn again, on a clear ground. */
+function LightPicture({ example }: { example: Example }): ReactElement {
+  const place = useRef<HTMLSpanElement>(null);
+  const isSeen = useSeen(place);
+  return (
+    <span className="card-light" ref={place}>
+      {isSeen && <GraphPicture id={`example ${example.id}`} read={() => Promise.resolve(example.graph)} />}
+    </span>
+  );
+}
+
+/** True from when the element is in sight for the first time. */
+function useSeen(place: RefObject<HTMLElement | null>): boolean {
+  const [isSeen, setIsSeen] = useState(false);
+  useEffect(() => {
+    const element = place.current;
+    if (!element) return undefined;
+    const observer = new IntersectionObserver((entries) => {
+      if (entries.some(({ isIntersecting }) => isIntersecting)) setIsSeen(true);
+    });
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, [place]);
+  return isSeen;
 }

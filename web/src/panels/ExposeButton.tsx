@@ -18,21 +18,21 @@ export function ExposeButton({ row, id }: { row: InputRow; id: string }): ReactE
   const toggle = (): void => {
     const { document, values } = session.store.get();
     if (row.parameterName === undefined) {
-      session.edit(`Expose ${row.name}`, expose(id, card, value));
-      editor.say(`${row.name} is now a parameter on the Controls tab`);
+      session.edit(`Expose ${row.title}`, expose(id, card, value));
+      editor.say(`${row.title} is now a parameter on the Controls tab`);
       return;
     }
     const parameter = document?.parameters.find((item) => item.name === row.parameterName);
     const present = parameter ? (parameterValue(parameter, values) as Json) : card.fallback;
-    session.edit(`Take ${row.name} off the controls`, conceal(id, row.name, row.parameterName, present));
-    editor.say(`${row.name} is no longer a parameter`);
+    session.edit(`Take ${row.title} off the controls`, conceal(id, row.name, row.parameterName, present));
+    editor.say(`${row.title} is no longer a parameter`);
   };
   return (
     <button
       type="button"
       className="expose"
       aria-pressed={isExposed}
-      aria-label={`Expose ${row.name} as a parameter`}
+      aria-label={`Expose ${row.title} as a parameter`}
       title={isExposed ? "Take it off the Controls tab" : "Put it on the Controls tab, as a parameter of the graph"}
       onClick={toggle}
     >

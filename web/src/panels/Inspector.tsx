@@ -106,7 +106,7 @@ const Row = memo(function Row({ row, id, title }: { row: InputRow; id: string; t
         title={`${row.description}${canReset ? "\nDouble-click for the default" : ""}`}
         onDoubleClick={canReset ? reset : undefined}
       >
-        <Mark type={row.type} /> {row.name}
+        <Mark type={row.type} /> {row.title}
         {row.required && row.isDefault && <span className="needed">needed</span>}
       </span>
       <Source row={row} id={id} title={title} about={about} />
@@ -178,7 +178,7 @@ function Outputs({ node }: { node: ViewNode }): ReactElement {
         return (
           <li key={row.name} title={row.description}>
             <Mark type={row.type} />
-            {row.name}
+            {row.title}
             <span className="muted">{output ? axesText(output.type, output.axes) : row.type}</span>
           </li>
         );

@@ -3,6 +3,7 @@ import { changeParameter, removeParameter, usesOf } from "../model/edit_paramete
 import { evaluateExpression } from "../model/expression";
 import { numberText, plural } from "../model/format";
 import type { Json } from "../model/json";
+import { groupOf, setGroup } from "../model/parameter_groups";
 import { type Parameter, parameterValue } from "../model/parameters";
 import { useCurrent, useCurrentSession, useEditor } from "../widgets/context";
 import { Icon } from "../widgets/Icon";
@@ -15,6 +16,7 @@ export function ParameterEditor({ parameter }: { parameter: Parameter }): ReactE
   const value = useCurrent((state) => parameterValue(parameter, state.values));
   const uses = useCurrent((state) => (state.document ? usesOf(state.document, parameter.name) : 0));
   const { name } = parameter;
+  const group = useCurrent((state) => (state.document ? groupOf(state.document, name) : ""));
   const set = (member: string, next: Json): undefined => {
     session.edit(`Change ${parameter.label}`, changeParameter(name, { [member]: next }), {
       gesture: `parameter ${name} ${member}`,
@@ -26,6 +28,14 @@ export function ParameterEditor({ parameter }: { parameter: Parameter }): ReactE
     <div className="parameter-editor" role="group" aria-label={`Settings of ${parameter.label}`}>
       <Line label="Label" text={parameter.label} onText={(text) => set("label", text || undefined)} />
       <Line label="Description" text={parameter.description} onText={(text) => set("description", text || undefined)} />
+      <Line
+        label="Group"
+        text={group}
+        onText={(text) => {
+          session.edit(`Group ${parameter.label}`, setGroup(name, text));
+          return undefined;
+        }}
+      />
       {isNumber && (
         <div className="parameter-range">
           <Bound label="From" value={parameter.minimum} onValue={(next) => set("min", next)} />

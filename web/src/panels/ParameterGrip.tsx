@@ -1,5 +1,5 @@
 import { type KeyboardEvent, type PointerEvent, type ReactElement, useState } from "react";
-import { moveParameter } from "../model/edit_parameters";
+import { moveIntoPlace } from "../model/parameter_groups";
 import type { Parameter } from "../model/parameters";
 import { useEditor } from "../widgets/context";
 import { Icon } from "../widgets/Icon";
@@ -11,7 +11,7 @@ export function ParameterGrip({ parameter: { name, label } }: { parameter: Param
   const move = (place: number): void => {
     const count = editor.session.store.get().document?.parameters.length ?? 0;
     if (place < 0 || place >= count) return;
-    editor.session.edit(`Move ${label}`, moveParameter(name, place));
+    editor.session.edit(`Move ${label}`, moveIntoPlace(name, place));
     editor.say(`${label} is now ${place + 1} of ${count}`);
   };
   const placeNow = (): number =>

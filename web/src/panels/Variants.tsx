@@ -1,10 +1,13 @@
 import type { ReactElement } from "react";
 import { sameValues } from "../model/parameters";
 import { addVariant, removeVariant, renameVariant, type Variant, variantDocument, variantsOf } from "../model/variants";
+import { comparisonOf } from "../session/comparison";
 import { IconButton } from "../widgets/Button";
 import { useCurrent, useCurrentSession } from "../widgets/context";
 import { GraphPicture } from "../widgets/GraphPicture";
 import { Icon } from "../widgets/Icon";
+import { ContactSheetButton } from "./ContactSheet";
+import { PlayButton } from "./PlayerBar";
 
 /** Sets of the form's values that were kept, with their pictures: one press brings a set back. */
 export function Variants(): ReactElement | null {
@@ -26,15 +29,19 @@ export function Variants(): ReactElement | null {
           ))}
         </ul>
       )}
-      <button
-        type="button"
-        className="button quiet"
-        title="Keep these values, to come back to them"
-        onClick={() => session.edit("Keep a variant", addVariant(values))}
-      >
-        <Icon name="add" />
-        <span>Keep as a variant</span>
-      </button>
+      <div className="variant-actions">
+        <button
+          type="button"
+          className="button quiet"
+          title="Keep these values, to come back to them"
+          onClick={() => session.edit("Keep a variant", addVariant(values))}
+        >
+          <Icon name="add" />
+          <span>Keep as a variant</span>
+        </button>
+        <ContactSheetButton />
+        <PlayButton />
+      </div>
     </section>
   );
 }
@@ -47,6 +54,7 @@ interface CardProps {
 
 function Card({ variant, place, isChosen }: CardProps): ReactElement | null {
   const session = useCurrentSession();
+  const comparison = comparisonOf(session);
   const open = useCurrent((state) => state.document);
   if (!open) return null;
   const json = variantDocument(open, variant);
@@ -70,6 +78,13 @@ function Card({ variant, place, isChosen }: CardProps): ReactElement | null {
         spellCheck={false}
         onBlur={(event) => session.edit("Rename a variant", renameVariant(place, event.currentTarget.value.trim()))}
         onKeyDown={(event) => event.key === "Enter" && event.currentTarget.blur()}
+      />
+      <IconButton
+        className="reset variant-compare"
+        label={`Compare with ${variant.name}`}
+        icon="compare"
+        hint="Look at the present values and these together"
+        onClick={() => void comparison.open(variant.name, variant.values)}
       />
       <IconButton
         className="reset"

@@ -5,7 +5,7 @@ import { type Edit, inOrder, moveNodes, removeNodes, setBypass } from "../model/
 import { addFrame, addNote, freeName, removeFrame, removeNote, setFlag } from "../model/edit_ui";
 import { disconnect, removeAndHeal } from "../model/edit_wires";
 import { plural } from "../model/format";
-import { layeredLayout, NODE_WIDTH, nodeHeight, roomFor } from "../model/layout";
+import { layeredLayout, NODE_WIDTH, nodeHeight, nodeWidth, roomFor } from "../model/layout";
 import { boundsOf, freePlace } from "../model/place";
 import { type Box, frameKey, noteKey, type Position } from "../model/ui";
 import type { Editor } from "./editor";
@@ -128,7 +128,8 @@ export function occupied(editor: Editor, document: GraphDocument): Box[] {
     const node = view?.byId.get(id);
     // What it is missing may not be said on the node yet.
     const height = Math.max(boxes?.get(id)?.height ?? 0, node ? roomFor(node) : 0);
-    return { ...at, width: NODE_WIDTH, height };
+    const width = boxes?.get(id)?.width ?? (node ? nodeWidth(node) : NODE_WIDTH);
+    return { ...at, width, height };
   });
 }
 

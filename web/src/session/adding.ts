@@ -1,11 +1,12 @@
 // Adding a found node: at a free place, wired to the loose end or into the wire it was looked for.
 
+import { beginningValues } from "../model/beginnings";
 import type { GraphDocument } from "../model/document";
-import { addNodes, type Edit, freeId, inOrder, setInput } from "../model/edit";
+import { addNodes, type Edit, freeId, inOrder, moveNodes, setInput } from "../model/edit";
 import { addParameter } from "../model/edit_parameters";
 import { replaceNode } from "../model/edit_replace";
 import { connect, insertOnWire } from "../model/edit_wires";
-import { viewGraph } from "../model/graph";
+import { type ViewWire, viewGraph } from "../model/graph";
 import { fullHeight, HEADER_HEIGHT, NODE_WIDTH, roomFor } from "../model/layout";
 import { freePlace } from "../model/place";
 import type { Finding } from "../model/search";
@@ -13,6 +14,8 @@ import type { Position } from "../model/ui";
 import { occupied } from "./actions";
 import type { Editor, Search } from "./editor";
 
+/** Free on both sides of a node that is put into a wire. */
+const GAP = 32;
 /** Height of a node's first row: a wire that is dropped runs into the socket there. */
 const FIRST_ROW = 46;
 
@@ -27,8 +30,13 @@ export function addFinding(editor: Editor, finding: Finding, search: Search): st
     return search.replaced;
   }
   const id = freeId(document, card.id);
-  const position = placeFor(editor, document, { id, type: card.id }, search);
-  const edits: Edit[] = [addNodes([{ id, type: card.id, position, inputs: finding.inputs }])];
+  const room = search.wire && roomOnWire(editor, document, search.wire);
+  const made = room ? moveNodes(room.moved)(document) : document;
+  const position = placeFor(editor, made, { id, type: card.id }, room ? { ...search, place: room.place } : search);
+  const edits: Edit[] = [
+    moveNodes(room?.moved ?? new Map()),
+    addNodes([{ id, type: card.id, position, inputs: { ...beginningValues(card), ...finding.inputs } }]),
+  ];
   if (finding.slider) {
     const name = freeParameterId(document, id);
     edits.push(addParameter(name, { ...finding.slider.item, label: name }));
@@ -48,6 +56,23 @@ export function addFinding(editor: Editor, finding: Finding, search: Search): st
   editor.session.select([id]);
   editor.say(loose ? `Added ${card.title}, connected` : `Added ${card.title}`);
   return id;
+}
+
+/** Where a node goes that is put into a wire, and where everything behind it has to go to make room. */
+function roomOnWire(
+  editor: Editor,
+  document: GraphDocument,
+  wire: ViewWire,
+): { place: Position; moved: Map<string, Position> } | undefined {
+  const boxes = editor.canvas?.boxes();
+  const [from, to] = [boxes?.get(wire.from), boxes?.get(wire.to)];
+  // A wire that runs backwards has no room between its ends.
+  if (!from || !to || to.x < from.x + from.width) return undefined;
+  const left = from.x + from.width + GAP;
+  const lack = Math.max(0, left + NODE_WIDTH + GAP - to.x);
+  const moved = new Map<string, Position>();
+  for (const [id, { x, y }] of document.positions) if (lack > 0 && x >= to.x) moved.set(id, { x: x + lack, y });
+  return { place: { x: (from.x + from.width + to.x + lack) / 2, y: (from.y + to.y) / 2 + FIRST_ROW }, moved };
 }
 
 /** A place near the wanted one that is free for the node. */

@@ -1,6 +1,7 @@
 // The state of the editor that is not the graph: what is open over the canvas, which wire is being drawn, what is said.
 
 import type { ViewWire } from "../model/graph";
+import { Habits } from "../model/habits";
 import type { LooseEnd } from "../model/search";
 import { createStore, type Store } from "../model/store";
 import type { Box, Position } from "../model/ui";
@@ -100,6 +101,7 @@ export class Editor {
   readonly store: Store<EditorState>;
   canvas: Canvas | undefined;
   private notices = 0;
+  private learned: Habits | undefined;
 
   constructor(readonly session: Session) {
     // A finger cannot hold another button or a key, so it moves the canvas.
@@ -133,6 +135,18 @@ export class Editor {
         connecting: null,
       });
     });
+  }
+
+  /** What is usually connected to what: in the examples. */
+  habits(): Habits | undefined {
+    const { catalogue, examples } = this.session.store.get();
+    if (!this.learned && catalogue && examples) {
+      this.learned = new Habits(
+        catalogue,
+        examples.map(({ graph }) => graph),
+      );
+    }
+    return this.learned;
   }
 
   /** Says what was done; screen readers hear it, and it is shown at the foot of the canvas. */

@@ -104,6 +104,17 @@ export class Renderer {
     this.place = place;
   }
 
+  /** Shows again what was shown last, unless something newer comes. */
+  showAgain(): void {
+    const { shown } = this.store.get();
+    const viewer = this.shownViewer;
+    if (!shown || !viewer) return;
+    void viewer.decode(shown.model.slice()).then((picture) => {
+      if (this.store.get().shown === shown) viewer.show(picture);
+      else picture.dispose();
+    });
+  }
+
   /** The viewer, once there is one. Rejects where it cannot start. */
   get loaded(): Promise<PictureViewer> {
     return this.viewer;

@@ -203,6 +203,23 @@ export class Session {
     return { graph: document.json, parameters: values, output };
   }
 
+  /** What is drawn now, as it is sent: also where no node of the document makes a file. */
+  drawnBody(): EvaluateBody | undefined {
+    const { document, catalogue, view, values, selected } = this.store.get();
+    const drawn = document && catalogue && view && drawnGraph(document, catalogue, view, selected);
+    return drawn ? { ...drawn, parameters: values } : undefined;
+  }
+
+  /** The view of the model, once there is one. Rejects where it cannot start. */
+  get viewer(): Promise<PictureViewer> {
+    return this.renderer.loaded;
+  }
+
+  /** Shows again what was evaluated last, after something else was shown in its place. */
+  showAgain(): void {
+    this.renderer.showAgain();
+  }
+
   /** How the document is looked at now. */
   lookedAt(): Sight {
     return { camera: this.renderer.cameraPlace, selection: [...this.store.get().selection] };

@@ -69,8 +69,13 @@ export interface PictureViewer {
   /** Shows control geometry over the model; null takes it away. */
   showControl(picture: Picture | null, info: ControlInfo): void;
   clear(): void;
-  /** A small picture on a clear background, as an address for an <img>. */
-  thumbnail(picture: Picture, width: number, height: number): Promise<string>;
+  /** Shows another model together with the present one; null takes it away. */
+  compare(picture: Picture | null, how: "beside" | "over"): void;
+  compareHow(how: "beside" | "over"): void;
+  /** What is seen, on its ground, drawn finely. */
+  still(): HTMLCanvasElement;
+  /** A small picture on a clear background, from a document's camera if it has one, as an address for an <img>. */
+  thumbnail(picture: Picture, width: number, height: number, camera: CameraPlace | null): Promise<string>;
 }
 
 export interface Shown extends Stamp {

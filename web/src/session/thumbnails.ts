@@ -65,7 +65,7 @@ async function draw(graph: Json, store: Store<SessionState>, viewer: PictureView
   if (answer.kind !== "model") return "";
   try {
     const picture = await viewer.decode(answer.model);
-    const address = await viewer.thumbnail(picture, WIDTH, HEIGHT);
+    const address = await viewer.thumbnail(picture, WIDTH, HEIGHT, document.camera ?? null);
     picture.dispose();
     return address;
   } catch {

@@ -1,8 +1,10 @@
 import type { ReactElement } from "react";
 import { numberText } from "../model/format";
+import { snap } from "../model/parameters";
 import { IconButton } from "../widgets/Button";
 import { NumberInput } from "../widgets/NumberInput";
 import { Segments } from "../widgets/Segments";
+import { SliderBar } from "../widgets/SliderBar";
 import type { Section, SectionAxis } from "./section";
 
 interface SectionPanelProps {
@@ -21,6 +23,7 @@ const AXES: readonly { id: SectionAxis; title: string }[] = [
 export function SectionPanel({ section, reach, onChange }: SectionPanelProps): ReactElement {
   const { minimum, maximum } = reach;
   const step = Number(((maximum - minimum) / 200).toPrecision(1));
+  const clamp = (value: number): number => Math.min(maximum, Math.max(minimum, value));
   const set = (offset: number): void => onChange({ ...section, offset });
   return (
     <div className="section-panel" role="group" aria-label="Section">
@@ -30,15 +33,14 @@ export function SectionPanel({ section, reach, onChange }: SectionPanelProps): R
         chosen={section.axis}
         onChoose={(axis) => onChange({ ...section, axis })}
       />
-      <input
-        type="range"
-        aria-label="Section offset"
-        aria-valuetext={`${numberText(section.offset, 3)} m`}
-        min={minimum}
-        max={maximum}
+      <SliderBar
+        label="Section offset"
+        text={`${numberText(section.offset, 3)} m`}
+        minimum={minimum}
+        maximum={maximum}
         step={step}
         value={section.offset}
-        onChange={(event) => set(Number(event.currentTarget.value))}
+        onMove={(value, scale) => set(clamp(snap(value, step * Math.min(1, scale))))}
       />
       <NumberInput
         id="section-offset"

@@ -1,15 +1,19 @@
 import { type ReactElement, type ReactNode, useEffect, useRef, useState } from "react";
 import { setCamera } from "../model/edit";
 import { fileName } from "../model/format";
+import { comparisonOf } from "../session/comparison";
 import { saveBlob } from "../session/download";
 import { keyText } from "../session/shortcuts";
 import { makeThumbnails } from "../session/thumbnails";
 import { useCurrent, useCurrentSession } from "../widgets/context";
+import { useStore } from "../widgets/hooks";
 import { Icon } from "../widgets/Icon";
+import { CompareBar } from "./CompareBar";
 import { showGizmosOf, writeGizmo } from "./gizmo_link";
 import type { OutOfView } from "./in_view";
 import { Legend } from "./Legend";
 import type { CurvatureScale } from "./model_look";
+import { PaletteLegends } from "./PaletteLegends";
 import { SectionPanel } from "./SectionPanel";
 import { useShowMode } from "./show_mode";
 import type { Viewer } from "./Viewer";
@@ -38,12 +42,14 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
   const [viewer, setViewer] = useState<Viewer | null>(null);
   const [failure, setFailure] = useState("");
   const [scale, setScale] = useState<CurvatureScale | null>(null);
+  const [deviation, setDeviation] = useState<number>();
   const [outOfView, setOutOfView] = useState<OutOfView>("");
   const choice = useViewSettings(light, picture);
   const [showing, setShowing] = useShowMode();
   const stale = useCurrent((state) => state.problem !== null && state.shown !== null);
   // While the server is away no picture is near.
   const busy = useCurrent((state) => state.busy && !state.away);
+  const isCompared = useStore(comparisonOf(session).store, ({ name }) => name !== null);
   const { settings } = choice;
   // The view calls back long after it was made; what it calls is always the newest.
   const newest = useRef(choice);
@@ -60,6 +66,7 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
           section: (section) => newest.current.set({ section }),
           outOfView: setOutOfView,
           scale: setScale,
+          deviation: setDeviation,
           write: (gizmo, value, gesture) => writeGizmo(session, gizmo, value, gesture),
           end: (_, gesture, cancelled) => (cancelled ? session.cancelGesture(gesture) : session.endGesture()),
         });
@@ -93,7 +100,7 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
       if (camera) session.edit("Keep the view", setCamera(camera));
     },
     view: (view) => viewer?.standardView(view),
-    screenshot: () => void viewer?.screenshot(groundOf(pane.current)).then((blob) => savePicture(blob)),
+    screenshot: () => viewer?.still().toBlob(savePicture, "image/png"),
     show: () => setShowing(!showing),
   };
   const savePicture = (blob: Blob | null): void => {
@@ -135,13 +142,11 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
       {settings.mode === "by-curvature" && (
         <Legend scale={scale} kind={settings.curvatureKind} onKind={(curvatureKind) => choice.set({ curvatureKind })} />
       )}
+      {!picture && <CompareBar deviation={deviation} />}
+      {(settings.mode === "shaded" || settings.mode === "shaded-wire") && !picture && !showing && !isCompared && (
+        <PaletteLegends />
+      )}
       {showing && <div className="show-controls">{controls}</div>}
     </section>
   );
-}
-
-/** The colors of the pane's ground, top and bottom. */
-function groundOf(pane: HTMLElement | null): [string, string] {
-  const style = getComputedStyle(pane ?? document.documentElement);
-  return [style.getPropertyValue("--view-top").trim(), style.getPropertyValue("--view-bottom").trim()];
 }

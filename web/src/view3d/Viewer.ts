@@ -18,11 +18,13 @@ import { Materials } from "./materials";
 import { ModelLook } from "./model_look";
 import { pointsInward } from "./orientation";
 import { cellSize } from "./overlays";
-import { pictureOf, pngOf } from "./pictures";
+import { onGround, pictureOf } from "./pictures";
 import { fineRatio, Rest, setRatio } from "./rest";
 import { CameraRig, directionOf, type StandardView } from "./rig";
 import { type Section, SectionPlane } from "./section";
 import { isSoftwareRendering } from "./software";
+import { type ComparedHow, SplitView } from "./split_view";
+import { StudioLight } from "./studio_light";
 import { drawingSize } from "./thick_lines";
 import { PLAIN, type ViewerHost, type ViewSettings } from "./viewer_settings";
 
@@ -33,10 +35,12 @@ export class Viewer {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly rig: CameraRig;
-  private readonly materials = new Materials();
+  /** Light that is computed, where there is a graphics processor for it. */
+  private readonly studio: StudioLight | undefined;
+  private readonly materials: Materials;
   private readonly controlMaterials = new ControlMaterials();
-  private readonly decoder = new Decoder(this.materials);
-  private readonly look = new ModelLook(this.materials);
+  private readonly decoder: Decoder;
+  private readonly look: ModelLook;
   private readonly gizmos: GizmoLayer;
   private readonly handles: HandleLayer;
   private readonly section: SectionPlane;
@@ -49,6 +53,7 @@ export class Viewer {
   private readonly ratio: number;
   private model: DecodedModel | undefined;
   private control: ControlGeometry | undefined;
+  private readonly split = new SplitView(this.scene);
   private opening: CameraPlace | null = null;
   /** Where the camera stood when it was last at home. */
   private readonly homePlace = { position: new Vector3(), target: new Vector3() };
@@ -71,6 +76,10 @@ export class Viewer {
   ) {
     this.isSoftware = isSoftwareRendering();
     this.renderer = makeRenderer(container, label, smooth ? "smooth" : this.isSoftware ? "plain" : "usual");
+    this.studio = this.isSoftware || smooth ? undefined : new StudioLight(this.renderer);
+    this.materials = new Materials(this.studio?.environment);
+    this.decoder = new Decoder(this.materials);
+    this.look = new ModelLook(this.materials);
     const canvas = this.renderer.domElement;
     this.ratio = this.renderer.getPixelRatio();
     this.rest = new Rest(this.isSoftware && !smooth, {
@@ -90,6 +99,7 @@ export class Viewer {
       project: (place) => this.project(place),
     });
     this.scene.add(this.ground.group, this.section.group, this.gizmos.group);
+    if (this.studio) this.scene.add(this.studio.group);
     this.rig.look(HOME, { target: new Vector3(), distance: 8, radius: 1 });
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(container);
@@ -106,7 +116,9 @@ export class Viewer {
     this.clearModel();
     this.model = model;
     this.scene.add(model.scene);
-    this.inView.setModel(samplePositions(model.scene, MOST_SEEN));
+    const points = samplePositions(model.scene, MOST_SEEN);
+    this.inView.setModel(points);
+    this.studio?.place(points);
     this.materials.setInward(pointsInward(model.meshes.map((mesh) => mesh.geometry)));
     this.dressModel();
     this.draw();
@@ -152,8 +164,23 @@ export class Viewer {
     this.rest.setBusy(busy);
   }
 
+  compare(other: DecodedModel | null, how: ComparedHow): void {
+    this.split.set(other);
+    this.compareHow(how);
+  }
+
+  compareHow(how: ComparedHow): void {
+    this.split.setHow(how);
+    this.dressModel();
+    this.setHandles();
+    this.resize();
+    this.placeForSplit();
+    this.draw();
+  }
+
   clear(): void {
     this.clearModel();
+    if (this.split.other) this.compare(null, "beside");
     this.control?.dispose();
     this.control = undefined;
     this.draw();
@@ -227,17 +254,22 @@ export class Viewer {
     return this.opening;
   }
 
-  thumbnail(model: DecodedModel, width: number, height: number): Promise<string> {
-    const picture = pictureOf(this.renderer, model, HOME, width, height);
+  thumbnail(model: DecodedModel, width: number, height: number, camera: CameraPlace | null): Promise<string> {
+    const picture = pictureOf(this.renderer, model, camera ?? HOME, width, height);
     this.resize();
     return picture;
   }
 
-  /** The picture as it is now, as a PNG. */
-  screenshot(background: readonly [string, string]): Promise<Blob | null> {
+  /** The picture as it is now, on its ground. */
+  still(): HTMLCanvasElement {
+    const style = getComputedStyle(this.container);
+    const ground = [
+      style.getPropertyValue("--view-top").trim(),
+      style.getPropertyValue("--view-bottom").trim(),
+    ] as const;
     // Drawn and read in the same task: the drawing is gone with the next frame.
     this.render(true);
-    return pngOf(this.renderer.domElement, background);
+    return onGround(this.renderer.domElement, ground);
   }
 
   dispose(): void {
@@ -252,6 +284,7 @@ export class Viewer {
     this.look.dispose();
     this.rig.dispose();
     this.materials.dispose();
+    this.studio?.dispose();
     this.controlMaterials.dispose();
     this.decoder.dispose();
     this.renderer.dispose();
@@ -293,11 +326,16 @@ export class Viewer {
   }
 
   private dressModel(): void {
-    if (this.model) this.host.scale(this.look.apply(this.model, this.settings));
+    if (!this.model) return;
+    const { other, isSplit } = this.split;
+    this.host.scale(this.look.apply(this.model, this.settings));
+    this.host.deviation(other && !isSplit ? this.look.applyDeviation(this.model, other) : undefined);
   }
 
   private setHandles(): void {
-    this.handles.set([...(this.settings.section ? [this.section.handle] : []), ...this.gizmos.handles]);
+    // In half the view they would stand in the wrong place.
+    if (this.split.isSplit) this.handles.set([]);
+    else this.handles.set([...(this.settings.section ? [this.section.handle] : []), ...this.gizmos.handles]);
   }
 
   private placeSection(): void {
@@ -324,7 +362,9 @@ export class Viewer {
     this.gizmos.update();
     const { clientWidth, clientHeight } = this.container;
     setRatio(this.renderer, fine ? Math.max(this.ratio, fineRatio(clientWidth, clientHeight)) : this.ratio);
-    this.renderer.render(this.scene, this.rig.camera);
+    const { split, model } = this;
+    if (split.isSplit) split.render(this.renderer, this.rig.camera, model, clientWidth, clientHeight);
+    else this.renderer.render(this.scene, this.rig.camera);
     this.handles.update();
     this.tellInView();
     // What tests watch: that nothing is drawn for nothing, that nothing is kept for nothing, and from where it is seen.
@@ -332,6 +372,18 @@ export class Viewer {
     const eye = this.rig.perspective.position.toArray().map((value) => value.toPrecision(5));
     Object.assign(this.renderer.domElement.dataset, { frames: ++this.frames, geometries, textures, eye });
     this.rest.drawn(fine);
+  }
+
+  /** Half a view shows less: the model is framed in it, and seen from where it was when the view is whole again. */
+  private placeForSplit(): void {
+    const { rig, split, model } = this;
+    if (split.isSplit && !split.wholePlace) {
+      split.wholePlace = { position: inGraph(rig.perspective.position), target: inGraph(rig.target) };
+      this.frameModel();
+    } else if (!split.isSplit && split.wholePlace && model) {
+      this.moveTo(...framingOf(split.wholePlace, samplePositions(model.scene), Infinity));
+      split.wholePlace = undefined;
+    }
   }
 
   private tellInView(): void {
@@ -346,7 +398,7 @@ export class Viewer {
     if (clientWidth === 0 || clientHeight === 0) return;
     this.renderer.setSize(clientWidth, clientHeight, true);
     drawingSize.value.set(clientWidth, clientHeight);
-    this.rig.resize(clientWidth / clientHeight);
+    this.rig.resize(clientWidth / (this.split.isSplit ? 2 : 1) / clientHeight);
     // Setting the size clears the canvas; drawing at once avoids a blank frame.
     this.render();
   }

@@ -1,6 +1,14 @@
 // Gives the parts of a model the look of the page.
 
-import { type BufferGeometry, type Line, type LineBasicMaterial, type Material, Mesh, Points } from "three";
+import {
+  type BufferGeometry,
+  type Line,
+  type LineBasicMaterial,
+  type Material,
+  Mesh,
+  type MeshStandardMaterial,
+  Points,
+} from "three";
 import type { Materials, Style } from "./materials";
 
 /** Colors, opacity and vertex colors are the model's own; everything else is shared by all models. */
@@ -13,6 +21,7 @@ export function dress(
     if (!object.geometry.hasAttribute("normal")) object.geometry.computeVertexNormals();
     const material = materials.studio(style);
     object.material = material;
+    object.castShadow = !style.translucent;
     studioMaterials.set(object, material);
   } else {
     object.material = object instanceof Points ? materials.points(style) : materials.lines(style);
@@ -27,11 +36,14 @@ export function studioOf(mesh: Mesh): Material | undefined {
 /** What the file says, as the loader has put it into a material that is not used any further. */
 function styleOf(geometry: BufferGeometry, material: Material | Material[]): Style {
   const { color, opacity, transparent } = material as LineBasicMaterial;
+  const { metalness = 0, roughness = 1 } = material as Partial<MeshStandardMaterial>;
   (material as Material).dispose();
   return {
     color: [color.r, color.g, color.b, opacity],
     translucent: transparent,
     vertexColors: geometry.hasAttribute("color"),
+    metalness,
+    roughness,
   };
 }
 

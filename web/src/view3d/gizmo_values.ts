@@ -72,7 +72,7 @@ export function gizmosOf({ document, catalogue, values, selected, wired }: Gizmo
     const hint = input.handle;
     const own = hint && read(input.name);
     if (!hint || !own) return [];
-    const base = { key: `${node.id}.${input.name}`, label: `${input.name} of ${card.title}`, target: own.target };
+    const base = { key: `${node.id}.${input.name}`, label: `${input.title} of ${card.title}`, target: own.target };
     const at = anchor(hint.at, ORIGIN);
     if (hint.kind === "position") {
       const value = vectorOf(own.value);

@@ -10,10 +10,12 @@ import {
   type Material,
   MeshMatcapMaterial,
   MeshNormalMaterial,
+  MeshStandardMaterial,
   type Plane,
   PointsMaterial,
   RGBAFormat,
   SRGBColorSpace,
+  type Texture,
   UnsignedByteType,
   Vector3,
   Vector4,
@@ -21,7 +23,11 @@ import {
 } from "three";
 
 const MATCAP_SIZE = 128;
+/** Less than the whole: the lamp adds to it, and white shall not glare. */
+const ROOM_STRENGTH = 0.6;
 const DEFAULT_COLOR = new Color("#7f9df0");
+/** The same where light is computed: a neutral one shows it best. */
+const DEFAULT_PHYSICAL_COLOR = new Color("#c9ced6");
 
 /** Pushes surfaces back a little, so that lines drawn on them are whole. */
 const BEHIND_LINES = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
@@ -92,6 +98,9 @@ export interface Style {
   color: readonly [number, number, number, number];
   translucent: boolean;
   vertexColors: boolean;
+  /** How the surface takes light, where that is computed. */
+  metalness: number;
+  roughness: number;
 }
 
 /**
@@ -109,10 +118,11 @@ export class Materials {
   private readonly back = { value: new Vector4(0, 0, 0, 0) };
   private readonly inward = { value: false };
 
-  constructor() {
+  /** With an `environment` to mirror, surfaces are lit as their materials say; without, by a drawing of light. */
+  constructor(private readonly environment: Texture | null = null) {
     this.normals.clippingPlanes = this.planes;
     this.painted = this.makeStudio(
-      { color: [1, 1, 1, 1], translucent: false, vertexColors: false },
+      { color: [1, 1, 1, 1], translucent: false, vertexColors: false, metalness: 0, roughness: 1 },
       new Color(1, 1, 1),
       true,
     );
@@ -123,8 +133,11 @@ export class Materials {
   studio(style: Style): Material {
     const [red, green, blue] = style.color;
     const isPlain = red === 1 && green === 1 && blue === 1 && !style.vertexColors;
-    const color = isPlain ? DEFAULT_COLOR : new Color(red, green, blue);
-    return this.shared("faces", style, () => this.makeStudio(style, color));
+    const usual = this.environment ? DEFAULT_PHYSICAL_COLOR : DEFAULT_COLOR;
+    const color = isPlain ? usual : new Color(red, green, blue);
+    return this.shared("faces", style, () =>
+      this.environment ? this.makePhysical(style, color, this.environment) : this.makeStudio(style, color),
+    );
   }
 
   points(style: Style): Material {
@@ -161,7 +174,8 @@ export class Materials {
   }
 
   private shared(kind: string, style: Style, make: () => Material): Material {
-    const key = `${kind} ${style.color.join()} ${style.translucent} ${style.vertexColors}`;
+    const finish = this.environment ? `${style.metalness} ${style.roughness}` : "";
+    const key = `${kind} ${style.color.join()} ${style.translucent} ${style.vertexColors} ${finish}`;
     const found = this.kept.get(key);
     if (found) return found;
     if (this.kept.size >= MOST_KEPT) {
@@ -171,6 +185,32 @@ export class Materials {
     const material = make();
     material.clippingPlanes = this.planes;
     this.kept.set(key, material);
+    return material;
+  }
+
+  private makePhysical(style: Style, color: Color, environment: Texture): MeshStandardMaterial {
+    const material = new MeshStandardMaterial({
+      ...{ color, envMap: environment, metalness: style.metalness, roughness: style.roughness },
+      envMapIntensity: ROOM_STRENGTH,
+      ...{ vertexColors: style.vertexColors, side: DoubleSide, opacity: style.color[3] },
+      ...{ transparent: style.translucent, depthWrite: !style.translucent, ...BEHIND_LINES },
+    });
+    material.onBeforeCompile = (shader) => {
+      shader.uniforms["flatBack"] = this.back;
+      shader.uniforms["inward"] = this.inward;
+      shader.fragmentShader = shader.fragmentShader
+        .replace("#define STANDARD", "#define STANDARD\nuniform vec4 flatBack; uniform bool inward;")
+        .replace(
+          "#include <color_fragment>",
+          `#include <color_fragment>
+          if (!gl_FrontFacing) diffuseColor.rgb *= 0.86;`,
+        )
+        .replace(
+          "#include <opaque_fragment>",
+          `#include <opaque_fragment>
+          if (gl_FrontFacing == inward) gl_FragColor.rgb = mix(gl_FragColor.rgb, flatBack.rgb, 0.85 * flatBack.a);`,
+        );
+    };
     return material;
   }
 

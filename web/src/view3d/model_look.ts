@@ -3,6 +3,7 @@
 import { BufferAttribute, type BufferGeometry, LineBasicMaterial, LineSegments, type Material, type Mesh } from "three";
 import { type CurvatureKind, curvatureColors, curvatureRange, estimateCurvature, smoothed } from "./curvature";
 import type { DecodedModel } from "./decode";
+import { paintDeviation } from "./deviation";
 import { studioOf } from "./dress";
 import type { Materials } from "./materials";
 import { latticeOf, wireGeometry } from "./wireframe";
@@ -56,6 +57,14 @@ export class ModelLook {
       this.wires.push(lines);
     }
     return mode === "by-curvature" ? this.paint(model.meshes, look.curvatureKind) : null;
+  }
+
+  /** Colors the model by its distance to another one. Answers the largest; undefined where there are no surfaces. */
+  applyDeviation(model: DecodedModel, other: DecodedModel): number | undefined {
+    const largest = paintDeviation(model, other);
+    if (largest === undefined) return undefined;
+    for (const mesh of model.meshes) mesh.material = this.materials.painted;
+    return largest;
   }
 
   /** Takes the lines of the last model away. */

@@ -1,22 +1,28 @@
 // Pictures to take away: small ones for the gallery, and what is seen as a PNG.
 
 import { PerspectiveCamera, Scene, type Vector3, type WebGLRenderer } from "three";
+import type { CameraPlace } from "../model/document";
 import type { DecodedModel } from "./decode";
-import { frame, placeCamera, samplePositions } from "./framing";
+import { frame, framingOf, placeCamera, samplePositions } from "./framing";
 
 const FIELD_OF_VIEW = 32;
 
-/** A model alone on a clear ground, as an address for an <img>. Leaves the renderer at a size of its own. */
+/**
+ * A model alone on a clear ground, as an address for an <img>: seen from a place, else from a direction. Leaves the
+ * renderer at a size of its own.
+ */
 export async function pictureOf(
   renderer: WebGLRenderer,
   model: DecodedModel,
-  direction: Vector3,
+  seen: CameraPlace | Vector3,
   width: number,
   height: number,
 ): Promise<string> {
   const scene = new Scene().add(model.scene);
   const camera = new PerspectiveCamera(FIELD_OF_VIEW, width / height, 0.01, 1000);
-  const framing = frame(samplePositions(model.scene), direction, camera);
+  const points = samplePositions(model.scene);
+  const [direction, framing] =
+    "target" in seen ? framingOf(seen, points, camera.aspect) : ([seen, frame(points, seen, camera)] as const);
   const picture = document.createElement("canvas");
   picture.width = width;
   picture.height = height;
@@ -35,7 +41,7 @@ export async function pictureOf(
 }
 
 /** A drawn canvas on its ground, a gradient from top to bottom. To be called in the task that drew it. */
-export function pngOf(canvas: HTMLCanvasElement, [top, bottom]: readonly [string, string]): Promise<Blob | null> {
+export function onGround(canvas: HTMLCanvasElement, [top, bottom]: readonly [string, string]): HTMLCanvasElement {
   const picture = document.createElement("canvas");
   picture.width = canvas.width;
   picture.height = canvas.height;
@@ -48,7 +54,7 @@ export function pngOf(canvas: HTMLCanvasElement, [top, bottom]: readonly [string
     context.fillRect(0, 0, picture.width, picture.height);
     context.drawImage(canvas, 0, 0);
   }
-  return png(picture);
+  return picture;
 }
 
 function png(canvas: HTMLCanvasElement): Promise<Blob | null> {

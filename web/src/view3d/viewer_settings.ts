@@ -18,6 +18,8 @@ export interface ViewerHost {
   section(section: Section): void;
   outOfView(how: OutOfView): void;
   scale(scale: CurvatureScale | null): void;
+  /** The largest distance to the model that is compared, where the colors show it. */
+  deviation(largest: number | undefined): void;
   write: GizmoHost["write"];
   end: GizmoHost["end"];
 }

@@ -29,7 +29,7 @@ export const InputField = memo(function InputField(props: InputFieldProps): Reac
   const set = (value: Json, moving = false): undefined => {
     session.setInput(node, row.name, value, { moving });
   };
-  const label = `${row.name} of ${title}`;
+  const label = `${row.title} of ${title}`;
   if (kind === "list") {
     return (
       <LineField
@@ -49,7 +49,7 @@ export const InputField = memo(function InputField(props: InputFieldProps): Reac
   return (
     <ValueField
       {...{ id, label, look, described, parameter }}
-      partLabel={(letter) => `${row.name} ${letter} of ${title}`}
+      partLabel={(letter) => `${row.title} ${letter} of ${title}`}
       value={fieldValue(parameter, row.literal ?? undefined)}
       placeholder={card.emptyMeans}
       within={(next) => withinHard(card, next)}
