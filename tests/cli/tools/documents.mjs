@@ -44,7 +44,7 @@ export const right = {
 export const wrong = {
   "no object": [],
   "no format": { nodes: {} },
-  "another format": { format: 2, nodes: {} },
+  "another format": { format: 3, nodes: {} },
   "a format in words": { format: "1", nodes: {} },
   "no nodes": { format: 1 },
   "nodes in a list": graph([]),
