@@ -94,6 +94,16 @@ TEST_CASE("What stands at an output of a group is looked at by the id of the ins
   CHECK((*drawn)->model_tag == (*same)->model_tag);
 }
 
+TEST_CASE("A group may make the file, which is asked for by the instance or by the node in it") {
+  Json graph = nested();
+  graph["groups"]["flower"]["nodes"]["file"] = make("export", {{"model", from("one")}});
+  graph["groups"]["flower"]["outputs"].push_back({{"name", "file"}, {"from", "file"}});
+  graph["nodes"].erase("out");
+  const std::string file = file_of(engine(), {.graph = graph});
+  CHECK(file_of(engine(), {.graph = graph, .output = "flower/file"}) == file);
+  CHECK(file_of(engine(), {.graph = graph, .output = "flower.file"}) == file);
+}
+
 TEST_CASE("A problem in a group is told with the id of its node and its place in the document") {
   Json graph = nested();
   graph["groups"]["petal"]["nodes"]["skin"]["inputs"]["segments"] = -3;

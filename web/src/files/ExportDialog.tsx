@@ -1,4 +1,5 @@
 import { type ReactElement, useEffect, useState } from "react";
+import { lookedAt } from "../model/document";
 import { byteText, fileName, grouped } from "../model/format";
 import { fileOutput } from "../model/graph";
 import { asParameter, fieldValue, withinHard } from "../model/inputs";
@@ -27,7 +28,7 @@ const DRAFT_TRIANGLES = 20_000;
 export function ExportDialog(): ReactElement {
   const session = useCurrentSession();
   const files = filesOf(session);
-  const document = useCurrent((state) => state.document);
+  const document = useCurrent((state) => state.document && lookedAt(state.document, []));
   const catalogue = useCurrent((state) => state.catalogue);
   const values = useCurrent((state) => state.values);
   const formats = catalogue?.formats ?? [];

@@ -1,4 +1,5 @@
 import type { ReactElement } from "react";
+import { valuesOf } from "../session/paths";
 import { useCurrent, useCurrentSession } from "../widgets/context";
 import { Icon } from "../widgets/Icon";
 import { ParameterRow } from "./ParameterRow";
@@ -8,16 +9,18 @@ import { Variants } from "./Variants";
 export function Controls(): ReactElement {
   const session = useCurrentSession();
   const open = useCurrent((state) => state.document);
-  const isChanged = useCurrent((state) => Object.keys(state.values).length > 0);
+  const isChanged = useCurrent((state) => Object.keys(valuesOf(state)).length > 0);
   if (!open) return <p className="empty">No graph is open.</p>;
   return (
     <div className="controls">
       {open.description && <p className="controls-description">{open.description}</p>}
-      {open.parameters.length === 0 && <p className="empty">This graph has no parameters.</p>}
+      {open.parameters.length === 0 && (
+        <p className="empty">This {open.inside.length > 0 ? "group has no inputs" : "graph has no parameters"}.</p>
+      )}
       <div className="parameter-rows" key={open.title}>
-        {open.parameters.map((parameter) => (
-          <ParameterRow key={parameter.name} parameter={parameter} />
-        ))}
+        {open.parameters.map((parameter) =>
+          parameter.isWireOnly ? null : <ParameterRow key={parameter.name} parameter={parameter} />,
+        )}
       </div>
       <Variants />
       {isChanged && (
