@@ -19,7 +19,7 @@ import {
   sameValues,
   withValue,
 } from "../model/parameters";
-import { groupNamed, type Inside } from "../model/scope";
+import { groupNamed, type Inside, prefixOf } from "../model/scope";
 import { createStore, type Store } from "../model/store";
 import { getJson } from "../net/api";
 import { localProblem } from "../net/problem";
@@ -199,7 +199,8 @@ export class Session {
     }
     const id = ids.at(-1) ?? "";
     if (!at.nodes.has(id)) return false;
-    this.lookAt(at.inside, [id]);
+    if (prefixOf(at.inside) === prefixOf(document.inside)) this.select([id]);
+    else this.lookAt(at.inside, [id]);
     return true;
   }
 
