@@ -24,6 +24,7 @@ struct DiffOptions {
 /// What a difference looks like for people: a line each.
 class Lines {
  public:
+  /// Names are written after `kind`, and of nodes after the name of the group that they are in.
   void add(const Json& differences, const std::string& kind) {
     for (const Json& name : differences["removed"]) line("- " + kind + name.get<std::string>());
     for (const Json& name : differences["added"]) line("+ " + kind + name.get<std::string>());
@@ -39,8 +40,11 @@ class Lines {
 
   void add_changes(const std::string& name, const Json& changes) {
     for (const auto& [member, change] : changes.items()) {
-      if (member == "inputs") {
+      const bool is_member = change.contains("from") || change.contains("to");
+      if (member == "inputs" && !is_member) {
         add_changes(name, change);
+      } else if (member == "nodes") {
+        add(change, name + "/");
       } else {
         line("~ " + name + "." + member + ": " + side(change, "from") + " -> " + side(change, "to"));
       }
@@ -54,12 +58,15 @@ bool is_empty(const Json& differences) {
 
 int compare_graphs(const DiffOptions& options, const Json& before, const Json& after) {
   const Json difference = graph_difference(before, after);
-  const bool same = is_empty(difference["nodes"]) && is_empty(difference["parameters"]);
+  const bool has_groups = difference.contains("groups");
+  const bool same = is_empty(difference["nodes"]) && is_empty(difference["parameters"]) &&
+                    (!has_groups || is_empty(difference["groups"]));
   if (options.console.json()) {
     std::cout << written(difference);
   } else {
     Lines lines;
     lines.add(difference["parameters"], "parameter ");
+    if (has_groups) lines.add(difference["groups"], "group ");
     lines.add(difference["nodes"], "");
   }
   return same ? exit_ok : exit_check_failed;

@@ -23,12 +23,14 @@ class Layout {
   explicit Layout(std::string_view text) : text_(text) {}
 
   std::string document(const TextValue& root) {
-    static constexpr std::string_view order[] = {"$schema", "format", "meta", "parameters", "nodes", "ui"};
+    static constexpr std::string_view order[] = {"$schema", "format", "meta", "parameters", "groups", "nodes", "ui"};
     std::vector<std::string> lines;
     for (const TextMember* member : sorted(root, order)) {
       // What the page remembers has by node where it stands: a line for each, so that edits of two people merge.
       const int split = member->name == "ui" ? 2 : 1;
-      lines.push_back(name(*member) + value(member->value, 2, split, member->name == "nodes"));
+      lines.push_back(name(*member) + (member->name == "groups"
+                                           ? groups(member->value)
+                                           : value(member->value, 2, split, member->name == "nodes")));
     }
     return block(lines, '{', 0) + "\n";
   }
@@ -74,8 +76,28 @@ class Layout {
     return text + "\n" + std::string(indent, ' ') + (bracket == '{' ? '}' : ']');
   }
 
+  /// Each group with a line for each of its members, and one for each of its nodes.
+  std::string groups(const TextValue& shown) const {
+    static constexpr std::string_view order[] = {"label", "description", "inputs", "outputs", "nodes"};
+    constexpr std::size_t indent = 2;
+    if (shown.kind != Kind::object || shown.members.empty()) return value(shown, indent, 1, false);
+    std::vector<std::string> lines;
+    for (const TextMember& group : shown.members) {
+      std::vector<std::string> members;
+      for (const TextMember* member : sorted(group.value, order)) {
+        const bool is_nodes = member->name == "nodes";
+        members.push_back(name(*member) + value(member->value, indent + 4, is_nodes ? 1 : 0, is_nodes));
+      }
+      const bool is_block = group.value.kind == Kind::object && !members.empty();
+      lines.push_back(name(group) +
+                      (is_block ? block(members, '{', indent + 2) : value(group.value, indent + 2, 0, false)));
+    }
+    return block(lines, '{', indent);
+  }
+
   /// A value whose line begins with so many spaces. It is split for `split` levels, and where it does not fit.
-  std::string value(const TextValue& shown, std::size_t indent, int split, bool holds_nodes, bool is_node = false) {
+  std::string value(const TextValue& shown, std::size_t indent, int split, bool holds_nodes,
+                    bool is_node = false) const {
     const bool has_names = shown.kind == Kind::object;
     if (shown.members.empty()) return has_names ? "{}" : in_one_line(shown, false);
     if (split <= 0 || !has_names) {

@@ -46,7 +46,7 @@ Result<OutputNames> read_output_names(const std::vector<std::string>& words, con
   OutputNames read;
   for (const std::string& word : words) {
     const std::size_t equals = word.find('=');
-    const bool is_named = equals != std::string::npos && is_graph_id(word.substr(0, equals));
+    const bool is_named = equals != std::string::npos && is_node_id(word.substr(0, equals));
     const std::string pattern = is_named ? word.substr(equals + 1) : word;
     if (Problems faults = faults_in(pattern, known); !faults.empty()) return faults;
     if (is_named) {
@@ -71,7 +71,10 @@ std::string filled(const std::string& pattern, const std::map<std::string, std::
   each_name(pattern, [&](const std::string& name, std::size_t begin, std::size_t end) {
     const auto value = values.find(name);
     if (value == values.end()) return;
-    text += pattern.substr(after, begin - after) + value->second;
+    std::string shown = value->second;
+    // The id of an output within groups is a path of ids, and no path of folders.
+    if (name == "output") std::replace(shown.begin(), shown.end(), '/', '-');
+    text += pattern.substr(after, begin - after) + shown;
     after = end;
   });
   return text + pattern.substr(after);

@@ -10,8 +10,8 @@
 namespace dini::cli {
 namespace {
 
-/// The newest format of documents, and so far the only one. A newer one has its step from the one before in `upgrade`.
-constexpr int newest_format = 1;
+/// The newest format of documents. It only adds to the one before, so that documents of both are read as they are.
+constexpr int newest_format = 2;
 
 struct UpgradeOptions {
   std::vector<std::string> files;
@@ -28,13 +28,15 @@ void upgrade(const std::string& path, const Engine& engine, bool says, DocumentR
     const int code = exit_code_for(document.problems(), Stage::checking);
     return results.add_failure(source->name, document.problems(), code, &*source);
   }
-  // The engine reads the newest format only and says what is wrong with any other.
+  // The engine says what is wrong with a format that it does not read.
   const auto read = engine.interface(*engine.read(*document));
   if (!read) return results.add_failure(source->name, read.problems(), exit_invalid_graph, &*source);
+  const int format = document->value("format", newest_format);
   if (says) {
-    std::cout << printable(source->name) << ": format " << newest_format << " is the newest, nothing to do\n";
+    std::cout << printable(source->name) << ": format " << format
+              << (format == newest_format ? " is the newest" : " is read as it is") << ", nothing to do\n";
   }
-  results.add(source->name, {{"format", newest_format}, {"changed", false}});
+  results.add(source->name, {{"format", format}, {"changed", false}});
 }
 
 int run(const UpgradeOptions& options, const EngineMaker& make_engine) {

@@ -6,6 +6,7 @@
 #include "graph/cost.h"
 #include "graph/fingerprint.h"
 #include "graph/fixes.h"
+#include "graph/groups.h"
 #include "graph/infer.h"
 #include "graph/literal.h"
 #include "graph/nearest.h"
@@ -55,8 +56,8 @@ class Checker {
       problem->pointer = input_pointer(problem->node, "");
       problems_.add(*std::move(problem));
     }
-    report_.problems = std::move(problems_).take();
-    report_.elsewhere = std::move(elsewhere_).take();
+    report_.problems = placed(std::move(problems_).take(), document_);
+    report_.elsewhere = placed(std::move(elsewhere_).take(), document_);
     return std::move(report_);
   }
 

@@ -1,75 +1,53 @@
 #include <algorithm>
-#include <cctype>
 
 #include "graph/document.h"
 #include "graph/json_reader.h"
 #include "graph/literal.h"
-#include "graph/nearest.h"
+#include "graph/node_reader.h"
 #include "graph/parameters.h"
-#include "graph/registry.h"
 
 namespace dini {
 
 namespace {
 
+using Where = NodeReader::Where;
+
 class DocumentReader {
  public:
-  DocumentReader(const Limits& limits, const Registry& registry) : limits_(limits), registry_(registry) {}
+  DocumentReader(const Limits& limits, const Registry& registry) : nodes_(limits, registry) {}
 
   Result<Document> read(const Json& json) {
     Document document;
-    if (!object(json, "", {"$schema", "format", "meta", "parameters", "nodes", "ui"}))
-      return std::move(problems_).take();
-    read_format(json);
+    if (!nodes_.object(json, "", {"$schema", "format", "meta", "parameters", "groups", "nodes", "ui"}))
+      return std::move(nodes_.problems).take();
+    read_format(json, document);
     read_schema(json, document);
     if (json.contains("meta")) document.meta = json["meta"];
     if (json.contains("ui")) document.ui = json["ui"];
     if (json.contains("parameters")) read_parameters(json["parameters"], document);
+    if (json.contains("groups")) read_groups(json["groups"], document);
     if (!json.contains("nodes")) {
       add("required-member-missing", "", "the document has no \"nodes\"");
     } else {
-      read_nodes(json["nodes"], document);
+      document.nodes =
+          nodes_.read(json["nodes"], "/nodes", document.format == 1 ? Where::document : Where::document_with_paths);
     }
-    if (!problems_.empty()) return std::move(problems_).take();
+    if (!nodes_.problems.empty()) return std::move(nodes_.problems).take();
     return document;
   }
 
  private:
-  void add(std::string code, std::string pointer, std::string detail, std::string node = "", std::string port = "") {
-    problems_.add({std::move(code), std::move(detail), std::move(node), std::move(port), std::move(pointer)});
+  void add(std::string code, std::string pointer, std::string detail) {
+    nodes_.add(std::move(code), std::move(pointer), std::move(detail));
   }
 
-  /// True when `json` is an object with no other members than `known`; adds a problem for each that is not.
-  bool object(const Json& json, const std::string& pointer, const std::vector<std::string>& known,
-              const std::string& node = "") {
-    if (!json.is_object()) {
-      add("type-mismatch", pointer, "got " + excerpt(json) + ", expected an object", node);
-      return false;
-    }
-    bool all_known = true;
-    for (const auto& [name, value] : json.items()) {
-      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-      all_known = false;
-      problems_.add([&] {
-        return Problem{"unknown-member", "unknown member " + excerpt(name) + did_you_mean(name, known), node, "",
-                       pointer + "/" + pointer_token(name)};
-      });
-    }
-    return all_known;
-  }
-
-  bool identifier(const std::string& id, const std::string& pointer) {
-    if (is_identifier(id)) return true;
-    add("invalid-id", pointer,
-        excerpt(id) + " is no name: a letter, then up to 63 letters, digits, underscores or hyphens");
-    return false;
-  }
-
-  void read_format(const Json& json) {
+  void read_format(const Json& json, Document& document) {
     if (!json.contains("format")) {
-      add("required-member-missing", "", "the document has no \"format\"; this version reads format 1");
-    } else if (json["format"] != 1) {
-      add("unsupported-format", "/format", "got " + excerpt(json["format"]) + ", this version reads format 1");
+      add("required-member-missing", "", "the document has no \"format\"; this version reads formats 1 and 2");
+    } else if (json["format"] != 1 && json["format"] != 2) {
+      add("unsupported-format", "/format", "got " + excerpt(json["format"]) + ", this version reads formats 1 and 2");
+    } else {
+      document.format = json["format"].get<int>();
     }
   }
 
@@ -90,116 +68,113 @@ class DocumentReader {
     }
     for (const auto& [name, value] : json.items()) {
       const std::string pointer = "/parameters/" + pointer_token(name);
-      if (!identifier(name, pointer)) continue;
+      if (!nodes_.identifier(name, pointer)) continue;
       Result<Parameter> parameter = read_parameter(value, pointer);
       if (parameter) {
         document.parameters.emplace(name, std::move(*parameter));
       } else {
-        problems_.add(std::move(parameter).problems());
+        nodes_.problems.add(std::move(parameter).problems());
       }
     }
   }
 
-  void read_nodes(const Json& json, Document& document) {
+  void read_groups(const Json& json, Document& document) {
     if (!json.is_object()) {
-      add("type-mismatch", "/nodes", "nodes must be an object keyed by id");
+      add("type-mismatch", "/groups", "groups must be an object keyed by name");
       return;
     }
-    if (json.size() > limits_.nodes) {
-      add("limit-exceeded", "/nodes",
-          "the graph has " + std::to_string(json.size()) + " nodes, at most " + std::to_string(limits_.nodes) +
-              " are accepted");
-      return;
+    if (document.format == 1 && !json.empty()) {
+      // An older version would call the member unknown, and say nothing of the format that has it.
+      nodes_.problems.add({.code = "unsupported-format",
+                           .detail = "groups are of format 2, and the document says that it has format 1",
+                           .pointer = "/format",
+                           .fix = {{{"op", "replace"}, {"path", "/format"}, {"value", 2}}}});
     }
-    for (const auto& [id, value] : json.items()) {
-      const std::string pointer = "/nodes/" + pointer_token(id);
-      if (identifier(id, pointer)) document.nodes.emplace(id, read_node(id, value, pointer));
-    }
-    if (links_ > limits_.links) {
-      add("limit-exceeded", "/nodes",
-          "the graph has " + std::to_string(links_) + " links, at most " + std::to_string(limits_.links) +
-              " are accepted");
+    for (const auto& [name, value] : json.items()) {
+      const std::string pointer = "/groups/" + pointer_token(name);
+      if (nodes_.identifier(name, pointer)) document.groups.emplace(name, read_group(value, pointer));
     }
   }
 
-  NodeEntry read_node(const std::string& id, const Json& json, const std::string& pointer) {
-    NodeEntry node;
-    if (!object(json, pointer, {"type", "inputs", "bypass"}, id)) return node;
-    if (!json.contains("type")) {
-      add("required-member-missing", pointer, "the node has no \"type\"", id);
-      return node;
-    }
-    if (!json["type"].is_string()) {
-      add("type-mismatch", pointer + "/type", "got " + excerpt(json["type"]) + ", expected the id of a node type", id);
-      return node;
-    }
-    node.type = json["type"].get<std::string>();
-    if (json.contains("bypass")) {
-      if (!json["bypass"].is_boolean()) {
-        add("type-mismatch", pointer + "/bypass", "bypass must be true or false", id);
-      } else {
-        node.bypass = json["bypass"].get<bool>();
+  GroupEntry read_group(const Json& json, const std::string& pointer) {
+    GroupEntry group;
+    if (!nodes_.object(json, pointer, {"label", "description", "inputs", "outputs", "nodes"})) return group;
+    group.label = text_at(json, "label", pointer);
+    group.description = text_at(json, "description", pointer);
+    each(json, "inputs", pointer, [&](const Json& input, const std::string& place) {
+      if (!nodes_.object(input, place, {"name", "default", "label", "description"})) return;
+      GroupInput read{name_of(input, place, names_of(group.inputs)), std::nullopt, text_at(input, "label", place),
+                      text_at(input, "description", place)};
+      if (input.contains("default")) {
+        read.default_value = input["default"];
+        if (!is_literal(input["default"])) {
+          add("type-mismatch", place + "/default",
+              "got " + excerpt(input["default"]) + ", expected a literal: an instance that leaves it out gives that");
+        }
       }
+      group.inputs.push_back(std::move(read));
+    });
+    each(json, "outputs", pointer, [&](const Json& output, const std::string& place) {
+      if (!nodes_.object(output, place, {"name", "from"})) return;
+      GroupOutput read{name_of(output, place, names_of(group.outputs)), {}};
+      const std::optional<std::string> from = text_at(output, "from", place);
+      if (!output.contains("from")) add("required-member-missing", place, "the output has no \"from\"");
+      if (from) read.from = read_link(*from);
+      group.outputs.push_back(std::move(read));
+    });
+    if (!json.contains("nodes")) {
+      add("required-member-missing", pointer, "the group has no \"nodes\"");
+    } else {
+      group.nodes = nodes_.read(json["nodes"], pointer + "/nodes", Where::group);
     }
-    if (!json.contains("inputs")) return node;
-    if (!json["inputs"].is_object()) {
-      add("type-mismatch", pointer + "/inputs", "inputs must be an object keyed by port", id);
-      return node;
-    }
-    const NodeType* const type = registry_.find(node.type);
-    for (const auto& [port, value] : json["inputs"].items()) {
-      const Place place{id, port, type != nullptr ? type->find_input(port) : nullptr};
-      node.inputs.emplace(port, read_input(place, value, pointer + "/inputs/" + pointer_token(port)));
-    }
-    return node;
+    return group;
   }
 
-  /// Where something is given.
-  struct Place {
-    const std::string& node;
-    const std::string& port;
-    const InputPort* card;  ///< null for an unknown one
-  };
-
-  InputEntry read_input(const Place& place, const Json& json, const std::string& pointer) {
+  static bool is_literal(const Json& json) {
     const auto is_object = [](const Json& item) { return item.is_object(); };
-    const bool takes_several = place.card != nullptr && place.card->spec.takes_several;
-    const bool list = json.is_array() && (takes_several || std::any_of(json.begin(), json.end(), is_object));
-    InputEntry entry{{}, list};
-    if (!list) {
-      entry.items.push_back(read_item(place, json, pointer));
-      return entry;
-    }
-    for (std::size_t i = 0; i < json.size(); ++i) {
-      entry.items.push_back(read_item(place, json[i], pointer + "/" + std::to_string(i)));
-    }
-    return entry;
+    return !json.is_object() && !json.is_null() &&
+           !(json.is_array() && std::any_of(json.begin(), json.end(), is_object));
   }
 
-  InputItem read_item(const Place& place, const Json& json, const std::string& pointer) {
-    if (!json.is_object()) {
-      return WrittenLiteral{json, place.card != nullptr ? read_literal(json, *place.card) : Readings{}};
-    }
-    const bool link = json.contains("from");
-    const char* const member = link ? "from" : "parameter";
-    if (json.size() != 1 || !json.contains(member) || !json[member].is_string()) {
-      add("type-mismatch", pointer,
-          "got " + excerpt(json) + R"(, expected {"from": "node.output"} or {"parameter": "name"})", place.node,
-          place.port);
-      return WrittenLiteral{json};
-    }
-    const auto& text = json[member].get_ref<const std::string&>();
-    if (!link) return ParameterReference{text};
-    ++links_;
-    const std::size_t period = text.find('.');
-    if (period == std::string::npos) return Link{text, ""};
-    return Link{text.substr(0, period), text.substr(period + 1)};
+  template <class Named>
+  static std::vector<std::string> names_of(const std::vector<Named>& all) {
+    std::vector<std::string> names;
+    for (const Named& one : all) names.push_back(one.name);
+    return names;
   }
 
-  const Limits& limits_;
-  const Registry& registry_;
-  ProblemCollector problems_;
-  std::size_t links_ = 0;
+  /// Calls `read` with each item of a list and its pointer.
+  template <class Read>
+  void each(const Json& json, const char* member, const std::string& pointer, Read read) {
+    const auto list = json.find(member);
+    if (list == json.end()) return;
+    const std::string place = pointer + "/" + member;
+    if (!list->is_array()) {
+      add("type-mismatch", place, "got " + excerpt(*list) + ", expected a list, in the order of the sockets");
+      return;
+    }
+    for (std::size_t i = 0; i < list->size(); ++i) read((*list)[i], place + "/" + std::to_string(i));
+  }
+
+  std::optional<std::string> text_at(const Json& json, const char* member, const std::string& pointer) {
+    const auto text = json.find(member);
+    if (text == json.end()) return std::nullopt;
+    if (text->is_string()) return text->get<std::string>();
+    add("type-mismatch", pointer + "/" + member, "got " + excerpt(*text) + ", expected a text");
+    return std::nullopt;
+  }
+
+  std::string name_of(const Json& json, const std::string& pointer, const std::vector<std::string>& taken) {
+    if (!json.contains("name")) add("required-member-missing", pointer, "it has no \"name\"");
+    const std::string name = text_at(json, "name", pointer).value_or("");
+    if (!json.contains("name") || !json["name"].is_string()) return name;
+    if (nodes_.identifier(name, pointer + "/name") && std::find(taken.begin(), taken.end(), name) != taken.end()) {
+      add("invalid-id", pointer + "/name", "the name " + excerpt(name) + " is taken by another one before it");
+    }
+    return name;
+  }
+
+  NodeReader nodes_;
 };
 
 }  // namespace
@@ -210,6 +185,14 @@ bool is_identifier(std::string_view text) {
   const auto other = [](char c) { return (c >= '0' && c <= '9') || c == '_' || c == '-'; };
   return !text.empty() && text.size() <= longest && letter(text[0]) &&
          std::all_of(text.begin(), text.end(), [&](char c) { return letter(c) || other(c); });
+}
+
+bool is_path(std::string_view text) {
+  for (std::size_t slash = text.find('/'); slash != std::string_view::npos; slash = text.find('/')) {
+    if (!is_identifier(text.substr(0, slash))) return false;
+    text = text.substr(slash + 1);
+  }
+  return is_identifier(text);
 }
 
 Result<Document> read_document(const Json& json, const Limits& limits, const Registry& registry) {

@@ -9,6 +9,7 @@ Json write_item(const InputItem& item) {
     return {{"from", link->output.empty() ? link->node : link->node + "." + link->output}};
   }
   if (const auto* reference = std::get_if<ParameterReference>(&item)) return {{"parameter", reference->name}};
+  if (const auto* reference = std::get_if<InputReference>(&item)) return {{"input", reference->name}};
   return std::get<WrittenLiteral>(item).written;
 }
 
@@ -46,14 +47,32 @@ Json write_node(const NodeEntry& node) {
   return json;
 }
 
+Json write_group(const GroupEntry& group) {
+  Json json = {{"nodes", Json::object()}};
+  write_optional(json, "label", group.label);
+  write_optional(json, "description", group.description);
+  for (const GroupInput& input : group.inputs) {
+    Json& written = json["inputs"].emplace_back(Json{{"name", input.name}});
+    write_optional(written, "default", input.default_value);
+    write_optional(written, "label", input.label);
+    write_optional(written, "description", input.description);
+  }
+  for (const GroupOutput& output : group.outputs) {
+    json["outputs"].push_back({{"name", output.name}, {"from", write_item(output.from)["from"]}});
+  }
+  for (const auto& [id, node] : group.nodes) json["nodes"][id] = write_node(node);
+  return json;
+}
+
 }  // namespace
 
 Json write_document(const Document& document) {
-  Json json = {{"format", 1}, {"nodes", Json::object()}};
+  Json json = {{"format", document.format}, {"nodes", Json::object()}};
   write_optional(json, "$schema", document.schema);
   if (!document.meta.is_null()) json["meta"] = document.meta;
   if (!document.ui.is_null()) json["ui"] = document.ui;
   for (const auto& [id, node] : document.nodes) json["nodes"][id] = write_node(node);
+  for (const auto& [name, group] : document.groups) json["groups"][name] = write_group(group);
   for (const auto& [name, parameter] : document.parameters) json["parameters"][name] = write_parameter(parameter);
   return json;
 }

@@ -43,7 +43,7 @@ Json removal(const std::string& pointer) { return {{{"op", "remove"}, {"path", p
 }  // namespace
 
 std::string input_pointer(const std::string& node, const std::string& port) {
-  return "/nodes/" + node + (port.empty() ? "" : "/inputs/" + pointer_token(port));
+  return "/nodes/" + pointer_token(node) + (port.empty() ? "" : "/inputs/" + pointer_token(port));
 }
 
 std::string item_pointer(const std::string& node, const std::string& port, const InputEntry& entry, std::size_t item) {
@@ -64,7 +64,8 @@ Json missing_input(const std::string& node, const NodeEntry& entry, const InputP
   if (port.spec.takes_several) literal = Json::array({std::move(literal)});
   // A node without inputs may lack the member that holds them.
   if (entry.inputs.empty()) {
-    return {{{"op", "add"}, {"path", "/nodes/" + node + "/inputs"}, {"value", {{port.name, std::move(literal)}}}}};
+    return {
+        {{"op", "add"}, {"path", input_pointer(node, "") + "/inputs"}, {"value", {{port.name, std::move(literal)}}}}};
   }
   return {{{"op", "add"}, {"path", input_pointer(node, port.name)}, {"value", std::move(literal)}}};
 }

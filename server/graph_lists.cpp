@@ -116,15 +116,16 @@ Reply graph_versions(const Context& context) {
 }
 
 Operation describe_graph_difference() {
-  return {.id = "compareGraphVersions",
-          .group = "Stored graphs",
-          .title = "What differs between two versions of a graph",
-          .doc = "Nodes and parameters that were added, removed and changed; of what changed, what it was and is.",
-          .parameters = difference_parameters(),
-          .answers = {{.doc = "The difference.",
-                       .contents = {{.type = "application/json", .schema = schema::reference("GraphDifference")}},
-                       .headers = {"Cache-Control"}}},
-          .problems = {"not-found", "out-of-range", "storage-failed"}};
+  return {
+      .id = "compareGraphVersions",
+      .group = "Stored graphs",
+      .title = "What differs between two versions of a graph",
+      .doc = "Nodes, parameters and groups that were added, removed and changed; of what changed, what it was and is.",
+      .parameters = difference_parameters(),
+      .answers = {{.doc = "The difference.",
+                   .contents = {{.type = "application/json", .schema = schema::reference("GraphDifference")}},
+                   .headers = {"Cache-Control"}}},
+      .problems = {"not-found", "out-of-range", "storage-failed"}};
 }
 
 Reply graph_difference(const Context& context) {

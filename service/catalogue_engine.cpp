@@ -6,6 +6,7 @@
 #include "graph/card.h"
 #include "graph/check.h"
 #include "graph/evaluate.h"
+#include "graph/groups.h"
 #include "graph/parameters.h"
 #include "graph/stopped.h"
 #include "graph/value_json.h"
@@ -80,6 +81,22 @@ Result<SharedFile> exported_file(const PreparedGraph& prepared, const Evaluation
     return Problem{"axis-mismatch", "the output must be one file, it has axes", prepared.output};
   }
   return column_of<SharedFile>(value)[0];
+}
+
+const Result<Document>& document_in(const InspectRequest& request) {
+  return static_cast<const DocumentGraph&>(*request.graph).document;
+}
+
+/// The same request of what stands at the outputs of an instance of a group, if it asks for one.
+InspectRequest behind_instances(InspectRequest request) {
+  const Result<Document>& document = document_in(request);
+  if (!document || !document->instances.contains(request.node)) return request;
+  const std::string asked = request.node + (request.output.empty() ? "" : "." + request.output);
+  const std::string place = places_behind(*document, asked).front();
+  const std::size_t period = std::min(place.find('.'), place.size());
+  request.node = place.substr(0, period);
+  request.output = place.substr(std::min(period + 1, place.size()));
+  return request;
 }
 
 /// The nodes of the previews that have something to draw.
@@ -220,7 +237,7 @@ Result<SharedComputed> CatalogueEngine::compute(const Prepared& asked, const Job
   const PreparedGraph& prepared = own(asked);
   const auto begin = std::chrono::steady_clock::now();
   Result<Evaluation> evaluation = dini::evaluate(prepared.plan, wanted_nodes(prepared), cache_, job);
-  if (!evaluation) return evaluation.problems();
+  if (!evaluation) return placed(evaluation.problems(), *prepared.graph->document);
   history_.note(prepared.graph->hash, prepared.plan, *evaluation);
   auto computed = std::make_shared<ComputedGraph>();
   computed->milliseconds["evaluate"] = milliseconds_since(begin);
@@ -267,7 +284,8 @@ Json CatalogueEngine::report(const Prepared& prepared, const Computed& computed,
   return evaluation_report(own(prepared), static_cast<const ComputedGraph&>(computed), sent, extent);
 }
 
-Result<SharedBytes> CatalogueEngine::inspect(const InspectRequest& request, const Job& job) const {
+Result<SharedBytes> CatalogueEngine::inspect(const InspectRequest& asked, const Job& job) const {
+  const InspectRequest request = behind_instances(asked);
   const Result<Plan> plan = prepare_inspection(environment(job.cancel), request, job.cancel);
   if (!plan) return plan.problems();
   const std::size_t index = plan->index.at(request.node);
@@ -290,7 +308,7 @@ Result<SharedBytes> CatalogueEngine::inspect(const InspectRequest& request, cons
                    .in_request = true};
   }
   const Result<Evaluation> evaluation = dini::evaluate(*plan, {index}, cache_, job);
-  if (!evaluation) return evaluation.problems();
+  if (!evaluation) return placed(evaluation.problems(), *document_in(request));
   std::string text = to_json_text(evaluation->value(*plan, index, output), request.full, job.cancel);
   if (job.cancel.stopped()) return stopped_problem(job.cancel.reason());
   return share(std::move(text));

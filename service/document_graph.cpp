@@ -1,11 +1,12 @@
 #include "service/document_graph.h"
 
+#include "graph/groups.h"
+
 namespace dini {
 
 namespace {
 
-Result<Document> document_of(const Json& json, const Limits& limits, const Registry& registry) {
-  Result<Document> document = read_document(json, limits, registry);
+Result<Document> without_notes(Result<Document> document) {
   if (document) {
     document->schema = std::nullopt;
     document->meta = nullptr;
@@ -14,15 +15,19 @@ Result<Document> document_of(const Json& json, const Limits& limits, const Regis
   return document;
 }
 
+Result<Document> without_groups(Result<Document> document, const Limits& limits, const Registry& registry) {
+  return document ? expanded(*std::move(document), limits, registry) : document;
+}
+
 std::size_t memory_of(const WrittenLiteral& literal) {
   constexpr std::size_t per_reading = 256;
   return per_reading + 2 * literal.written.dump().size();
 }
 
-std::size_t memory_of(const Document& document) {
-  constexpr std::size_t per_node = 256, per_item = 128, per_parameter = 1024;
-  std::size_t total = per_parameter * document.parameters.size();
-  for (const auto& [id, node] : document.nodes) {
+std::size_t memory_of(const std::map<std::string, NodeEntry>& nodes) {
+  constexpr std::size_t per_node = 256, per_item = 128;
+  std::size_t total = 0;
+  for (const auto& [id, node] : nodes) {
     total += per_node;
     for (const auto& [port, input] : node.inputs) {
       for (const InputItem& item : input.items) {
@@ -34,12 +39,27 @@ std::size_t memory_of(const Document& document) {
   return total;
 }
 
+std::size_t memory_of(const Document& document) {
+  constexpr std::size_t per_parameter = 1024, per_place = 512, per_socket = 512;
+  std::size_t total = per_parameter * document.parameters.size() + memory_of(document.nodes);
+  total += per_place * (document.places.size() + document.instances.size());
+  for (const auto& [name, group] : document.groups) {
+    total += per_socket * (1 + group.inputs.size() + group.outputs.size()) + memory_of(group.nodes);
+  }
+  return total;
+}
+
 }  // namespace
 
 DocumentGraph::DocumentGraph(const Json& json, const Digest& known_hash, const Limits& limits, const Registry& registry)
-    : document(document_of(json, limits, registry)) {
+    : DocumentGraph(without_notes(read_document(json, limits, registry)), known_hash, limits, registry) {}
+
+DocumentGraph::DocumentGraph(Result<Document> read, const Digest& known_hash, const Limits& limits,
+                             const Registry& registry)
+    : with_groups(read && !read->groups.empty() ? std::optional(*read) : std::nullopt),
+      document(without_groups(std::move(read), limits, registry)) {
   hash = known_hash;
-  held = sizeof(DocumentGraph) + (document ? memory_of(*document) : 0);
+  held = sizeof(DocumentGraph) + (document ? memory_of(*document) : 0) + (with_groups ? memory_of(*with_groups) : 0);
 }
 
 }  // namespace dini

@@ -6,12 +6,17 @@
 
 namespace dini {
 
-/// What the engine over the catalogue knows of a graph: the document without its notes, or what is wrong with it.
+/// What the engine over the catalogue knows of a graph: the document without its notes and its groups, or what is wrong
+/// with it.
 class DocumentGraph final : public Graph {
  public:
   DocumentGraph(const Json& json, const Digest& known_hash, const Limits& limits, const Registry& registry);
 
+  const std::optional<Document> with_groups;  ///< as it was written, where it has any
   const Result<Document> document;
+
+ private:
+  DocumentGraph(Result<Document> read, const Digest& known_hash, const Limits& limits, const Registry& registry);
 };
 
 }  // namespace dini

@@ -55,9 +55,12 @@ Json described(Json schema, const Json& card) {
   return schema;
 }
 
+/// How nodes refer to values from elsewhere: those of a document to its parameters, those of a group to its inputs.
+enum class Where { document, group };
+
 class NodeSchemas {
  public:
-  explicit NodeSchemas(const Json& catalogue) {
+  NodeSchemas(const Json& catalogue, Where where) : where_(where) {
     for (const Json& type : catalogue.at("types")) wired_[type.at("name")] = !type.value("literal_only", false);
   }
 
@@ -98,7 +101,9 @@ class NodeSchemas {
     if (std::any_of(types.begin(), types.end(), [&](const Json& type) { return wired_.at(type); })) {
       references.push_back(reference("link"));
     }
-    if (!literals.empty()) references.push_back(reference("parameter_reference"));
+    // An input of a group may bring a link as well.
+    if (where_ == Where::group) references.push_back(reference("input_reference"));
+    if (where_ == Where::document && !literals.empty()) references.push_back(reference("parameter_reference"));
     Json schema =
         card.value("several", false) ? several(literals, references, card) : any_of(joined(literals, references));
     if (card.contains("default")) schema["default"] = card["default"];
@@ -123,6 +128,7 @@ class NodeSchemas {
     return first;
   }
 
+  Where where_;
   std::map<std::string, bool> wired_;  ///< by wire type: whether links carry it
 };
 
@@ -162,14 +168,18 @@ Json parameter_schema() {
 
 Json shared_definitions() {
   const std::string id = identifier;
-  Json link = closed_object({{"from", {{"type", "string"}, {"pattern", "^" + id + "(\\..+)?$"}}}}, {"from"});
+  Json link =
+      closed_object({{"from", {{"type", "string"}, {"pattern", "^" + id + "(/" + id + ")*(\\..+)?$"}}}}, {"from"});
   link["description"] = "The value of another node: \"node\" for its first output, \"node.output\" for any.";
+  Json input = closed_object({{"input", {{"type", "string"}, {"pattern", "^" + id + "$"}}}}, {"input"});
+  input["description"] = "What an instance gives to an input of the group around the node.";
   Json parameter = closed_object({{"parameter", {{"type", "string"}, {"pattern", "^" + id + "$"}}}}, {"parameter"});
   parameter["description"] = "The value of a parameter of the graph.";
   Json color = numbers(3, 4);
   color["items"] = {{"type", "number"}, {"minimum", 0}, {"maximum", 1}};
   color["description"] = "Linear red, green, blue and, if given, alpha, each 0 to 1.";
   return {{"link", std::move(link)},
+          {"input_reference", std::move(input)},
           {"parameter_reference", std::move(parameter)},
           {"triple", numbers(3, 3)},
           {"color", std::move(color)},
@@ -177,41 +187,97 @@ Json shared_definitions() {
           {"parameter", parameter_schema()}};
 }
 
-Json keyed(const char* description, Json values) {
+Json keyed(const char* description, Json values, bool by_path = false) {
+  const std::string id = identifier;
   return {{"type", "object"},
           {"description", description},
-          {"propertyNames", {{"pattern", "^" + std::string(identifier) + "$"}}},
+          {"propertyNames", {{"pattern", "^" + id + (by_path ? "(/" + id + ")*$" : "$")}}},
           {"additionalProperties", std::move(values)}};
+}
+
+/// A node that stands for a group, whose inputs only the document knows.
+Json instance_schema(Where where) {
+  const Json no_reference = {{"not", {{"type", "object"}}}};
+  Json references = Json::array({no_reference, reference("link")});
+  references.push_back(reference(where == Where::group ? "input_reference" : "parameter_reference"));
+  Json list = {{"type", "array"}, {"items", {{"anyOf", references}}}};
+  Json schema = closed_object(
+      {{"type", {{"type", "string"}, {"pattern", "^group/" + std::string(identifier) + "$"}}},
+       {"inputs",
+        {{"type", "object"},
+         {"additionalProperties",
+          {{"anyOf", {references[1], references[2], {{"type", {"number", "string", "boolean"}}}, std::move(list)}}}}}},
+       {"bypass", reference("bypass")}},
+      {"type"});
+  schema["description"] = "An instance of a group of the document, with what it gives to its inputs.";
+  return schema;
+}
+
+/// The definitions of all node types in the document ("node_..." and "node") or in groups ("group_node_...").
+void add_nodes(const Json& catalogue, Where where, Json& definitions) {
+  const std::string name = where == Where::group ? "group_node" : "node";
+  const NodeSchemas schemas(catalogue, where);
+  Json types = Json::array(), rules = Json::array();
+  const auto add = [&](Json type, const std::string& definition, Json schema) {
+    rules.push_back({{"if", {{"properties", {{"type", std::move(type)}}}, {"required", {"type"}}}},
+                     {"then", reference(definition)}});
+    definitions[definition] = std::move(schema);
+  };
+  for (const Json& card : catalogue.at("nodes")) {
+    types.push_back(card.at("id"));
+    add({{"const", card.at("id")}}, name + "_" + card.at("id").get<std::string>(), schemas.node(card));
+  }
+  const Json is_group = {{"pattern", "^group/"}};
+  add(is_group, name + "_instance", instance_schema(where));
+  definitions[name] = {{"type", "object"},
+                       {"properties", {{"type", {{"anyOf", {{{"enum", std::move(types)}}, is_group}}}}}},
+                       {"required", {"type"}},
+                       {"allOf", std::move(rules)}};
+}
+
+Json group_schema() {
+  const Json text = {{"type", "string"}};
+  const Json name = {{"type", "string"}, {"pattern", "^" + std::string(identifier) + "$"}};
+  Json usual = {{"description", "A literal: what an instance gives that leaves the input out."},
+                {"type", {"number", "string", "boolean", "array"}},
+                {"items", {{"not", {{"type", "object"}}}}}};
+  Json input =
+      closed_object({{"name", name}, {"default", std::move(usual)}, {"label", text}, {"description", text}}, {"name"});
+  Json output = closed_object({{"name", name}, {"from", text}}, {"name", "from"});
+  output["properties"]["from"]["description"] = "\"node\" or \"node.output\", of a node of the group.";
+  Json schema = closed_object({{"label", text},
+                               {"description", text},
+                               {"inputs", {{"type", "array"}, {"items", std::move(input)}}},
+                               {"outputs", {{"type", "array"}, {"items", std::move(output)}}},
+                               {"nodes", keyed("The nodes, by id.", reference("group_node"))}},
+                              {"nodes"});
+  schema["description"] = "Nodes that stand together wherever a node of type \"group/<name>\" is.";
+  return schema;
 }
 
 }  // namespace
 
 Json document_schema(const Json& catalogue) {
-  const NodeSchemas schemas(catalogue);
   Json definitions = shared_definitions();
-  Json types = Json::array(), rules = Json::array();
-  for (const Json& card : catalogue.at("nodes")) {
-    const std::string definition = "node_" + card.at("id").get<std::string>();
-    types.push_back(card.at("id"));
-    rules.push_back({{"if", {{"properties", {{"type", {{"const", card.at("id")}}}}}, {"required", {"type"}}}},
-                     {"then", reference(definition)}});
-    definitions[definition] = schemas.node(card);
-  }
-  definitions["node"] = {{"type", "object"},
-                         {"properties", {{"type", {{"enum", std::move(types)}}}}},
-                         {"required", {"type"}},
-                         {"allOf", std::move(rules)}};
+  add_nodes(catalogue, Where::document, definitions);
+  add_nodes(catalogue, Where::group, definitions);
+  definitions["group"] = group_schema();
   Json schema = closed_object(
       {{"$schema", {{"type", "string"}, {"description", "Where this schema is, for editors; nothing else reads it."}}},
-       {"format", {{"const", 1}, {"description", "The version of the format."}}},
+       {"format", {{"enum", {1, 2}}, {"description", "The version of the format; groups and paths as ids need 2."}}},
        {"meta", {{"description", "Anything about the graph, such as its title; never part of an evaluation."}}},
        {"parameters", keyed("What a form shows and a request may set, by name.", reference("parameter"))},
-       {"nodes", keyed("The nodes, by id.", reference("node"))},
+       {"groups", keyed("Nodes that stand together at several places, by name.", reference("group"))},
+       {"nodes", keyed("The nodes, by id.", reference("node"), true)},
        {"ui", {{"description", "What the page remembers, such as places of nodes; never part of an evaluation."}}}},
       {"format", "nodes"});
   schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   schema["$id"] = "urn:dini:schema:graph-1";
-  schema["title"] = "Dini graph document, format 1";
+  schema["title"] = "Dini graph document, formats 1 and 2";
+  schema["if"] = {{"properties", {{"format", {{"const", 1}}}}}};
+  schema["then"] = {
+      {"properties",
+       {{"groups", {{"maxProperties", 0}}}, {"nodes", {{"propertyNames", {{"not", {{"pattern", "/"}}}}}}}}}};
   schema["$defs"] = std::move(definitions);
   return schema;
 }

@@ -15,6 +15,8 @@ constexpr std::array<std::string_view, 3> notes = {"$schema", "meta", "ui"};
 
 bool is_graph_id(std::string_view text) { return is_identifier(text); }
 
+bool is_node_id(std::string_view text) { return is_path(text); }
+
 Digest graph_hash(const Json& document) { return sha256(canonical_json(document, notes)); }
 
 Json notes_of(const Json& document) {

@@ -23,6 +23,9 @@ using SharedGraph = std::shared_ptr<const Graph>;
 /// Whether a graph can be kept under that name: [A-Za-z][A-Za-z0-9_-]{0,63}, as ids of nodes.
 bool is_graph_id(std::string_view text);
 
+/// Whether a node can be called that: an id, or ids joined by "/" for a node within groups.
+bool is_node_id(std::string_view text);
+
 /// SHA-256 of the canonical form (RFC 8785) of a document without `$schema`, `meta` and `ui`, which never influence
 /// anything.
 Digest graph_hash(const Json& document);

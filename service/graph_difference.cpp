@@ -77,11 +77,32 @@ Json differences(const Json& before, const Json& after, Changes changes) {
   return {{"added", std::move(added)}, {"removed", std::move(removed)}, {"changed", std::move(changed)}};
 }
 
+bool is_empty(const Json& found) {
+  return found["added"].empty() && found["removed"].empty() && found["changed"].empty();
+}
+
+Json without_nodes(const Json& group) {
+  Json rest = group.is_object() ? group : nothing();
+  rest.erase("nodes");
+  return rest;
+}
+
+Json group_changes(const Json& before, const Json& after) {
+  Json changes = member_changes(without_nodes(before), without_nodes(after));
+  Json nodes = differences(object_at(before, "nodes"), object_at(after, "nodes"), node_changes);
+  if (!is_empty(nodes)) changes["nodes"] = std::move(nodes);
+  return changes;
+}
+
 }  // namespace
 
 Json graph_difference(const Json& before, const Json& after) {
-  return {{"nodes", differences(object_at(before, "nodes"), object_at(after, "nodes"), node_changes)},
-          {"parameters", differences(object_at(before, "parameters"), object_at(after, "parameters"), member_changes)}};
+  Json found = {
+      {"nodes", differences(object_at(before, "nodes"), object_at(after, "nodes"), node_changes)},
+      {"parameters", differences(object_at(before, "parameters"), object_at(after, "parameters"), member_changes)}};
+  const Json &groups = object_at(before, "groups"), &groups_after = object_at(after, "groups");
+  if (!groups.empty() || !groups_after.empty()) found["groups"] = differences(groups, groups_after, group_changes);
+  return found;
 }
 
 }  // namespace dini

@@ -11,21 +11,30 @@ namespace {
 
 using Path = std::vector<std::string>;
 
+/// Where the names are that lead to a node: after "nodes", or after "groups", a name and "nodes".
+std::size_t begin_of_node(const Path& path) {
+  constexpr std::size_t in_group = 3;
+  if (!path.empty() && path.front() == "nodes") return 1;
+  return path.size() >= in_group && path.front() == "groups" && path[2] == "nodes" ? in_group : path.size();
+}
+
 /// Literals, links and parameters of an input are objects too, but never half of one and half of the other.
 bool is_one_thing(const Path& path) {
-  constexpr std::size_t of_input = 4;  // nodes, id, inputs, port
-  return path.size() >= of_input && path.front() == "nodes";
+  constexpr std::size_t of_input = 3;  // id, inputs, port
+  return path.size() - begin_of_node(path) >= of_input;
 }
 
 Problem conflict_at(const Path& path) {
-  constexpr std::size_t of_member = 3;  // nodes, id, member
+  constexpr std::size_t of_member = 2;  // id, member
   Problem problem{.code = "merge-conflict", .detail = "both sides changed it", .pointer = ""};
   for (const std::string& name : path) *problem.pointer += "/" + pointer_token(name);
-  if (path.size() < 2 || path.front() != "nodes") return problem;
-  problem.node = path[1];
+  const std::size_t begin = begin_of_node(path);
+  if (begin == path.size()) return problem;
+  // A node of a group has no one place, and no one id.
+  if (path.front() == "nodes") problem.node = path[begin];
   if (is_one_thing(path)) {
     problem.port = path.back();
-  } else if (path.size() == of_member) {
+  } else if (path.size() - begin == of_member) {
     problem.detail = "both sides changed its " + path.back();
   }
   return problem;

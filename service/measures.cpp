@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "graph/groups.h"
 #include "graph/value_json.h"
 #include "service/places.h"
 
@@ -11,13 +12,14 @@ namespace {
 
 Result<MeasureName> read_place(const Registry& registry, const Document& document, const std::string& place,
                                const std::string& pointer) {
-  const std::size_t period = place.find('.');
-  MeasureName name{place, place.substr(0, period)};
+  const std::string behind = places_behind(document, place).front();
+  const std::size_t period = behind.find('.');
+  MeasureName name{place, behind.substr(0, period)};
   const auto node = document.nodes.find(name.node);
   if (node == document.nodes.end()) return unknown_node(document, name.node, pointer);
   const NodeType* type = registry.find(node->second.type);
   if (type == nullptr || period == std::string::npos) return name;  // the check of the graph reports an unknown type
-  const std::string output = place.substr(period + 1);
+  const std::string output = behind.substr(period + 1);
   if (type->find_output(output) == nullptr) return unknown_output(*type, name.node, output, pointer);
   name.output = type->output_index(output);
   if (node->second.bypass && name.output > 0) return bypassed_output(name.node, output, pointer);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "graph/groups.h"
 #include "graph/nearest.h"
 
 namespace dini {
@@ -27,7 +28,9 @@ Exports exports_of(const Registry& registry, const Document& document) {
   return exports;
 }
 
-Result<std::string> find_output(const Registry& registry, const Document& document, const std::string& asked) {
+Result<std::string> find_output(const Registry& registry, const Document& document, const std::string& named) {
+  const std::string behind = places_behind(document, named).front();
+  const std::string asked = behind.substr(0, behind.find('.'));
   const auto [exports, unknown] = exports_of(registry, document);
   std::string list;
   for (const std::string& id : exports) list += (list.empty() ? "" : ", ") + id;

@@ -10,7 +10,7 @@ Problem unknown_node(const Document& document, const std::string& node, const st
   for (const auto& [id, entry] : document.nodes) known.push_back(id);
   return {"unknown-node",
           "the graph has no node " + excerpt(node) + did_you_mean(node, known),
-          is_identifier(node) ? node : "",
+          is_path(node) ? node : "",
           "",
           pointer,
           nullptr,

@@ -4,6 +4,7 @@
 
 #include "graph/check.h"
 #include "graph/fixes.h"
+#include "graph/groups.h"
 #include "graph/nearest.h"
 #include "graph/parameters.h"
 #include "graph/stopped.h"
@@ -108,7 +109,8 @@ Json about_file(const PreparedGraph& prepared, const EvaluateRequest& request) {
   Json about = {
       {"engine", engine_version}, {"fingerprint", to_hex(prepared.fingerprint)}, {"parameters", std::move(parameters)}};
   if (request.embed_graph) {
-    about["document"] = write_document(*prepared.graph->document);
+    about["document"] =
+        write_document(prepared.graph->with_groups ? *prepared.graph->with_groups : *prepared.graph->document);
     about["document"].update(request.notes);
   }
   return about;
@@ -243,7 +245,7 @@ Result<std::shared_ptr<const PreparedGraph>> prepare_evaluation(const Environmen
   }
   if (checked->guarded) {
     Problems broken = broken_checks(environment.registry, checked->given.document, report);
-    if (!broken.empty()) return broken;
+    if (!broken.empty()) return placed(std::move(broken), checked->given.document);
     prepared->targets.insert(prepared->targets.end(), report.guards.begin(), report.guards.end());
   }
   prepared->elsewhere = std::move(report.elsewhere);

@@ -5,6 +5,7 @@
 #include "gltf/encode_cost.h"
 #include "gltf/glb_groups.h"
 #include "graph/cost.h"
+#include "graph/groups.h"
 #include "graph/stopped.h"
 #include "service/places.h"
 #include "service/preview_parts.h"
@@ -119,8 +120,10 @@ Result<PreviewNames> read_previews(const Registry& registry, const Document& doc
   PreviewNames names;
   Problems problems;
   for (std::size_t i = 0; i < asked.size(); ++i) {
-    auto problem = read_entry(registry, document, asked[i], "/preview/" + std::to_string(i), names);
-    if (problem) problems.push_back(*std::move(problem));
+    for (const std::string& place : places_behind(document, asked[i])) {
+      auto problem = read_entry(registry, document, place, "/preview/" + std::to_string(i), names);
+      if (problem) problems.push_back(*std::move(problem));
+    }
   }
   if (!problems.empty()) return problems;
   return names;

@@ -159,13 +159,15 @@ TEST_CASE("Explain tells every node that would run, and evaluates none") {
   CHECK(explained["nodes"]["ball"]["why"][0]["because"] == "new");
 }
 
-TEST_CASE("Upgrade says that the one format is the newest, and refuses another") {
+TEST_CASE("Upgrade leaves formats 1 and 2 as they are, and refuses another") {
   const Outcome good = run({"upgrade", example("fig11_patch").string(), "-"}, ball().dump());
   CHECK(good.code == 0);
-  CHECK(has(good.out, "fig11_patch.json: format 1 is the newest, nothing to do\n"));
-  CHECK(has(good.out, "standard input: format 1 is the newest, nothing to do\n"));
+  CHECK(has(good.out, "fig11_patch.json: format 1 is read as it is, nothing to do\n"));
+  CHECK(has(good.out, "standard input: format 1 is read as it is, nothing to do\n"));
   Json newer = ball();
   newer["format"] = 2;
+  CHECK(has(run({"upgrade", "-"}, newer.dump()).out, "standard input: format 2 is the newest, nothing to do\n"));
+  newer["format"] = 3;
   const Outcome other = run({"upgrade", "-"}, newer.dump());
   CHECK(other.code == 3);
   CHECK(other.out.empty());

@@ -76,7 +76,7 @@ TEST_CASE("Unknown members anywhere are errors with the nearest known name") {
 
 TEST_CASE("Ids, formats and parameter defaults are checked") {
   CHECK(pointers(Json::parse(
-            R"({"format": 2, "nodes": {"1a": {"type": "number"}, "a.b": {"type": "number"}, "": {"type": "x"}}})")) ==
+            R"({"format": 3, "nodes": {"1a": {"type": "number"}, "a.b": {"type": "number"}, "": {"type": "x"}}})")) ==
         std::multiset<std::string>{"invalid-id /nodes/", "invalid-id /nodes/1a", "invalid-id /nodes/a.b",
                                    "unsupported-format /format"});
   CHECK(pointers(Json::parse(R"({"nodes": []})")) ==

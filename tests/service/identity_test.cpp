@@ -52,12 +52,12 @@ TEST_CASE("A graph is read once, however its document is spelled and whatever it
   noted["$schema"] = 7;
   const Result<Json> verdict = engine().validate(*engine().read(noted), Json::object(), Cancel());
   CHECK((*verdict)["errors"][0]["pointer"] == "/graph/$schema");
-  const Json wrong = {{"format", 2}};
+  const Json wrong = {{"format", 3}};
   CHECK(engine().read(wrong) != engine().read(wrong));
 }
 
 TEST_CASE("What is no graph says so to whatever is asked of it") {
-  const SharedGraph wrong = engine().read({{"format", 2}, {"nodes", Json::object()}});
+  const SharedGraph wrong = engine().read({{"format", 3}, {"nodes", Json::object()}});
   const Result<Json> verdict = engine().validate(*wrong, Json::object(), Cancel());
   REQUIRE(verdict);
   CHECK((*verdict)["valid"] == false);

@@ -80,7 +80,7 @@ test("broken graphs are drawn as far as they go", () => {
 });
 
 test("what is no graph is refused with a sentence", () => {
-  for (const json of [null, 3, [], {}, { format: 2, nodes: {} }, { format: 1 }, { format: 1, nodes: [] }] as Json[]) {
+  for (const json of [null, 3, [], {}, { format: 3, nodes: {} }, { format: 1 }, { format: 1, nodes: [] }] as Json[]) {
     const result = readDocument(json);
     assert.ok("error" in result && /\.$/.test(result.error));
   }

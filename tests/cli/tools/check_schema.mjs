@@ -67,6 +67,7 @@ function membersOf({ properties, required = [] }) {
 
 check("the members of a document", String(members("The members")) === String(membersOf(schema)), membersOf(schema));
 check("the members of a node", String(members("A node")) === String(membersOf(schema.$defs.node_circle)), "differ");
+check("the members of a group", String(members("Groups")) === String(membersOf(schema.$defs.group)), "differ");
 check("the members of a parameter", String(members("A parameter")) === String(membersOf(schema.$defs.parameter)), "differ");
 
 for (const [name, graph] of Object.entries(right)) {

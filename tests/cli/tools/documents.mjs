@@ -8,6 +8,19 @@ const reach = { type: "number", default: 1 };
 
 const graph = (nodes, more) => ({ format: 1, nodes, ...more });
 const node = (type, inputs, more) => graph({ ring, number, pair, box, n: { type, inputs, ...more } });
+const disk = {
+  inputs: [{ name: "radius", default: 1, label: "Radius" }, { name: "center" }, { name: "more" }],
+  outputs: [{ name: "circle", from: "ring" }],
+  nodes: {
+    ring: { type: "circle", inputs: { radius: { input: "radius" }, center: { input: "center" } } },
+    all: { type: "list", inputs: { items: [{ from: "ring" }, { input: "more" }] } },
+  },
+};
+const grouped = (group, inputs = {}) => ({
+  format: 2,
+  groups: { disk: { ...disk, ...group } },
+  nodes: { number, ring, d: { type: "group/disk", inputs }, s: { type: "sample", inputs: { shape: { from: "d" } } } },
+});
 const parameter = (members) => graph({}, { parameters: { reach: { ...reach, ...members } } });
 
 export const right = {
@@ -39,12 +52,42 @@ export const right = {
       },
     },
   ),
+  "an instance that gives nothing": grouped({}),
+  "an instance that gives literals": grouped({}, { radius: 2, center: [1, 0, 0] }),
+  "an instance that gives links and lists": grouped({}, { radius: { from: "number" }, more: [{ from: "ring" }] }),
+  "an instance that gives a parameter": {
+    ...grouped({}, { radius: { parameter: "reach" } }),
+    parameters: { reach },
+  },
+  "a group in a group": {
+    format: 2,
+    groups: { disk, pair: { nodes: { one: { type: "group/disk" }, two: { type: "group/disk", inputs: { more: { from: "one" } } } } } },
+    nodes: { p: { type: "group/pair" } },
+  },
+  "a file of groups": { format: 2, groups: { disk }, nodes: {} },
+  "format 2 without groups": { format: 2, groups: {}, nodes: { ring } },
+  "paths as ids": { format: 2, nodes: { "a/ring": ring, s: { type: "sample", inputs: { shape: { from: "a/ring.circle" } } } } },
 };
 
 export const wrong = {
+  "groups in format 1": { ...grouped({}), format: 1 },
+  "a path in format 1": graph({ "a/ring": ring }),
+  "a path with an empty id": { format: 2, nodes: { "a//ring": ring } },
+  "groups in a list": { format: 2, groups: [disk], nodes: {} },
+  "a group without nodes": { format: 2, groups: { disk: { outputs: [] } }, nodes: {} },
+  "an unknown member of a group": grouped({ title: "Disk" }),
+  "inputs of a group in an object": grouped({ inputs: { radius: 1, center: 2, more: 3 } }),
+  "an input of a group without a name": grouped({ inputs: [...disk.inputs, { default: 1 }] }),
+  "an input of a group with a link": grouped({ inputs: [...disk.inputs, { name: "x", default: { from: "ring" } }] }),
+  "an output of a group from nowhere": grouped({ outputs: [...disk.outputs, { name: "x" }] }),
+  "a parameter in a group": grouped({ nodes: { ...disk.nodes, x: { type: "circle", inputs: { radius: { parameter: "p" } } } } }),
+  "an input outside of groups": graph({ n: { type: "circle", inputs: { radius: { input: "radius" } } } }),
+  "an unknown type in a group": grouped({ nodes: { ...disk.nodes, x: { type: "crcle" } } }),
+  "an unknown input in a group": grouped({ nodes: { ...disk.nodes, x: { type: "circle", inputs: { radios: 1 } } } }),
+  "an instance with an unknown member": { format: 2, groups: { disk }, nodes: { d: { type: "group/disk", input: {} } } },
   "no object": [],
   "no format": { nodes: {} },
-  "another format": { format: 2, nodes: {} },
+  "another format": { format: 3, nodes: {} },
   "a format in words": { format: "1", nodes: {} },
   "no nodes": { format: 1 },
   "nodes in a list": graph([]),

@@ -16,6 +16,7 @@ import {
 } from "../session/actions";
 import { copy, cut, duplicate, pasteClipboard } from "../session/clipboard";
 import type { Editor } from "../session/editor";
+import { enterOrLeave, groupSelection, ungroupSelection } from "../session/grouping";
 import type { GraphKey, PageKey } from "../session/shortcuts";
 
 type Action = (editor: Editor) => void;
@@ -45,6 +46,9 @@ export const KEY_ACTIONS: Readonly<Record<PageKey | GraphKey, Action>> = {
   unfold: unfoldSelection,
   rename,
   frame: frameSelection,
+  group: groupSelection,
+  ungroup: ungroupSelection,
+  enter: enterOrLeave,
   note: addNoteHere,
   layout,
   fit: (editor) => editor.canvas?.fit(editor.session.store.get().selection),

@@ -2,6 +2,7 @@
 
 import { nodeElement, stopsIn } from "../graph/focus";
 import type { Editor } from "../session/editor";
+import { enterOrLeave } from "../session/grouping";
 import { type GraphKey, keyOf, type PageKey, shortcutOf } from "../session/shortcuts";
 import { KEY_ACTIONS } from "./key_actions";
 
@@ -17,6 +18,7 @@ export function listen(editor: Editor): () => void {
     const key = keyOf(event);
     if (key === "Tab" || key === "Shift+Tab") {
       if (moveInNode(target, event.shiftKey)) event.preventDefault();
+      else if (key === "Tab" && isOnCanvas(editor, target) && enterOrLeave(editor)) event.preventDefault();
       else if (key === "Tab" && opensSearch(editor, target)) {
         event.preventDefault();
         KEY_ACTIONS.add(editor);
@@ -76,6 +78,13 @@ function wanted(editor: Editor, event: KeyboardEvent, target: HTMLElement): Page
   if (isControl && /^(Space|Enter|Arrow)/.test(key)) return undefined;
   if (key === "Space" && target.closest(".react-flow__node")) return undefined;
   return shortcutOf(event, "graph")?.id;
+}
+
+/** Where Tab would not move the focus on: without a focus, and on a node that is selected. */
+function isOnCanvas(editor: Editor, target: HTMLElement): boolean {
+  const node = target.closest<HTMLElement>(".react-flow__node");
+  const isChosen = node === target && editor.session.store.get().selection.has(node.dataset["id"] ?? "");
+  return isChosen || opensSearch(editor, target);
 }
 
 /** Tab opens the search only where it would not move the focus of someone who works without a pointer. */

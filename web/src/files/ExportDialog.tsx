@@ -1,6 +1,6 @@
 import { type ReactElement, useEffect, useState } from "react";
 import type { Catalogue } from "../model/catalogue";
-import type { GraphDocument } from "../model/document";
+import { type GraphDocument, lookedAt } from "../model/document";
 import { byteText, fileName, grouped, lengthText } from "../model/format";
 import { fileOutput } from "../model/graph";
 import { asParameter, fieldValue, withinHard } from "../model/inputs";
@@ -31,7 +31,7 @@ const DRAFT_TRIANGLES = 20_000;
 export function ExportDialog(): ReactElement {
   const session = useCurrentSession();
   const files = filesOf(session);
-  const document = useCurrent((state) => state.document);
+  const document = useCurrent((state) => state.document && lookedAt(state.document, []));
   const catalogue = useCurrent((state) => state.catalogue);
   const values = useCurrent((state) => state.values);
   const formats = catalogue?.formats ?? [];

@@ -7,6 +7,7 @@ import { documentWithValues } from "../model/saved_values";
 import { createStore, type Store } from "../model/store";
 import { readGraph } from "../net/graph_store";
 import { problemText } from "../net/problem";
+import { addGroups } from "../session/grouping";
 import type { Session } from "../session/session";
 import type { Origin } from "../session/state";
 import { Autosave } from "./autosave";
@@ -126,6 +127,11 @@ export class Files {
     } catch (error) {
       const what = error instanceof TypeError ? "text in UTF-8" : "JSON";
       this.say(`${file.name} is no graph: it is not ${what}.`, "bad");
+      return;
+    }
+    const added = addGroups(this.session, json);
+    if (added !== undefined) {
+      this.say(added);
       return;
     }
     if (this.open(json, { kind: "file", name: file.name }, file.name) && handle) {

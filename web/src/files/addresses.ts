@@ -1,5 +1,6 @@
 // Addresses of what the server keeps of the open graph, for people, pages and programs.
 
+import { lookedAt } from "../model/document";
 import { makesFile } from "../model/graph";
 import { embedAddress, outputAddress } from "../net/stored";
 import type { SessionState } from "../session/state";
@@ -18,7 +19,7 @@ export function addressesOf({ document: open, catalogue, origin, values }: Sessi
   const base = new URL("embed/", document.baseURI);
   const editor = new URL("./", document.baseURI);
   editor.hash = `graph=${place.id}`;
-  const outputs = [...open.nodes.values()].filter(({ type }) => makesFile(catalogue.nodes.get(type)));
+  const outputs = [...lookedAt(open, []).nodes.values()].filter(({ type }) => makesFile(catalogue.nodes.get(type)));
   const frame = new URL(embedAddress(place.id, values), base).href;
   return [
     { title: "Graph in the editor", text: editor.href },

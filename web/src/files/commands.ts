@@ -1,9 +1,9 @@
 // The open graph as commands for a shell.
 
 import type { Catalogue } from "../model/catalogue";
-import type { GraphDocument } from "../model/document";
+import { type GraphDocument, type GraphNode, lookedAt } from "../model/document";
 import { fileName } from "../model/format";
-import { asString } from "../model/json";
+import { asObject, asString } from "../model/json";
 import type { Session } from "../session/session";
 
 /** A curl call that answers the model in final quality; undefined before a graph is open. */
@@ -48,7 +48,7 @@ interface NamedFile {
 /** The files that the graph names, each once, without those of the examples: the program has them too. */
 function assetsOf(open: GraphDocument, catalogue: Catalogue, examples: string): NamedFile[] {
   const found = new Map<string, NamedFile>();
-  for (const node of open.nodes.values()) {
+  for (const node of nodesOf(open)) {
     for (const { name, namesFile } of catalogue.nodes.get(node.type)?.inputs ?? []) {
       const source = node.inputs.get(name)?.[0];
       const asset = namesFile && source?.kind === "literal" ? asString(source.value) : "";
@@ -56,6 +56,13 @@ function assetsOf(open: GraphDocument, catalogue: Catalogue, examples: string): 
     }
   }
   return [...found.values()];
+}
+
+/** Those of the document and of all its groups. */
+function nodesOf(open: GraphDocument): GraphNode[] {
+  const groups = Object.keys(asObject(open.json["groups"]));
+  const scopes = [lookedAt(open, []), ...groups.map((group) => lookedAt(open, [{ id: group, group }]))];
+  return scopes.flatMap((scope) => [...scope.nodes.values()]);
 }
 
 /** "chair=chair.obj" for each: a name of its own, which the graph itself uses only if it does not name the hash. */

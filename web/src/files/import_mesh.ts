@@ -1,7 +1,7 @@
 // A mesh file becomes a node: the server keeps the file and answers its hash, which is the node's literal.
 
 import { type Catalogue, FILE_TYPE, type InputCard, type NodeCard } from "../model/catalogue";
-import type { GraphDocument } from "../model/document";
+import { type GraphDocument, lookedAt } from "../model/document";
 import { addNodes, type Edit, freeId, inOrder } from "../model/edit";
 import { setFlag } from "../model/edit_ui";
 import { asString } from "../model/json";
@@ -55,7 +55,7 @@ export function addImport(
   const node = { id, type: card.id, position, inputs: { [input.name]: sha256 } };
   const makesFile = (one: NodeCard | undefined): boolean =>
     one?.outputs.some(({ types }) => types.includes(FILE_TYPE)) ?? false;
-  if ([...document.nodes.values()].some(({ type }) => makesFile(catalogue.nodes.get(type)))) {
+  if ([...lookedAt(document, []).nodes.values()].some(({ type }) => makesFile(catalogue.nodes.get(type)))) {
     return { edit: inOrder(addNodes([node]), setFlag([id], "preview", true)), id };
   }
   const made = new Set(card.outputs.flatMap(({ types }) => types));

@@ -1,6 +1,7 @@
 import { Background, BackgroundVariant, ReactFlow, SelectionMode } from "@xyflow/react";
 import { type CSSProperties, type ReactElement, useMemo, useRef, useState } from "react";
 import { wireType } from "../model/catalogue";
+import { prefixOf } from "../model/scope";
 import { useCurrent, useEditing, useEditor } from "../widgets/context";
 import { FrameView, NoteView } from "./areas";
 import { CanvasMap, MAP_TO } from "./CanvasMap";
@@ -9,6 +10,7 @@ import { EmptyCanvas } from "./EmptyCanvas";
 import { FarTitles } from "./FarTitles";
 import type { Flow } from "./flow";
 import { type FlowNode, useFlowNodes } from "./flow_nodes";
+import { GroupPath } from "./GroupPath";
 import { useHandlers } from "./handlers";
 import { NodeView } from "./NodeView";
 import { Overlays } from "./Overlays";
@@ -28,18 +30,19 @@ const OTHER_BUTTONS = [1, 2];
 export function GraphPane(): ReactElement {
   const editor = useEditor();
   const isReady = useCurrent((state) => state.view !== null);
-  const opened = useCurrent((state) => state.opened);
+  // A group that is entered is another canvas.
+  const opened = useCurrent(({ opened: count, document }) => `${count} ${prefixOf(document?.inside ?? [])}`);
   const count = useCurrent((state) => state.view?.nodes.length ?? 0);
   const leftPans = useEditing((state) => state.leftPans);
   const isWiring = useEditing((state) => state.wiring !== null);
   const element = useRef<HTMLElement>(null);
   // A graph that is opened is fitted into the pane; one that is begun stays where its first node was put.
-  const isFull = useRef({ opened: -1, value: false });
+  const isFull = useRef({ opened: "", value: false });
   if (isFull.current.opened !== opened) isFull.current = { opened, value: count > 0 };
   const opening = useMemo(() => openingFit(editor.session.store.get(), element.current), [editor, opened, isReady]);
   const [nodes, onNodesChange] = useFlowNodes();
   const edges = useWires();
-  const [made, setMade] = useState<{ flow: Flow; opened: number } | null>(null);
+  const [made, setMade] = useState<{ flow: Flow; opened: string } | null>(null);
   // Until the canvas of a graph that was just opened is there, the last one must not be asked for places.
   const flow = made?.opened === opened ? made.flow : null;
   const { noteMove, fitAll } = useCanvas(flow, element);
@@ -93,6 +96,7 @@ export function GraphPane(): ReactElement {
         <p className="pane-wait">Loading the graph…</p>
       )}
       {isReady && count === 0 && <EmptyCanvas />}
+      <GroupPath />
       <CanvasTools onFit={fitAll} />
       <Overlays editor={editor} />
     </section>

@@ -7,6 +7,7 @@ import { isPill, pillSocket } from "../model/layout";
 import { problemsOf } from "../net/problem";
 import { toggleFlag } from "../session/actions";
 import { socketKey } from "../session/editor";
+import { pathOf, timesOf } from "../session/paths";
 import { useCurrent, useCurrentSession, useEditing, useEditor } from "../widgets/context";
 import { Icon } from "../widgets/Icon";
 import { InputField } from "../widgets/InputField";
@@ -38,8 +39,8 @@ function Face({ node, isSelected }: { node: ViewNode; isSelected: boolean }): Re
         (row) => row.hasSocket && !wiring.refusals.has(socketKey({ node: node.id, side: "input", name: row.name })),
       ),
   );
-  const tone = useCurrent((state) => problemsOf(state, node.id)?.tone);
-  const text = useCurrent((state) => problemsOf(state, node.id)?.text);
+  const tone = useCurrent((state) => problemsOf(state, pathOf(state, node.id))?.tone);
+  const text = useCurrent((state) => problemsOf(state, pathOf(state, node.id))?.text);
   const isOpen = isUnfolded || isWanted;
   // What is wrong with a node needs room to be said.
   const isShort = isPill(node) && !isOpen && !text;
@@ -246,7 +247,7 @@ function Ports({ node, isPill: isShort }: { node: ViewNode; isPill: boolean }): 
 function Timing({ id }: { id: string }): ReactElement | null {
   const isShown = useEditing((state) => state.times);
   const text = useCurrent((state) => {
-    const report = state.shown?.report.nodes.get(id);
+    const report = timesOf(state, id);
     if (!report || !isShown) return "";
     if (report.cached) return "cached";
     return report.milliseconds < LEAST_SHOWN_MILLISECONDS ? "" : millisecondText(report.milliseconds);

@@ -2,6 +2,7 @@ import { BaseEdge, type Edge, EdgeLabelRenderer, type EdgeProps, getBezierPath }
 import { memo, type ReactElement, useState } from "react";
 import type { ViewWire } from "../model/graph";
 import { axesText } from "../net/report";
+import { wireAt } from "../session/paths";
 import { useCurrent, useEditing } from "../widgets/context";
 
 export type WireEdge = Edge<{ wire: ViewWire }, "wire">;
@@ -49,8 +50,5 @@ function wireValue(
   state: Parameters<Parameters<typeof useCurrent>[0]>[0],
   wire: ViewWire,
 ): { type: string; axes: { name: string; size: number; closed: boolean }[] } | undefined {
-  return (
-    state.checked?.wires.get(`${wire.from}.${wire.output}`) ??
-    state.shown?.report.nodes.get(wire.from)?.outputs.get(wire.output)
-  );
+  return wireAt(state, wire.from, wire.output);
 }

@@ -2,6 +2,7 @@
 
 import { grouped, numberText } from "../model/format";
 import { isNumber, isObject, type Json } from "../model/json";
+import { prefixOf } from "../model/scope";
 import { axesText } from "../net/report";
 import { boundsOf, type Inspection, inspect } from "../net/validation";
 import type { Editor } from "../session/editor";
@@ -41,9 +42,10 @@ async function look(editor: Editor, socket: InspectedSocket, element: Element): 
   const place = sourceOf(editor, socket);
   const { document, values } = editor.session.store.get();
   if (!place || !document) return;
+  const node = prefixOf(document.inside) + place.node;
   const mine = new AbortController();
   request = mine;
-  const answer = await inspect({ graph: document.json, parameters: values }, place.node, place.output, mine.signal);
+  const answer = await inspect({ graph: document.json, parameters: values }, node, place.output, mine.signal);
   const { inspected } = editor.store.get();
   if (mine.signal.aborted || !answer || !inspected || inspected.title !== title) return;
   const lines = "errors" in answer ? [answer.errors[0]?.detail ?? answer.detail] : valueLines(answer);

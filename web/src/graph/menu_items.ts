@@ -2,6 +2,7 @@
 
 import { setInput } from "../model/edit";
 import { disconnect } from "../model/edit_wires";
+import { groupNamed } from "../model/scope";
 import {
   addNoteHere,
   frameSelection,
@@ -15,6 +16,7 @@ import {
 } from "../session/actions";
 import { copy, cut, duplicate, pasteClipboard } from "../session/clipboard";
 import type { Editor, Menu } from "../session/editor";
+import { enter, groupSelection, leave, saveGroup, toggleGroupOutputs, ungroupSelection } from "../session/grouping";
 import type { MenuItem } from "../widgets/Menu";
 
 /** What the menus are called, for those who hear the page. */
@@ -75,12 +77,35 @@ function nodeItems(editor: Editor, id: string, screen: { x: number; y: number })
       run: () => toggleFlag(editor, "collapsed"),
     },
     { title: "Frame the selection", shortcut: "frame", run: () => frameSelection(editor) },
+    ...groupItems(editor, id),
     { title: "Copy", shortcut: "copy", run: () => void copy(editor), isNewGroup: true },
     { title: "Cut", shortcut: "cut", run: () => void cut(editor) },
     { title: "Duplicate", shortcut: "duplicate", run: () => duplicate(editor) },
     { title: "Delete and join the wires", shortcut: "heal", run: () => remove(editor, true), isNewGroup: true },
     { title: "Delete", shortcut: "delete", run: () => remove(editor, false) },
   ];
+}
+
+function groupItems(editor: Editor, id: string): MenuItem[] {
+  const { document } = editor.session.store.get();
+  const isGroup = groupNamed(document?.nodes.get(id)?.type ?? "") !== undefined;
+  const items: MenuItem[] = [
+    { title: "Group the selection", shortcut: "group", run: () => groupSelection(editor), isNewGroup: true },
+  ];
+  if (isGroup) {
+    items.push(
+      { title: "Go into the group", shortcut: "enter", run: () => enter(editor, id) },
+      { title: "Take the group apart", shortcut: "ungroup", run: () => ungroupSelection(editor) },
+      { title: "Save the group to a file", run: () => saveGroup(editor, id) },
+    );
+  }
+  if (document && document.inside.length > 0) {
+    items.push(
+      { title: "Outputs of the group, or not", run: () => toggleGroupOutputs(editor) },
+      { title: "Leave the group", run: () => leave(editor) },
+    );
+  }
+  return items;
 }
 
 function canvasItems(editor: Editor, screen: { x: number; y: number }): MenuItem[] {

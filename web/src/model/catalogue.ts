@@ -179,7 +179,8 @@ export function unitText(unit: string): string {
   return unit ? `\u202f${unit}` : "";
 }
 
-function readCard(item: Record<string, Json>): NodeCard {
+/** Reads one card; what is missing is empty. */
+export function readCard(item: Record<string, Json>): NodeCard {
   const id = asString(item["id"]);
   return {
     id,

@@ -5,6 +5,7 @@ import type { GraphDocument } from "./document";
 import { addNodes, type Edit, freeId, inOrder, type NewNode, withLinks } from "./edit";
 import { addParameter } from "./edit_parameters";
 import { addFrame, addNote, freeName } from "./edit_ui";
+import { broughtGroups, definitionsFor } from "./groups";
 import { asArray, asNumber, asObject, asString, isObject, type Json, type JsonObject, parseJson } from "./json";
 import { type ParameterValues, readParameter } from "./parameters";
 import { documentWithValues, valuesIn } from "./saved_values";
@@ -13,6 +14,9 @@ import { type Frame, frameKey, type Note, noteKey, type Position } from "./ui";
 /** What copied nodes are: a piece of a document, so that it can be read as one too. */
 export interface Clip {
   nodes: JsonObject;
+  /** The groups that the nodes need, and what is noted of their drawing. */
+  groups: JsonObject;
+  drawnGroups: JsonObject;
   /** Definitions of the parameters that drive the nodes, and those of their values that differ from the defaults. */
   parameters: JsonObject;
   values: ParameterValues;
@@ -32,7 +36,7 @@ export function copyText(
   ids: ReadonlySet<string>,
   values: ParameterValues = {},
 ): string | undefined {
-  const all = asObject(document.json["nodes"]);
+  const all = asObject(document.scope["nodes"]);
   const nodes: JsonObject = {};
   for (const id of document.nodes.keys()) if (ids.has(id)) nodes[id] = all[id];
   const frames = document.frames.filter((frame) => ids.has(frameKey(frame.id)));
@@ -44,11 +48,24 @@ export function copyText(
   const ui: JsonObject = { nodes: places };
   if (frames.length > 0) ui["frames"] = frames.map((frame) => ({ ...frame }));
   if (notes.length > 0) ui["notes"] = notes.map((note) => ({ ...note }));
-  const known = asObject(document.json["parameters"]);
+  const known = asObject(document.scope["parameters"]);
   const used = [...parametersOf(nodes)].filter((name) => Object.hasOwn(known, name));
   const parameters = Object.fromEntries(used.map((name) => [name, known[name]])) as JsonObject;
+  const { groups, notes: drawn } = definitionsFor(
+    document,
+    Object.values(nodes).map((node) => asString(asObject(node)["type"])),
+  );
+  const hasGroups = Object.keys(groups).length > 0;
+  if (hasGroups) ui["groups"] = drawn;
   const given = Object.fromEntries(Object.entries(values).filter(([name]) => used.includes(name)));
-  return JSON.stringify(documentWithValues({ json: { format: 1, parameters, nodes, ui } }, given), null, 1);
+  return JSON.stringify(
+    documentWithValues(
+      { json: { format: hasGroups ? 2 : 1, parameters, ...(hasGroups && { groups }), nodes, ui } },
+      given,
+    ),
+    null,
+    1,
+  );
 }
 
 /** Reads copied text; undefined if it is something else. */
@@ -60,7 +77,7 @@ export function readClip(text: string): Clip | undefined {
     return undefined;
   }
   const root = asObject(json);
-  if (root["format"] !== 1 || !isObject(root["nodes"])) return undefined;
+  if ((root["format"] !== 1 && root["format"] !== 2) || !isObject(root["nodes"])) return undefined;
   const ui = asObject(root["ui"]);
   const places = new Map<string, Position>();
   Object.keys(root["nodes"]).forEach((id, index) => {
@@ -78,6 +95,8 @@ export function readClip(text: string): Clip | undefined {
   const read = Object.entries(parameters).map(([name, item]) => readParameter(name, asObject(item)));
   return {
     nodes: root["nodes"],
+    groups: asObject(root["groups"]),
+    drawnGroups: asObject(ui["groups"]),
     parameters,
     values: valuesIn(ui, read),
     places,
@@ -123,6 +142,7 @@ export function paste(
     names.set(id, name);
   }
   const drivers = driversFor(document, clip, present);
+  const groupsBrought = broughtGroups(document, clip.groups, clip.drawnGroups);
   let cut = 0;
   const nodes: NewNode[] = Object.entries(clip.nodes).map(([id, item]) => {
     const wired = withLinks(driven(asObject(item), drivers), (link) => {
@@ -135,7 +155,7 @@ export function paste(
     const place = clip.places.get(id) ?? { x: 0, y: 0 };
     return {
       id: names.get(id) ?? id,
-      type: asString(wired["type"]),
+      type: groupsBrought.typeOf(asString(wired["type"])),
       inputs: asObject(wired["inputs"]),
       bypass: wired["bypass"] === true,
       position: { x: place.x + shift.x, y: place.y + shift.y },
@@ -143,6 +163,7 @@ export function paste(
   });
   const brought = drivers.filter((driver) => driver.kind === "brought");
   const edits: Edit[] = [
+    groupsBrought.edit,
     ...brought.map(({ name, as }) => addParameter(as, asObject(clip.parameters[name]))),
     addNodes(nodes),
   ];

@@ -46,7 +46,7 @@ export function driversFor(
       const [before, now] = [parameterValue(copied, clip.values), parameterValue(present, values)];
       const isSame = present.type === copied.type && sameValue(before, now);
       if (isSame) return { kind: "present", name, label: present.label };
-      const isItself = isEqual(asObject(document.json["parameters"])[name], definition);
+      const isItself = isEqual(asObject(document.scope["parameters"])[name], definition);
       if (isItself) return { kind: "present", name, label: present.label, value: now };
     }
     const as = taken.has(name) ? freeId(document, name, new Set([...taken, ...Object.keys(clip.parameters)])) : name;

@@ -1,9 +1,10 @@
-// The graph document, format 1, as the page reads it. The server is the judge of a document; here only what is needed
+// The graph document, formats 1 and 2, as the page reads it. The server is the judge of a document; here only what is needed
 // to draw and edit it is read, and its JSON stays what is sent, whatever else it holds.
 
 import { asObject, asString, isNumber, isObject, type Json, type JsonObject } from "./json";
 import { type Parameter, type ParameterValues, readParameter } from "./parameters";
 import { valuesIn, withoutValues } from "./saved_values";
+import { type Inside, type Scope, scopeOf, withScope } from "./scope";
 import { readUi, type UiState } from "./ui";
 
 export type { Position } from "./ui";
@@ -33,6 +34,10 @@ export type Triple = readonly [number, number, number];
 export interface GraphDocument extends UiState {
   /** The document itself: this is what is sent and saved, the rest is read from it. */
   json: JsonObject;
+  /** The group that is looked at, and those around it, from outside to inside; none for the document itself. */
+  inside: readonly Inside[];
+  /** Nodes, parameters and notes of what is looked at: those of the document, or of a group as if it were one. */
+  scope: Scope;
   title: string;
   description: string;
   /** Null where the document leaves it to the page. */
@@ -44,13 +49,14 @@ export interface GraphDocument extends UiState {
 /** The document, and the form's values that were kept with it; they are not part of its JSON any more. */
 export type ReadResult = { document: GraphDocument; values: ParameterValues } | { error: string };
 
-const NEWEST_FORMAT = 1;
+const NEWEST_FORMAT = 2;
 const UNTITLED = "Untitled graph";
 
 /** A document without nodes. */
 export function emptyDocument(): GraphDocument {
   return readMembers({
-    format: NEWEST_FORMAT,
+    // What does without groups is for older readers as well.
+    format: 1,
     meta: { title: UNTITLED },
     parameters: {},
     nodes: {},
@@ -71,26 +77,50 @@ export function readDocument(json: Json): ReadResult {
   return { document, values: valuesIn(json["ui"], document.parameters) };
 }
 
-/** The document with other members. What stays the same object in the JSON stays the same object in what is read of it. */
+/**
+ * The document with other members; nodes, parameters and notes are those of what is looked at. What stays the same object
+ * in the JSON stays the same object in what is read of it.
+ */
 export function rewritten(document: GraphDocument, members: JsonObject): GraphDocument {
+  return readMembers(withScope(document.json, document.inside, members), document);
+}
+
+/** The document with other members, whatever of it is looked at. */
+export function rewrittenWhole(document: GraphDocument, members: JsonObject): GraphDocument {
   return readMembers({ ...document.json, ...members }, document);
 }
 
-function readMembers(json: JsonObject, before?: GraphDocument): GraphDocument {
+/** The same document, looked at inside of a group; outside of all without any. */
+export function lookedAt(document: GraphDocument, inside: readonly Inside[]): GraphDocument {
+  if (document.inside.length === 0 && inside.length === 0) return document;
+  const known = inside.length === 0 ? wholes.get(document) : undefined;
+  const read = known ?? readMembers(document.json, undefined, inside);
+  if (inside.length === 0) wholes.set(document, read);
+  return read;
+}
+
+/** Documents that are looked at inside of a group, looked at as a whole. */
+const wholes = new WeakMap<GraphDocument, GraphDocument>();
+
+function readMembers(json: JsonObject, before?: GraphDocument, inside = before?.inside ?? []): GraphDocument {
   const meta = asObject(json["meta"]);
+  const scope = scopeOf(json, inside);
+  const old = before?.scope;
   const nodes =
-    before && before.json["nodes"] === json["nodes"] ? before.nodes : readNodes(asObject(json["nodes"]), before);
-  const isSameUi = before !== undefined && before.json["ui"] === json["ui"] && before.nodes.size === nodes.size;
+    before && old?.["nodes"] === scope["nodes"] ? before.nodes : readNodes(asObject(scope["nodes"]), before);
+  const isSameUi = before !== undefined && old?.["ui"] === scope["ui"] && before.nodes.size === nodes.size;
   return {
-    ...(isSameUi ? uiOf(before) : readUi(asObject(json["ui"]), new Set(nodes.keys()))),
+    ...(isSameUi ? uiOf(before) : readUi(asObject(scope["ui"]), new Set(nodes.keys()))),
     json,
+    inside,
+    scope,
     title: asString(meta["title"]) || UNTITLED,
     description: asString(meta["description"]),
     camera: readCamera(asObject(meta["camera"])),
     parameters:
-      before && before.json["parameters"] === json["parameters"]
+      before && old?.["parameters"] === scope["parameters"]
         ? before.parameters
-        : Object.entries(asObject(json["parameters"])).map(([name, item]) => readParameter(name, asObject(item))),
+        : Object.entries(asObject(scope["parameters"])).map(([name, item]) => readParameter(name, asObject(item))),
     nodes,
   };
 }
@@ -100,7 +130,7 @@ function uiOf({ positions, previews, collapsed, frames, notes }: UiState): UiSta
 }
 
 function readNodes(items: JsonObject, before?: GraphDocument): Map<string, GraphNode> {
-  const known = asObject(before?.json["nodes"]);
+  const known = asObject(before?.scope["nodes"]);
   const nodes = new Map<string, GraphNode>();
   for (const [id, item] of Object.entries(items)) {
     const same = known[id] === item ? before?.nodes.get(id) : undefined;

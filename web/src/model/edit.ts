@@ -1,7 +1,7 @@
 // Changes of a document, each a pure function: the document given is left as it is, and what a change does not touch
 // stays the same object. The JSON is what is changed; everything else is read from it again.
 
-import { type CameraPlace, type GraphDocument, readLink, rewritten, type Triple } from "./document";
+import { type CameraPlace, type GraphDocument, readLink, rewritten, rewrittenWhole, type Triple } from "./document";
 import { asObject, isObject, type Json, type JsonObject } from "./json";
 import type { Position } from "./ui";
 
@@ -41,7 +41,7 @@ export function nameProblem(name: string): string | undefined {
 
 export function addNodes(added: readonly NewNode[]): Edit {
   return (document) => {
-    const nodes: JsonObject = { ...asObject(document.json["nodes"]) };
+    const nodes: JsonObject = { ...asObject(document.scope["nodes"]) };
     for (const { id, type, inputs = {}, bypass } of added) nodes[id] = { type, inputs, ...(bypass && { bypass }) };
     const places = new Map(added.map(({ id, position }) => [id, position]));
     return moveNodes(places)(rewritten(document, { nodes }));
@@ -52,7 +52,7 @@ export function removeNodes(ids: Iterable<string>): Edit {
   const gone = new Set(ids);
   return (document) => {
     const nodes: JsonObject = {};
-    for (const [id, node] of Object.entries(asObject(document.json["nodes"]))) {
+    for (const [id, node] of Object.entries(asObject(document.scope["nodes"]))) {
       if (!gone.has(id)) nodes[id] = withoutLinks(asObject(node), (link) => gone.has(link.node));
     }
     return rewritten(document, { nodes, ...uiWithout(document, gone) });
@@ -63,12 +63,12 @@ export function renameNode(from: string, to: string): Edit {
   return (document) => {
     if (from === to || !document.nodes.has(from) || document.nodes.has(to) || nameProblem(to)) return document;
     const nodes: JsonObject = {};
-    for (const [id, node] of Object.entries(asObject(document.json["nodes"]))) {
+    for (const [id, node] of Object.entries(asObject(document.scope["nodes"]))) {
       nodes[id === from ? to : id] = withLinks(asObject(node), (link) =>
         link.node === from ? { ...link, node: to } : link,
       );
     }
-    const ui = asObject(document.json["ui"]);
+    const ui = asObject(document.scope["ui"]);
     const places = Object.entries(asObject(ui["nodes"])).map(([id, item]) => [id === from ? to : id, item]);
     const frames = Array.isArray(ui["frames"])
       ? ui["frames"].map((frame) => renamedIn(asObject(frame), from, to))
@@ -96,7 +96,7 @@ export function setBypass(ids: Iterable<string>, bypass: boolean): Edit {
 
 export function moveNodes(places: ReadonlyMap<string, Position>): Edit {
   return (document) => {
-    let nodes = asObject(asObject(document.json["ui"])["nodes"]);
+    let nodes = asObject(asObject(document.scope["ui"])["nodes"]);
     nodes = { ...nodes };
     for (const [id, { x, y }] of places) {
       if (document.nodes.has(id)) nodes[id] = { ...asObject(nodes[id]), x: Math.round(x), y: Math.round(y) };
@@ -121,9 +121,16 @@ export function setCamera({ position, target }: CameraPlace): Edit {
 
 /** The document with other members below `ui`; members that are undefined go. */
 export function withUi(document: GraphDocument, members: JsonObject): GraphDocument {
-  const ui: JsonObject = { ...asObject(document.json["ui"]), ...members };
+  const ui: JsonObject = { ...asObject(document.scope["ui"]), ...members };
   for (const [name, value] of Object.entries(ui)) if (value === undefined) delete ui[name];
   return rewritten(document, { ui });
+}
+
+/** The same below the `ui` of the whole document, whatever of it is looked at. */
+export function withNotes(document: GraphDocument, members: JsonObject): GraphDocument {
+  const ui: JsonObject = { ...asObject(document.json["ui"]), ...members };
+  for (const [name, value] of Object.entries(ui)) if (value === undefined) delete ui[name];
+  return rewrittenWhole(document, { ui });
 }
 
 /** The document with one node changed; the same document if there is no such node. */
@@ -132,7 +139,7 @@ export function changeNode(
   id: string,
   change: (item: JsonObject) => JsonObject,
 ): GraphDocument {
-  const nodes = asObject(document.json["nodes"]);
+  const nodes = asObject(document.scope["nodes"]);
   const item = nodes[id];
   if (!isObject(item)) return document;
   return rewritten(document, { nodes: { ...nodes, [id]: change(item) } });
@@ -185,7 +192,7 @@ function withoutLinks(item: JsonObject, isGone: (link: Link) => boolean): JsonOb
 }
 
 function uiWithout(document: GraphDocument, gone: ReadonlySet<string>): JsonObject {
-  const ui = asObject(document.json["ui"]);
+  const ui = asObject(document.scope["ui"]);
   if (Object.keys(ui).length === 0) return {};
   const places = Object.fromEntries(Object.entries(asObject(ui["nodes"])).filter(([id]) => !gone.has(id)));
   const changed: JsonObject = { ...ui, nodes: places };

@@ -35,13 +35,13 @@ export function expose(node: string, input: InputCard, value: Json): Edit {
 }
 
 export function addParameter(name: string, item: JsonObject): Edit {
-  return (document) => rewritten(document, { parameters: { ...asObject(document.json["parameters"]), [name]: item } });
+  return (document) => rewritten(document, { parameters: { ...asObject(document.scope["parameters"]), [name]: item } });
 }
 
 /** Changes members of a parameter, as `label`, `min`, `max`, `default`; undefined takes a member away. */
 export function changeParameter(name: string, change: JsonObject): Edit {
   return (document) => {
-    const item = asObject(document.json["parameters"])[name];
+    const item = asObject(document.scope["parameters"])[name];
     if (!isObject(item)) return document;
     const next: JsonObject = { ...item, ...change };
     for (const [member, value] of Object.entries(next)) if (value === undefined) delete next[member];
@@ -52,7 +52,7 @@ export function changeParameter(name: string, change: JsonObject): Edit {
 /** Puts a parameter at a place among the others, counted without it. */
 export function moveParameter(name: string, place: number): Edit {
   return (document) => {
-    const entries = Object.entries(asObject(document.json["parameters"]));
+    const entries = Object.entries(asObject(document.scope["parameters"]));
     const from = entries.findIndex(([other]) => other === name);
     const [moved] = entries.splice(Math.max(0, from), from < 0 ? 0 : 1);
     const to = Math.min(Math.max(0, place), entries.length);
@@ -65,7 +65,7 @@ export function moveParameter(name: string, place: number): Edit {
 /** Takes a parameter away; the inputs it drove are given `value`. */
 export function removeParameter(name: string, value: Json): Edit {
   return (document) => {
-    const { [name]: gone, ...parameters } = asObject(document.json["parameters"]);
+    const { [name]: gone, ...parameters } = asObject(document.scope["parameters"]);
     if (gone === undefined) return document;
     let changed = rewritten(document, { parameters });
     for (const node of document.nodes.values()) {

@@ -13,7 +13,7 @@ export function replaceNode(catalogue: Catalogue, id: string, type: string): Edi
     if (!before || !card || before.type === type) return document;
     const old = catalogue.nodes.get(before.type);
     const { types } = new WireCheck(document, catalogue);
-    const present = asObject(asObject(asObject(document.json["nodes"])[id])["inputs"]);
+    const present = asObject(asObject(asObject(document.scope["nodes"])[id])["inputs"]);
     const inputs: JsonObject = {};
     for (const input of card.inputs) {
       const value = present[input.name];

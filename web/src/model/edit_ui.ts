@@ -7,7 +7,7 @@ import type { Box, Frame, Note, Position } from "./ui";
 
 export function setFlag(ids: Iterable<string>, flag: "preview" | "collapsed", on: boolean): Edit {
   return (document) => {
-    const nodes: JsonObject = { ...asObject(asObject(document.json["ui"])["nodes"]) };
+    const nodes: JsonObject = { ...asObject(asObject(document.scope["ui"])["nodes"]) };
     for (const id of ids) {
       if (!document.nodes.has(id)) continue;
       const { [flag]: _, ...rest } = asObject(nodes[id]);
@@ -87,7 +87,7 @@ function isInside(box: Box | undefined, frame: Frame): boolean {
 }
 
 function items(document: GraphDocument, name: string): Json[] {
-  return asArray(asObject(document.json["ui"])[name]);
+  return asArray(asObject(document.scope["ui"])[name]);
 }
 
 function changed(document: GraphDocument, name: string, id: string, change: JsonObject): Json[] {

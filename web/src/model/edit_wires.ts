@@ -29,7 +29,7 @@ export function connect(
     const link: Json = { from: linkText({ node: from, output: outputs.length > 1 ? output : undefined }) };
     if (!card?.several) return setInput(to, input, link)(document);
     const sources = document.nodes.get(to)?.inputs.get(input) ?? [];
-    const present = asObject(asObject(asObject(document.json["nodes"])[to])["inputs"])[input];
+    const present = asObject(asObject(asObject(document.scope["nodes"])[to])["inputs"])[input];
     // A list that is one literal, as weights, is spread, so that the wire becomes one more item.
     const items = present === undefined ? [] : Array.isArray(present) ? present : [present];
     if (replaced !== undefined && replaced < items.length) {
@@ -135,7 +135,7 @@ function mayHaveAxes(document: GraphDocument, catalogue: Catalogue, node: string
 }
 
 function literalOf(document: GraphDocument, node: string, input: string): Json {
-  return asObject(asObject(asObject(document.json["nodes"])[node])["inputs"])[input];
+  return asObject(asObject(asObject(document.scope["nodes"])[node])["inputs"])[input];
 }
 
 /** What feeds the first wired input of a removed node, through further removed nodes. */

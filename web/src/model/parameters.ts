@@ -21,6 +21,8 @@ export interface Parameter {
   label: string;
   description: string;
   choices: string[];
+  /** An input of a group that has no default: it is given by wires only. */
+  isWireOnly: boolean;
 }
 
 const KNOWN_TYPES: readonly string[] = ["number", "integer", "boolean", "choice", "vector", "color", "text"];
@@ -40,6 +42,7 @@ export function readParameter(name: string, item: JsonObject): Parameter {
     label: asString(item["label"]) || sentenceCase(name),
     description: asString(item["description"]),
     choices: asArray(item["choices"]).map(asString),
+    isWireOnly: type === "link",
   };
 }
 

@@ -1,6 +1,6 @@
 // JSON Patch (RFC 6902) as problems bring it: the operations add, remove and replace, within the graph.
 
-import { type GraphDocument, rewritten } from "./document";
+import { type GraphDocument, rewrittenWhole } from "./document";
 import { isObject, type Json } from "./json";
 
 export interface PatchStep {
@@ -22,7 +22,7 @@ export function patchDocument(document: GraphDocument, steps: readonly PatchStep
     if (json === undefined) return undefined;
   }
   const graph = isObject(json) ? json["graph"] : undefined;
-  return isObject(graph) ? rewritten(document, graph) : undefined;
+  return isObject(graph) ? rewrittenWhole(document, graph) : undefined;
 }
 
 /** A copy of `json` with the step done below it; what is not on the way stays the same object. */

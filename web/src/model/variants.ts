@@ -2,7 +2,7 @@
 // that is computed.
 
 import type { GraphDocument } from "./document";
-import { type Edit, withUi } from "./edit";
+import { type Edit, withNotes } from "./edit";
 import { asArray, asObject, asString, isObject, type Json } from "./json";
 import type { ParameterValues } from "./parameters";
 import { documentWithValues, valuesIn } from "./saved_values";
@@ -31,7 +31,7 @@ export function addVariant(values: ParameterValues): Edit {
     const taken = new Set(items.map((item) => asString(asObject(item)["name"])));
     let number = items.length + 1;
     while (taken.has(`Variant ${number}`)) number++;
-    return withUi(document, { variants: [...items, { name: `Variant ${number}`, values: { ...values } }] });
+    return withNotes(document, { variants: [...items, { name: `Variant ${number}`, values: { ...values } }] });
   };
 }
 
@@ -40,14 +40,14 @@ export function renameVariant(place: number, name: string): Edit {
     const items = itemsOf(document);
     const item = items[place];
     if (!item || asString(asObject(item)["name"]) === name || name === "") return document;
-    return withUi(document, { variants: items.map((one, at) => (at === place ? { ...asObject(one), name } : one)) });
+    return withNotes(document, { variants: items.map((one, at) => (at === place ? { ...asObject(one), name } : one)) });
   };
 }
 
 export function removeVariant(place: number): Edit {
   return (document) => {
     const left = itemsOf(document).filter((_, at) => at !== place);
-    return withUi(document, { variants: left.length > 0 ? left : undefined });
+    return withNotes(document, { variants: left.length > 0 ? left : undefined });
   };
 }
 

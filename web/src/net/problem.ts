@@ -74,15 +74,17 @@ export function problemsOf(
   },
   node: string,
 ): { tone: "error" | "warning" | "blocked"; text?: string } | undefined {
-  const names = (entry: ProblemEntry): boolean => entry.node === node;
+  // What is wrong within a group is shown at its instance.
+  const isHere = (path: string): boolean => path === node || path.startsWith(`${node}/`);
+  const names = (entry: ProblemEntry): boolean => isHere(entry.node);
   const error = state.problem?.errors.find(names) ?? state.checked?.errors.find(names);
   // An input that waits for its wire is no mistake; it is only not finished.
   if (error) return { tone: error.code === "required-input-missing" ? "warning" : "error", text: error.detail };
-  const check = state.shown?.report.checks.find((one) => one.node === node && !one.passed);
+  const check = state.shown?.report.checks.find((one) => isHere(one.node) && !one.passed);
   if (check) return { tone: "error", text: check.message || "The check failed." };
   const warning = state.shown?.report.warnings.find(names);
   if (warning) return { tone: "warning", text: warning.detail };
-  const isBlocked = state.problem?.blocked.includes(node) || state.checked?.blocked.includes(node);
+  const isBlocked = state.problem?.blocked.some(isHere) || state.checked?.blocked.some(isHere);
   return isBlocked ? { tone: "blocked" } : undefined;
 }
 

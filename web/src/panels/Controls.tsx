@@ -1,5 +1,6 @@
 import { Fragment, type ReactElement } from "react";
 import { groupedParameters } from "../model/parameter_groups";
+import { valuesOf } from "../session/paths";
 import { useCurrent, useCurrentSession } from "../widgets/context";
 import { Icon } from "../widgets/Icon";
 import { ParameterRow } from "./ParameterRow";
@@ -10,19 +11,21 @@ import { Variants } from "./Variants";
 export function Controls(): ReactElement {
   const session = useCurrentSession();
   const open = useCurrent((state) => state.document);
-  const isChanged = useCurrent((state) => Object.keys(state.values).length > 0);
+  const isChanged = useCurrent((state) => Object.keys(valuesOf(state)).length > 0);
   if (!open) return <p className="empty">No graph is open.</p>;
   return (
     <div className="controls">
       {open.description && <p className="controls-description">{open.description}</p>}
-      {open.parameters.length === 0 && <p className="empty">This graph has no parameters.</p>}
+      {open.parameters.length === 0 && (
+        <p className="empty">This {open.inside.length > 0 ? "group has no inputs" : "graph has no parameters"}.</p>
+      )}
       <div className="parameter-rows" key={open.title}>
         {groupedParameters(open).map(({ title, parameters }) => (
           <Fragment key={parameters[0]?.name}>
             {title && <h3 className="parameter-group">{title}</h3>}
-            {parameters.map((parameter) => (
-              <ParameterRow key={parameter.name} parameter={parameter} />
-            ))}
+            {parameters.map((parameter) =>
+              parameter.isWireOnly ? null : <ParameterRow key={parameter.name} parameter={parameter} />,
+            )}
           </Fragment>
         ))}
       </div>

@@ -1,9 +1,10 @@
 import { Fragment, memo, type ReactElement, useId } from "react";
 import { millisecondText, plural } from "../model/format";
-import type { InputRow, ViewNode } from "../model/graph";
+import type { InputRow, OutputRow, ViewNode } from "../model/graph";
 import { problemsOf } from "../net/problem";
 import { axesText } from "../net/report";
 import { toggleBypass, toggleFlag } from "../session/actions";
+import { pathOf, timesOf, wireAt } from "../session/paths";
 import { useCurrent, useCurrentSession, useEditing, useEditor } from "../widgets/context";
 import { Icon } from "../widgets/Icon";
 import { InputField } from "../widgets/InputField";
@@ -83,8 +84,8 @@ function Head({ node }: { node: ViewNode }): ReactElement {
 }
 
 function Message({ id }: { id: string }): ReactElement | null {
-  const text = useCurrent((state) => problemsOf(state, id)?.text);
-  const tone = useCurrent((state) => problemsOf(state, id)?.tone);
+  const text = useCurrent((state) => problemsOf(state, pathOf(state, id))?.text);
+  const tone = useCurrent((state) => problemsOf(state, pathOf(state, id))?.tone);
   return text ? (
     <p className="inspector-message" data-tone={tone}>
       <Icon name="alert" />
@@ -169,21 +170,31 @@ function Source({
 }
 
 function Outputs({ node }: { node: ViewNode }): ReactElement {
-  const report = useCurrent((state) => state.shown?.report.nodes.get(node.id));
-  const wires = useCurrent((state) => state.checked?.wires);
+  const time = useCurrent((state) => {
+    const report = timesOf(state, node.id);
+    return report && (report.cached ? "from the cache" : millisecondText(report.milliseconds));
+  });
   return (
     <ul className="node-outputs" aria-label={`Outputs of ${node.title}`}>
       {node.outputs.map((row) => {
-        const output = wires?.get(`${node.id}.${row.name}`) ?? report?.outputs.get(row.name);
         return (
           <li key={row.name} title={row.description}>
             <Mark type={row.type} />
             {row.title}
-            <span className="muted">{output ? axesText(output.type, output.axes) : row.type}</span>
+            <Carried node={node.id} row={row} />
           </li>
         );
       })}
-      {report && <li className="muted">{report.cached ? "from the cache" : millisecondText(report.milliseconds)}</li>}
+      {time !== undefined && <li className="muted">{time}</li>}
     </ul>
   );
+}
+
+/** The type of what an output carries, and its axes once the server has told them. */
+function Carried({ node, row: { name, type } }: { node: string; row: OutputRow }): ReactElement {
+  const text = useCurrent((state) => {
+    const value = wireAt(state, node, name);
+    return value ? axesText(value.type, value.axes) : type;
+  });
+  return <span className="muted">{text}</span>;
 }

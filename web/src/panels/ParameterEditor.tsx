@@ -5,6 +5,7 @@ import { numberText, plural } from "../model/format";
 import type { Json } from "../model/json";
 import { groupOf, setGroup } from "../model/parameter_groups";
 import { type Parameter, parameterValue } from "../model/parameters";
+import { valuesOf } from "../session/paths";
 import { useCurrent, useCurrentSession, useEditor } from "../widgets/context";
 import { Icon } from "../widgets/Icon";
 import { LineField } from "../widgets/LineField";
@@ -13,7 +14,7 @@ import { LineField } from "../widgets/LineField";
 export function ParameterEditor({ parameter }: { parameter: Parameter }): ReactElement {
   const session = useCurrentSession();
   const editor = useEditor();
-  const value = useCurrent((state) => parameterValue(parameter, state.values));
+  const value = useCurrent((state) => parameterValue(parameter, valuesOf(state)));
   const uses = useCurrent((state) => (state.document ? usesOf(state.document, parameter.name) : 0));
   const { name } = parameter;
   const group = useCurrent((state) => (state.document ? groupOf(state.document, name) : ""));

@@ -1,6 +1,7 @@
 import { type ReactElement, useId, useState } from "react";
 import { clamp, type Parameter, type ParameterValue, parameterValue, sameValue } from "../model/parameters";
 import { parameterErrors } from "../net/problem";
+import { valuesOf } from "../session/paths";
 import { IconButton } from "../widgets/Button";
 import { useCurrent, useCurrentSession } from "../widgets/context";
 import { describedBy } from "../widgets/FieldError";
@@ -13,7 +14,7 @@ import { ParameterGrip } from "./ParameterGrip";
 export function ParameterRow({ parameter }: { parameter: Parameter }): ReactElement {
   const session = useCurrentSession();
   const id = useId();
-  const value = useCurrent((state) => parameterValue(parameter, state.values));
+  const value = useCurrent((state) => parameterValue(parameter, valuesOf(state)));
   const problem = useCurrent((state) => state.problem);
   const [isUnreadable, setUnreadable] = useState(false);
   const [resets, setResets] = useState(0);

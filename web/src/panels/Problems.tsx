@@ -1,4 +1,5 @@
 import type { ReactElement } from "react";
+import { lookedAt } from "../model/document";
 import { plural } from "../model/format";
 import type { ParameterValue } from "../model/parameters";
 import { patchDocument } from "../model/patch";
@@ -83,10 +84,11 @@ function Row({ tone, entry }: { tone: "error" | "warning"; entry: ProblemEntry }
     const name = node ? `${node.title} (${node.id})` : entry.node;
     return entry.port ? `${name} · ${entry.port}` : name;
   });
-  const isKnown = useCurrent((state) => state.document?.nodes.has(entry.node) ?? false);
+  const isKnown = useCurrent(
+    ({ document }) => document !== null && lookedAt(document, []).nodes.has(entry.node.split("/")[0] ?? ""),
+  );
   const go = (): void => {
-    editor.session.select([entry.node]);
-    editor.canvas?.focusNode(entry.node);
+    if (editor.session.goTo(entry.node)) editor.canvas?.focusNode(entry.node.split("/").at(-1) ?? "");
   };
   const body = (
     <>

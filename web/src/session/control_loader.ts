@@ -3,6 +3,7 @@
 
 import { wireType } from "../model/catalogue";
 import { type PreviewWish, previewWish } from "../model/preview";
+import { prefixOf } from "../model/scope";
 import type { Store } from "../model/store";
 import { fetchPreview } from "../net/api";
 import type { ControlInfo, Picture, PictureViewer, SessionState } from "./state";
@@ -91,10 +92,17 @@ export class ControlLoader {
   }
 
   private wanted(): PreviewWish {
-    const { view, selection, problem, checked } = this.store.get();
+    const { document, view, selection, problem, checked } = this.store.get();
+    const prefix = prefixOf(document?.inside ?? []);
     const errors = [...(problem?.errors ?? []), ...(checked?.errors ?? [])];
-    const broken = new Set([...errors.map((error) => error.node), ...(problem?.blocked ?? [])]);
-    return view ? previewWish(view, selection, broken) : NOTHING;
+    const broken = [...errors.map((error) => error.node), ...(problem?.blocked ?? [])]
+      .filter((path) => path.startsWith(prefix))
+      // What is broken within a group breaks its instance.
+      .map((path) => path.slice(prefix.length).split("/")[0] ?? "");
+    if (!view) return NOTHING;
+    const { names, faint } = previewWish(view, selection, new Set(broken));
+    const placed = (name: string): string => prefix + name;
+    return { names: names.map(placed), faint: new Set([...faint].map(placed)) };
   }
 
   private info(): ControlInfo {

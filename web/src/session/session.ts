@@ -1,11 +1,13 @@
 // The open graph and every way it changes: by editing, by its parameters, by opening another. Plain TypeScript: React
 // reads the store, the viewer is handed in once it has loaded.
 
-import { readCatalogue } from "../model/catalogue";
-import { type CameraPlace, emptyDocument, type GraphDocument, readDocument } from "../model/document";
+import { type Catalogue, readCatalogue } from "../model/catalogue";
+import { type CameraPlace, emptyDocument, type GraphDocument, lookedAt, readDocument } from "../model/document";
 import { type DrawnGraph, drawnGraph } from "../model/drawn_graph";
 import { type Edit, moveNodes, setInput } from "../model/edit";
+import { changeParameter } from "../model/edit_parameters";
 import { fileOutput, viewGraph } from "../model/graph";
+import { withGroups } from "../model/group_cards";
 import { History } from "../model/history";
 import { asArray, asObject, type Json } from "../model/json";
 import { layeredLayout } from "../model/layout";
@@ -17,6 +19,7 @@ import {
   sameValues,
   withValue,
 } from "../model/parameters";
+import { groupNamed, type Inside, prefixOf } from "../model/scope";
 import { createStore, type Store } from "../model/store";
 import { getJson } from "../net/api";
 import { localProblem } from "../net/problem";
@@ -52,6 +55,9 @@ export class Session {
   private readonly history = new History<Snapshot>();
   private saved: Json;
   private savedValues: ParameterValues = {};
+  /** The server's catalogue, without the groups of a document. */
+  private nodes: Catalogue | undefined;
+  private grouped: { groups: Json; inside: readonly Inside[]; catalogue: Catalogue } | undefined;
   private validateTimer = 0;
   /** What is drawn in a graph that makes no file; empty in others. */
   private drawnSource = "";
@@ -67,7 +73,8 @@ export class Session {
     try {
       const [nodes, list] = await Promise.all([getJson("v1/nodes"), getJson("v1/examples")]);
       const examples = inOrderOfFigures(asArray(asObject(list)["examples"]).map(readExample));
-      this.store.set({ catalogue: readCatalogue(nodes), examples, away: false });
+      this.nodes = readCatalogue(nodes);
+      this.store.set({ catalogue: this.nodes, examples, away: false });
       this.sight = sight;
       const isOpen = first && this.openDocument(first.json, first.origin) === undefined;
       const example = examples.find((item) => item.id === wanted) ?? finest(examples);
@@ -131,6 +138,12 @@ export class Session {
   ): void {
     const { document, values } = this.store.get();
     if (!document) return;
+    if (document.inside.length > 0) {
+      // In a group an input has no value of its own, only what instances are given that leave it out.
+      const change = changeParameter(parameter.name, { default: value as Json });
+      this.edit(`Change ${parameter.label}`, change, { gesture, moving });
+      return;
+    }
     this.history.record({ document, values }, `Change ${parameter.label}`, gesture);
     this.replace({ document, values: withValue(values, parameter, value) }, moving);
   }
@@ -156,6 +169,39 @@ export class Session {
 
   redo(): void {
     this.travel((present) => this.history.redo(present));
+  }
+
+  /** Looks into the group that a node stands for. */
+  enter(id: string): void {
+    const { document } = this.store.get();
+    const group = groupNamed(document?.nodes.get(id)?.type ?? "");
+    if (document && group !== undefined) this.lookAt([...document.inside, { id, group }], []);
+  }
+
+  /** Looks at what is around the group, so many steps out; selects where it came from. */
+  leave(steps = 1): void {
+    const { document } = this.store.get();
+    const inside = document?.inside.slice(0, -steps) ?? [];
+    const left = document?.inside[inside.length];
+    if (left) this.lookAt(inside, [left.id]);
+  }
+
+  /** Selects a node by its path, "ring/circle", in the group where it stands. False if there is none. */
+  goTo(path: string): boolean {
+    const { document } = this.store.get();
+    if (!document) return false;
+    const ids = path.split("/");
+    let at = lookedAt(document, []);
+    for (const id of ids.slice(0, -1)) {
+      const group = groupNamed(at.nodes.get(id)?.type ?? "");
+      if (group === undefined) return false;
+      at = lookedAt(at, [...at.inside, { id, group }]);
+    }
+    const id = ids.at(-1) ?? "";
+    if (!at.nodes.has(id)) return false;
+    if (prefixOf(at.inside) === prefixOf(document.inside)) this.select([id]);
+    else this.lookAt(at.inside, [id]);
+    return true;
   }
 
   /** The hand has let go: the next change is a step of its own. */
@@ -198,7 +244,7 @@ export class Session {
   body(): EvaluateBody | undefined {
     const { document, catalogue, values } = this.store.get();
     if (!document || !catalogue) return undefined;
-    const output = fileOutput(document, catalogue);
+    const output = fileOutput(lookedAt(document, []), catalogue);
     if (output === undefined) return undefined;
     return { graph: document.json, parameters: values, output };
   }
@@ -239,10 +285,10 @@ export class Session {
   }
 
   private open(read: GraphDocument, origin: Origin, values: ParameterValues = {}): void {
-    const { catalogue, opened } = this.store.get();
+    const { opened } = this.store.get();
+    const catalogue = this.catalogueOf(read);
     if (!catalogue) return;
-    const isPlaced = read.positions.size === read.nodes.size;
-    const document = isPlaced ? read : moveNodes(layeredLayout(viewGraph(read, catalogue)))(read);
+    const document = this.placed(read);
     this.saved = document.json;
     this.savedValues = values;
     this.history.clear();
@@ -250,7 +296,14 @@ export class Session {
     this.sight = undefined;
     this.renderer.reset(sight?.camera);
     this.store.set({
-      ...{ document, origin, opened: opened + 1, exampleId: exampleOf(origin), view: viewGraph(document, catalogue) },
+      ...{
+        document,
+        catalogue,
+        origin,
+        opened: opened + 1,
+        exampleId: exampleOf(origin),
+        view: viewGraph(document, catalogue),
+      },
       ...{ values, isChanged: false, isAdjusted: false, shown: null, problem: null, checked: null },
       ...{ selection: new Set<string>(), areas: new Set<string>(), selected: null, ...this.steps() },
     });
@@ -267,16 +320,19 @@ export class Session {
 
   private replace({ document, values }: Snapshot, moving: boolean): void {
     const before = this.store.get();
-    if (!before.catalogue || !before.document) return;
+    const catalogue = this.catalogueOf(document);
+    if (!catalogue || !before.document) return;
     const selection = new Set([...before.selection].filter((id) => document.nodes.has(id)));
     this.store.set({
-      ...{ document, values, view: viewGraph(document, before.catalogue, before.view ?? undefined) },
+      ...{ document, values, catalogue, view: viewGraph(document, catalogue, before.view ?? undefined) },
       ...{ isChanged: document.json !== this.saved, isAdjusted: !sameValues(values, this.savedValues) },
       ...this.steps(),
       selection: selection.size === before.selection.size ? before.selection : selection,
       selected: before.selected !== null && document.nodes.has(before.selected) ? before.selected : null,
     });
-    const isSameGraph = ["nodes", "parameters"].every((name) => document.json[name] === before.document?.json[name]);
+    const isSameGraph = ["nodes", "parameters", "groups"].every(
+      (name) => document.json[name] === before.document?.json[name],
+    );
     if (isSameGraph && values === before.values) return;
     this.evaluate(moving);
     this.validateSoon();
@@ -287,9 +343,52 @@ export class Session {
     return { undoLabel, redoLabel, canUndo: undoLabel !== undefined, canRedo: redoLabel !== undefined };
   }
 
+  /** The catalogue with the groups of a document; the same object as long as they are the same. */
+  private catalogueOf(document: GraphDocument): Catalogue | undefined {
+    const groups = document.json["groups"];
+    const { inside } = document;
+    if (!this.nodes) return undefined;
+    if (!this.grouped || this.grouped.groups !== groups || this.grouped.inside !== inside) {
+      this.grouped = { groups, inside, catalogue: withGroups(this.nodes, document) };
+    }
+    return this.grouped.catalogue;
+  }
+
+  /** The document with a place for every node. */
+  private placed(document: GraphDocument): GraphDocument {
+    const catalogue = this.catalogueOf(document);
+    if (!catalogue || document.positions.size === document.nodes.size) return document;
+    return moveNodes(layeredLayout(viewGraph(document, catalogue)))(document);
+  }
+
+  private lookAt(inside: readonly Inside[], selection: readonly string[]): void {
+    const { document } = this.store.get();
+    if (!document) return;
+    const next = this.placed(lookedAt(document, inside));
+    // Places that a group is given because it has none are no change of the person's.
+    if (this.saved === document.json) this.saved = next.json;
+    const catalogue = this.catalogueOf(next);
+    if (!catalogue) return;
+    this.store.set({
+      ...{ document: next, catalogue, view: viewGraph(next, catalogue) },
+      ...{ selection: new Set<string>(), areas: new Set<string>(), selected: null },
+    });
+    this.select(selection);
+  }
+
+  /** What is drawn: of the whole document, whatever of it is looked at. */
+  private drawnOf(document: GraphDocument): DrawnGraph | undefined {
+    const { view, selected } = this.store.get();
+    const whole = lookedAt(document, []);
+    const catalogue = this.nodes && withGroups(this.nodes, whole);
+    if (!catalogue || !view) return undefined;
+    if (whole === document) return drawnGraph(document, catalogue, view, selected);
+    return drawnGraph(whole, catalogue, viewGraph(whole, catalogue), document.inside[0]?.id ?? null);
+  }
+
   private evaluate(moving: boolean): void {
-    const { document, catalogue, view, values, selected } = this.store.get();
-    const drawn = document && catalogue && view && drawnGraph(document, catalogue, view, selected);
+    const { document, values } = this.store.get();
+    const drawn = document && this.drawnOf(document);
     this.drawnSource = drawn && drawn.graph !== document.json ? sourceText(drawn) : "";
     this.store.set({ drawn: drawn?.output ?? null });
     if (drawn) {
@@ -305,9 +404,10 @@ export class Session {
 
   /** In a graph that makes no file, the selected node is drawn. */
   private drawSelected(): void {
-    const { document, catalogue, view, selected } = this.store.get();
-    if (!document || !catalogue || !view || selected === null || fileOutput(document, catalogue) !== undefined) return;
-    const drawn = drawnGraph(document, catalogue, view, selected);
+    const { document, catalogue, selected } = this.store.get();
+    if (!document || !catalogue || selected === null) return;
+    if (fileOutput(lookedAt(document, []), catalogue) !== undefined) return;
+    const drawn = this.drawnOf(document);
     if (drawn && sourceText(drawn) !== this.drawnSource) this.evaluate(false);
   }
 
@@ -338,7 +438,8 @@ function exampleOf(origin: Origin): string | null {
 }
 
 /** The values of parameters that are still there and do not equal their default. */
-function knownValues(values: ParameterValues, { parameters }: GraphDocument): ParameterValues {
+function knownValues(values: ParameterValues, document: GraphDocument): ParameterValues {
+  const { parameters } = lookedAt(document, []);
   const known = Object.entries(values).filter(([name, value]) => {
     const parameter = parameters.find((item) => item.name === name);
     return parameter && !sameValue(value, parameter.initial);

@@ -1,6 +1,7 @@
 // Joins the gizmos to the session: what is selected is shown, what is dragged is written as an edit.
 
 import type { Json } from "../model/json";
+import { prefixOf } from "../model/scope";
 import { inspect } from "../net/validation";
 import type { Session } from "../session/session";
 import { type Anchor, anchorsOf, type Gizmo, type GizmoSource, gizmosOf, type Vec, vectorOf } from "./gizmo_values";
@@ -23,11 +24,12 @@ export function showGizmosOf(session: Session, viewer: Viewer): () => void {
   const ask = async (anchors: readonly Anchor[]): Promise<void> => {
     const { document, values } = session.store.get();
     if (!document) return;
+    const prefix = prefixOf(document.inside);
     const mine = new AbortController();
     request = mine;
     const found = new Map<string, Vec>();
     for (const { port, node, output } of anchors) {
-      const answer = await inspect({ graph: document.json, parameters: values }, node, output, mine.signal);
+      const answer = await inspect({ graph: document.json, parameters: values }, prefix + node, output, mine.signal);
       if (mine.signal.aborted) return;
       // A family is in many places; a handle is in one.
       const isSingle = answer && "values" in answer && answer.axes.length === 0;
