@@ -60,6 +60,7 @@ class TroubledEngine final : public Engine {
     return engine_->inspect(request, job);
   }
 
+  const ValueSource* value_source() const override { return engine_->value_source(); }
   CacheState cache_state() const override { return engine_->cache_state(); }
   void forget() const override { engine_->forget(); }
 
