@@ -63,10 +63,16 @@ std::string outcome_of(const Search& search) {
 
 }  // namespace
 
+Result<std::size_t> check(const Engine& engine, const FitRequest& request, const Cancel& cancel) {
+  const Result<Model> model = Model::read(engine, request, cancel);
+  return model ? model->memory(engine) : Result<std::size_t>(model.problems());
+}
+
 Result<Json> fit(const Engine& engine, const FitRequest& request, const Job& job, const FitTerms& terms) {
   Result<Model> read = Model::read(engine, request, job.cancel);
   if (!read) return read.problems();
   Model& model = *read;
+  if (Problems problems = model.begin(); !problems.empty()) return problems;
   Search search(model, request, job, terms);
   Json starts = Json::array();
   const auto is_met = [&] { return model.minimized().empty() && search.best() && search.best()->merit.objective < met; };

@@ -15,6 +15,10 @@ struct FitTerms {
   std::function<void(const Json& best)> improved = {};
 };
 
+/// What can be told of a request without evaluating: the memory that it takes, or the same problems, but for those that
+/// the values have.
+Result<std::size_t> check(const Engine& engine, const FitRequest& request, const Cancel& cancel);
+
 /// Finds values of the varied parameters: from the given place and the best of others, spread evenly over the bounds,
 /// downhill by NLopt and, where there are only squares to sum, by least squares to the end. The same request gives the
 /// same answer. Progress counts evaluations. The answer has the schema `Fit`; problems are those of the request, of the

@@ -128,13 +128,28 @@ Result<Model> Model::read(const Engine& engine, const FitRequest& request, const
     model.mesh_.emplace(*std::move(mesh));
     model.request_.places.push_back(*place);
   }
-  const std::vector<Result<Sample>> first = model.at({start_of(model.varied_)});
-  if (!first.front()) return model.at_own_places(first.front().problems());
-  for (std::size_t k = 0; k < model.minimized_.size(); ++k) {
-    const double value = std::abs(first.front()->numbers[model.targets_.size() + k].front());
-    model.sizes_.push_back(value > 0 ? value : 1);
-  }
   return model;
+}
+
+Problems Model::begin() {
+  const std::vector<Result<Sample>> first = at({start_of(varied_)});
+  if (!first.front()) return at_own_places(first.front().problems());
+  for (std::size_t k = 0; k < minimized_.size(); ++k) {
+    const double value = std::abs(first.front()->numbers[targets_.size() + k].front());
+    sizes_.push_back(value > 0 ? value : 1);
+  }
+  return {};
+}
+
+Result<std::size_t> Model::memory(const Engine& engine) const {
+  EvaluateRequest request{.graph = request_.graph,
+                          .parameters = request_.parameters,
+                          .measures = request_.places,
+                          .without_output = true};
+  request.parameters.update(setting_at(varied_, start_of(varied_)));
+  const auto prepared = engine.prepare(request, *cancel_);
+  if (!prepared) return at_own_places(prepared.problems());
+  return std::min(engine.limits().request_bytes, (varied_.size() + 1) * (*prepared)->bytes);
 }
 
 Problems Model::at_own_places(Problems problems) const {

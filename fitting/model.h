@@ -37,9 +37,15 @@ struct Slopes {
 /// A graph, its varied parameters and what is to come of it: what optimizers ask.
 class Model {
  public:
-  /// Reads a request. Problems name its member, with what would be accepted, or are those of the graph at the first
-  /// place. `cancel` must outlive the model.
+  /// Reads a request without evaluating. Problems name its member, with what would be accepted. `cancel` must outlive
+  /// the model.
   static Result<Model> read(const Engine& engine, const FitRequest& request, const Cancel& cancel);
+
+  /// Evaluates the first place, by which things to be minimized are weighed; to be done once. Its problems.
+  Problems begin();
+
+  /// The memory that a family of as many evaluations takes as a derivative needs, or what the check of the graph says.
+  Result<std::size_t> memory(const Engine& engine) const;
 
   const std::vector<Varied>& varied() const { return varied_; }
   const std::vector<NumberGoal>& targets() const { return targets_; }

@@ -66,7 +66,7 @@ std::span<const LayerRule> layer_rules() {
       {"golden", {"graph/", "gltf/", "geometry/", "algebra/"}},
       {"nodes", {"graph/", "formats/", "gltf/", "geometry/", "algebra/"}},
       {"service", {"nodes/", "graph/", "gltf/", "draco/", "geometry/", "algebra/"}},
-      {"fitting", {"service/", "graph/", "geometry/", "algebra/"}},
+      {"fitting", {"service/", "graph/", "gltf/", "geometry/", "algebra/"}},
       {"store", {"graph/"}},
       {"queue", {"graph/", "geometry/expected.h"}},
       {"jobs",
