@@ -18,7 +18,8 @@ Operation describe_create_fit() {
           .parameters = {idempotency_key_header()},
           .request = &fit_description(),
           .answers = job_answers(),
-          .problems = job_problems()};
+          .problems = codes_of(ProblemKind::graph, {"idempotency-key-reused", "busy", "storage-full", "storage-failed",
+                                                    "deadline", "shutting-down"})};
 }
 
 void create_fit(const Context& context) {

@@ -1,5 +1,6 @@
 #include "cli/fitting/words.h"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 

@@ -4,7 +4,6 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/support/glb_parts.h"
 #include "tests/support/requests.h"
 
 using namespace dini;
@@ -15,6 +14,13 @@ namespace {
 const Engine& engine() {
   static const std::unique_ptr<Engine> made = make_engine();
   return *made;
+}
+
+/// How long the JSON of a GLB is: the first number behind its head, the lowest byte first.
+std::size_t json_bytes(const std::string& glb) {
+  std::size_t size = 0;
+  for (std::size_t k = 16; k-- > 12;) size = size << 8 | static_cast<unsigned char>(glb[k]);
+  return size;
 }
 
 Json number(double value, double least, double most) {
@@ -76,14 +82,13 @@ TEST_CASE("Derivatives of a formula are those of its closed form, within the err
 TEST_CASE(
     "Vertices of a ball move along their own direction as its radius grows, and not with what it does not hang on") {
   const Json found = differentiated({.of = {"ball"}, .by = {}});
-  const Json positions = inspected(engine(), graph(), "ball");
   const Json& by = found["of"]["ball"]["by"];
   REQUIRE(by["b"]["values"].size() > 20);
   for (const Json& motion : by["b"]["values"]) {
     CHECK(std::hypot(motion[0].get<double>(), motion[1].get<double>(), motion[2].get<double>()) ==
           Approx(1).margin(1e-9));
   }
-  for (const Json& motion : by["a"]["values"]) CHECK(motion == Json{0.0, 0.0, 0.0});
+  for (const Json& motion : by["a"]["values"]) CHECK(motion == Json::array({0.0, 0.0, 0.0}));
 }
 
 TEST_CASE("A model in the colors of its motion has a color at every vertex and says how fast it is") {
@@ -92,7 +97,7 @@ TEST_CASE("A model in the colors of its motion has a color at every vertex and s
   REQUIRE(found);
   const auto file = fitting::colored(*found, Cancel());
   REQUIRE(file);
-  const Json json = glb_json(*file);
+  const Json json = Json::parse(file->substr(20, json_bytes(*file)));
   CHECK(json["asset"]["extras"]["gradient"]["parameter"] == "b");
   CHECK(json["asset"]["extras"]["gradient"]["fastest"] == Approx(1));
   for (const Json& mesh : json["meshes"]) {
