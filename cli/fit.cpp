@@ -70,25 +70,26 @@ int code_of(const Json& found) {
 /// A line for each thing that is worth knowing.
 std::string summary_of_fit(const Json& found) {
   std::string text, list;
+  const auto line = [&](const std::string& words) { text += printable(words) + "\n"; };
   for (const auto& [name, value] : found.at("parameters").items()) {
     list += (list.empty() ? "" : ", ") + name + "=" + dump(value);
   }
-  text = list + "\n";
+  line(list);
   for (const auto& [place, target] : found.at("targets").items()) {
-    text += place + ": " + dump(target.at("found")) + ", wanted is " + dump(target.at("wanted")) + "\n";
+    line(place + ": " + dump(target.at("found")) + ", wanted is " + dump(target.at("wanted")));
   }
-  for (const auto& [place, value] : found.at("minimized").items()) text += place + ": " + dump(value) + "\n";
+  for (const auto& [place, value] : found.at("minimized").items()) line(place + ": " + dump(value));
   if (found.contains("distance")) {
-    text += "distance: " + dump(found["distance"]["root_mean_square"]) + " m (root mean square), at most " +
-            dump(found["distance"]["largest"]) + " m\n";
+    line("distance: " + dump(found["distance"]["root_mean_square"]) + " m (root mean square), at most " +
+         dump(found["distance"]["largest"]) + " m");
   }
-  for (const Json& each : found.at("undetermined")) text += each.at("detail").get<std::string>() + "\n";
-  for (const Json& name : found.at("at_bounds")) text += name.get<std::string>() + " is at the end of its bounds\n";
+  for (const Json& each : found.at("undetermined")) line(each.at("detail").get<std::string>());
+  for (const Json& name : found.at("at_bounds")) line(name.get<std::string>() + " is at the end of its bounds");
   const std::string outcome = found.at("outcome").get<std::string>();
-  if (outcome == "deadline") text += "the time was over before the search came to its end\n";
-  if (outcome == "evaluations") text += "all evaluations were made before the search came to its end\n";
-  if (outcome == "conditions") text += "nothing was found that keeps all targets\n";
-  return printable(text);
+  if (outcome == "deadline") line("the time was over before the search came to its end");
+  if (outcome == "evaluations") line("all evaluations were made before the search came to its end");
+  if (outcome == "conditions") line("nothing was found that keeps all targets");
+  return text;
 }
 
 int write(const Options& options, const GivenGraph& given, const Json& found) {
