@@ -15,6 +15,7 @@ void add_worker(CLI::App& program, Command& chosen, const EngineMaker& make_engi
 void add_queue(CLI::App& program, Command& chosen);
 void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_sweep(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
+void add_fit(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_test(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_validate(CLI::App& program, Command& chosen, const EngineMaker& make_engine);
 void add_inspect(CLI::App& program, Command& chosen, const EngineMaker& make_engine);

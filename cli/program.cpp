@@ -48,6 +48,7 @@ int run(int count, const char* const* words, const EngineMaker& make_engine) {
   add_queue(program, chosen);
   add_eval(program, chosen, make_engine);
   add_sweep(program, chosen, make_engine);
+  add_fit(program, chosen, make_engine);
   add_test(program, chosen, make_engine);
   add_validate(program, chosen, make_engine);
   add_inspect(program, chosen, make_engine);

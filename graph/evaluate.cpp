@@ -44,8 +44,8 @@ void walk_needed(const Plan& plan, const std::vector<std::size_t>& targets, Visi
 
 class Evaluator {
  public:
-  Evaluator(const Plan& plan, Cache& cache, const Job& job)
-      : plan_(plan), cache_(cache), cancel_(job.cancel), progress_(job.progress) {}
+  Evaluator(const Plan& plan, Cache& cache, const Cancel& cancel, const Progress& progress)
+      : plan_(plan), cache_(cache), cancel_(cancel), progress_(progress) {}
 
   /// What the targets need, as far as cached results.
   void find_needed(const std::vector<std::size_t>& targets) {
@@ -220,14 +220,19 @@ Value Evaluation::value(const Plan& plan, std::size_t node, std::size_t output) 
 }
 
 Result<Evaluation> evaluate(const Plan& plan, const std::vector<std::size_t>& targets, Cache& cache, const Job& job) {
-  Evaluator evaluator(plan, cache, job);
+  return evaluate(plan, targets, cache, job.cancel, job.progress);
+}
+
+Result<Evaluation> evaluate(const Plan& plan, const std::vector<std::size_t>& targets, Cache& cache,
+                            const Cancel& cancel, const Progress& progress) {
+  Evaluator evaluator(plan, cache, cancel, progress);
   evaluator.find_needed(targets);
   return evaluator.run();
 }
 
 std::optional<Evaluation> find_evaluation(const Plan& plan, const std::vector<std::size_t>& targets, Cache& cache) {
   const Job job;
-  Evaluator evaluator(plan, cache, job);
+  Evaluator evaluator(plan, cache, job.cancel, job.progress);
   evaluator.find_needed(targets);
   if (!evaluator.nothing_to_run()) return std::nullopt;
   Result<Evaluation> evaluation = evaluator.collect();

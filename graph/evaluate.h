@@ -39,6 +39,10 @@ struct Evaluation {
 /// predicted work of every node that has to run is announced before the first one runs, and is done when the node is.
 Result<Evaluation> evaluate(const Plan& plan, const std::vector<std::size_t>& targets, Cache& cache, const Job& job);
 
+/// The same for work that is a part of a job whose progress is told by another.
+Result<Evaluation> evaluate(const Plan& plan, const std::vector<std::size_t>& targets, Cache& cache,
+                            const Cancel& cancel, const Progress& progress);
+
 /// What `evaluate` would do: nodes by index into the plan, each thing that is computed once.
 struct Foreseen {
   std::vector<std::size_t> running;  ///< in the order of the plan

@@ -18,7 +18,13 @@ Result<JobRequest> read_sweep_request(Json body, const Engine& engine) {
   return JobRequest{SweepRequest{*std::move(read), *std::move(variants), std::move(outputs), first}, deadline};
 }
 
-Result<JobRequest> read_job_request(Json body, const std::string& format, const Engine& engine) {
+Result<JobRequest> read_job_request(Json body, const std::string& format, JobKind kind, const Engine& engine) {
+  if (kind == JobKind::fit) {
+    auto fit = read_fit_body(std::move(body), engine);
+    if (!fit) return fit.problems();
+    const auto deadline = fit->deadline_milliseconds;
+    return JobRequest{FitRequest(*std::move(fit)), deadline};
+  }
   if (is_sweep(body)) return read_sweep_request(std::move(body), engine);
   auto read = read_evaluate_body(std::move(body), engine);
   if (!read) return read.problems();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fitting/fit.h"
 #include "service/problem_json.h"
 
 namespace dini::jobs {
@@ -36,6 +37,7 @@ struct JobRunner::Live {
   std::shared_ptr<Sweep> sweep;
   bool canceling = false;
   double progress = 0;
+  Json best = nullptr;           ///< what a fit has found so far
   std::optional<Ending> ending;  ///< what could not be written yet
 };
 
@@ -153,6 +155,7 @@ JobStatus JobRunner::status_of(store::JobRecord record) const {
   }
   if (status.record.state == "running") {
     status.progress = live.progress;
+    status.best = live.best;
     if (live.canceling) status.record.state = "canceling";
   }
   return status;
@@ -239,11 +242,14 @@ void JobRunner::begin(const std::string& id, const SharedLive& live) {
   tell(id);
   auto json = parse_json(*body, engine_.limits());
   if (!json) return end_with(id, json.problems());
-  auto request = read_job_request(*std::move(json), (*record)->format, engine_);
+  auto request = read_job_request(*std::move(json), (*record)->format, kind_of((*record)->kind), engine_);
   if (!request) return end_with(id, request.problems());
   const auto within = [&](std::chrono::milliseconds limit) -> Clock::duration {
     return std::min(limit, std::chrono::milliseconds(request->deadline_milliseconds.value_or(limit.count())));
   };
+  if (request->is_fit()) {
+    return fit(id, live, std::get<FitRequest>(std::move(request->asked)), within(terms_.deadline));
+  }
   if (!request->is_sweep()) {
     return evaluate(id, live, std::get<EvaluateRequest>(request->asked), within(terms_.deadline));
   }
@@ -293,6 +299,32 @@ void JobRunner::evaluate(const std::string& id, const SharedLive& live, const Ev
         [this, prepared](const Job& job) -> Result<SharedComputed> {
           if (SharedComputed known = engine_.find(*prepared)) return known;
           return engine_.compute(*prepared, job);
+        },
+        computed);
+  });
+}
+
+/// A fit ends by itself at its deadline, with the best so far.
+void JobRunner::fit(const std::string& id, const SharedLive& live, FitRequest asked, Clock::duration limit) {
+  const Clock::time_point deadline = Clock::now() + limit;
+  const auto request = std::make_shared<const FitRequest>(std::move(asked));
+  const auto bytes = fitting::check(engine_, *request, Cancel(deadline));
+  if (!bytes) return end_with(id, bytes.problems());
+  const auto improved = [this, weak = std::weak_ptr(live)](const Json& best) {
+    const std::lock_guard lock(mutex_);
+    if (const auto running = weak.lock()) running->best = best;
+  };
+  const auto computed = [this, id](const Result<std::shared_ptr<const Json>>& found, Flights::Begun) {
+    if (!found) return end_with(id, found.problems());
+    end(id, {.state = "succeeded", .result = {dump(**found), nullptr}});
+  };
+  ask_until_admitted(id, live, [&] {
+    return flights_.ask<Json>(
+        {.key = DigestBuilder().text("fit").text(id).finish(), .bytes = *bytes},
+        [this, request, deadline, improved](const Job& job) -> Result<std::shared_ptr<const Json>> {
+          auto found = fitting::fit(engine_, *request, job, {.deadline = deadline, .improved = improved});
+          if (!found) return found.problems();
+          return std::make_shared<const Json>(*std::move(found));
         },
         computed);
   });

@@ -24,10 +24,11 @@ namespace dini::jobs {
 struct JobStatus {
   store::JobRecord record;
   double progress = 0;  ///< from 0 to 1; never goes back while the process runs
+  Json best = nullptr;  ///< of a fit that runs, what it has found so far
 };
 
 /// Does the jobs that are kept, a few at once and in the order in which they came, also those that an earlier process
-/// left: an evaluation begins again, a sweep goes on with the first variant that has no line.
+/// left: an evaluation or a fit begins again, a sweep goes on with the first variant that has no line.
 class JobRunner {
  public:
   struct Terms {
@@ -93,6 +94,7 @@ class JobRunner {
   void work();
   void begin(const std::string& id, const SharedLive& live);
   void evaluate(const std::string& id, const SharedLive& live, const EvaluateRequest& request, Clock::duration limit);
+  void fit(const std::string& id, const SharedLive& live, FitRequest request, Clock::duration limit);
   void sweep(const std::string& id, const SharedLive& live, SweepRequest request, Clock::duration limit);
   template <class Ask>
   void ask_until_admitted(const std::string& id, const SharedLive& live, Ask ask);

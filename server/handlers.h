@@ -54,6 +54,12 @@ Operation describe_explain();
 /// The model, the report, or both.
 void evaluate(const Context& context);
 Operation describe_evaluate();
+/// How values change with parameters.
+void gradient(const Context& context);
+Operation describe_gradient();
+/// Parameters found by what is to come of them, as a job.
+void create_fit(const Context& context);
+Operation describe_create_fit();
 /// Many settings of the parameters of a graph.
 void sweep(const Context& context);
 Operation describe_sweep();

@@ -66,13 +66,15 @@ Reply result_of(const Context& context, const jobs::JobStatus& status) {
 Operation describe_job_result() {
   std::vector<Content> contents;
   for (const FileFormat& format : usual_formats()) contents.push_back({.type = format.media_types.front()});
-  contents.push_back({.type = std::string(report_type), .schema = schema::reference("Report")});
+  contents.push_back({.type = std::string(report_type),
+                      .schema = {{"anyOf", {schema::reference("Report"), schema::reference("Fit")}}}});
   contents.push_back({.type = std::string(line_type), .schema = schema::reference("SweepLine")});
   return {.id = "getJobResult",
           .group = "Jobs",
           .title = "What came of a job",
           .doc =
-              "Of an evaluation the file or, by `Accept`, the report; of a sweep a line of JSON for each variant, as "
+              "Of an evaluation the file or, by `Accept`, the report; of a fit what was found; of a sweep a line of "
+              "JSON for each variant, as "
               "`POST /v1/sweeps` answers. A job that failed is answered with its problems.",
           .parameters = {job_parameter(), accept_header("The file, the report, or the lines.")},
           .answers = {{.doc = "The file, the report, or the lines.",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fitting/fit.h"
 #include "jobs/random_id.h"
 #include "server/computing.h"
 #include "server/evaluation.h"
@@ -83,6 +84,7 @@ Json to_json(const jobs::JobStatus& status, const std::string& base_path) {
   if (job.started > 0) json["started"] = time_text(job.started);
   if (job.finished > 0) json["finished"] = time_text(job.finished);
   if (job.kind == "sweep") json["variants"] = {{"total", job.total}, {"done", job.done}, {"failed", job.failed}};
+  if (!status.best.is_null()) json["best"] = status.best;
   json["events"] = address + "/events";
   if (job.state == "succeeded") json["result"] = address + "/result";
   return json;
@@ -130,11 +132,11 @@ bool prefers_job(const Request& request) {
   });
 }
 
-void begin_job(const Context& context, Json body, const std::string& format) {
+void begin_job(const Context& context, Json body, const std::string& format, jobs::JobKind kind) {
   const auto key = idempotency_key(context.request());
   if (!key) return reply_problems(context, key.problems());
   const std::string text = dump(body);
-  auto read = jobs::read_job_request(std::move(body), format, context.engine());
+  auto read = jobs::read_job_request(std::move(body), format, kind, context.engine());
   if (!read) return reply_problems(context, read.problems());
   const auto request = std::make_shared<const jobs::JobRequest>(*std::move(read));
   if (const auto* asked = std::get_if<EvaluateRequest>(&request->asked)) {
@@ -143,6 +145,13 @@ void begin_job(const Context& context, Json body, const std::string& format) {
     return answer_with(context, [&] {
       if (prepared) return keep(context, text, format, *key, *request);
       return problem_reply(prepared.problems(), context.exchange(), context.engine().blocked(*asked, cancel));
+    });
+  }
+  if (const auto* asked = std::get_if<FitRequest>(&request->asked)) {
+    const auto bytes = fitting::check(context.engine(), *asked, Cancel(deadline_of(context, std::nullopt)));
+    return answer_with(context, [&] {
+      if (bytes) return keep(context, text, format, *key, *request);
+      return problem_reply(bytes.problems(), context.exchange());
     });
   }
   const Digest name = DigestBuilder().text("cost of a job").text(text).finish();

@@ -32,7 +32,8 @@ Parameter prefer_header();
 bool prefers_job(const Request& request);
 
 /// Keeps what a body asks for as a job and answers with it, at once or, for a sweep, once its cost is known.
-void begin_job(const Context& context, Json body, const std::string& format);
+void begin_job(const Context& context, Json body, const std::string& format,
+               jobs::JobKind kind = jobs::JobKind::evaluate_or_sweep);
 
 /// The answer to who begins a job.
 std::vector<Answer> job_answers();

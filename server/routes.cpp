@@ -39,6 +39,8 @@ constexpr std::array all_routes = {
     Route{"POST", "/v1/validate", validate, describe_validate, graph_body},
     Route{"POST", "/v1/explain", explain, describe_explain, graph_body},
     Route{"POST", "/v1/inspect", inspect, describe_inspect, graph_body},
+    Route{"POST", "/v1/gradient", gradient, describe_gradient, graph_body},
+    Route{"POST", "/v1/fit", create_fit, describe_create_fit, graph_body},
     Route{"POST", "/v1/sweeps", sweep, describe_sweep, graph_body},
     Route{"POST", "/v1/jobs", create_job, describe_create_job, graph_body},
     Route{"GET", "/v1/jobs/{id}", get_job, describe_get_job},

@@ -7,11 +7,12 @@
 #include "service/history.h"
 #include "service/prepare.h"
 #include "service/report.h"
+#include "service/value_source.h"
 
 namespace dini {
 
 /// The engine over the whole catalogue of nodes. What it computes it keeps under `cache_bytes`.
-class CatalogueEngine final : public Engine {
+class CatalogueEngine final : public Engine, public ValueSource {
  public:
   CatalogueEngine(const Limits& limits, std::vector<FileFormat> formats);
 
@@ -42,6 +43,11 @@ class CatalogueEngine final : public Engine {
     topologies_.clear();
   }
   Result<SharedBytes> inspect(const InspectRequest& request, const Job& job) const override;
+  const ValueSource* value_source() const override { return this; }
+  Result<std::vector<SettingValues>> values(const ValuesRequest& request, std::span<const Json> settings,
+                                            const Cancel& cancel) const override;
+  Result<std::vector<std::string>> exported_places(const Graph& graph) const override;
+  Result<SharedAssetFile> mesh_file(const std::string& name, const Cancel& cancel) const override;
 
  private:
   AssetFinder asset_finder(const Cancel& cancel) const {

@@ -103,6 +103,8 @@ class Computed {
 using SharedPrepared = std::shared_ptr<const Prepared>;
 using SharedComputed = std::shared_ptr<const Computed>;
 
+class ValueSource;
+
 /// How much a report tells: the files, measures, checks and warnings, or also times, sizes and nodes.
 enum class Extent { outcome, full };
 
@@ -196,6 +198,9 @@ class Engine {
 
   /// The value on any wire, in full double precision, as JSON text.
   virtual Result<SharedBytes> inspect(const InspectRequest& request, const Job& job) const = 0;
+
+  /// Values for those who compute with them (service/value_source.h); null for an engine that has none.
+  virtual const ValueSource* value_source() const { return nullptr; }
 };
 
 /// Every format that is written, the usual one first.

@@ -214,6 +214,7 @@ Json with_stored_graphs(Json schemas) {
   schemas.update(stored_graph_schemas());
   schemas.update(job_schemas());
   schemas.update(explain_schemas());
+  schemas.update(fit_schemas());
   return schemas;
 }
 

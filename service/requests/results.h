@@ -15,6 +15,9 @@ Json stored_graph_schemas();
 /// That of what an evaluation would do.
 Json explain_schemas();
 
+/// Those of what a fit finds, and of derivatives.
+Json fit_schemas();
+
 /// Those of jobs.
 Json job_schemas();
 

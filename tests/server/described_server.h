@@ -25,13 +25,14 @@ struct Described {
   /// What the engine does for it can go wrong. What goes wrong with a variant of a sweep is in its line, a job is
   /// answered before it is done, and an explanation before anything is.
   bool is_worked_for() const {
-    return has_body() && method != "PUT" && path != "/v1/sweeps" && path != "/v1/jobs" && path != "/v1/explain";
+    return has_body() && method != "PUT" && path != "/v1/sweeps" && path != "/v1/jobs" && path != "/v1/fit" &&
+           path != "/v1/explain";
   }
   bool is_of_job() const { return path.starts_with("/v1/jobs/"); }
   /// Its answer when all is well.
   int usual_status() const {
     if (path == "/v1/assets") return 201;
-    if (path == "/v1/jobs") return 202;
+    if (path == "/v1/jobs" || path == "/v1/fit") return 202;
     return method == "DELETE" ? 204 : 200;
   }
   bool is_of_graph() const { return path.starts_with("/v1/graphs/"); }

@@ -21,15 +21,20 @@ class Validator {
   explicit Validator(const Json& document) : document_(document) {}
 
   void check(const Json& value, const Json& schema, const std::string& place) {
-    static const std::set<std::string> known = {"$ref",    "type",     "properties",  "required",
-                                                "items",   "enum",     "minimum",     "maximum",
-                                                "default", "examples", "description", "additionalProperties"};
+    static const std::set<std::string> known = {
+        "$ref",     "type",        "properties",           "required", "items", "enum", "minimum", "maximum", "default",
+        "examples", "description", "additionalProperties", "anyOf"};
     for (const auto& [keyword, ignored] : schema.items()) {
       if (!known.contains(keyword)) say(place, "the schema has the unknown keyword " + keyword);
     }
     if (schema.contains("$ref")) {
       const auto pointer = schema["$ref"].get<std::string>().substr(1);
       check(value, document_.at(Json::json_pointer(pointer)), place);
+    }
+    if (schema.contains("anyOf") && std::ranges::none_of(schema["anyOf"], [&](const Json& each) {
+          return departures(value, each, document_, place).empty();
+        })) {
+      say(place, "is none of the alternatives");
     }
     if (schema.contains("type") && !has_type(value, schema["type"])) {
       return say(place, "is no " + schema["type"].get<std::string>() + ": " + value.dump().substr(0, 80));

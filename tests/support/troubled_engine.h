@@ -7,6 +7,7 @@
 
 #include "graph/stopped.h"
 #include "service/engine.h"
+#include "service/value_source.h"
 
 namespace dini::support {
 
@@ -14,7 +15,7 @@ namespace dini::support {
 enum class Trouble { none, never_ends, throws, no_memory };
 
 /// The real engine, which can be told to get into trouble whenever it checks or computes.
-class TroubledEngine final : public Engine {
+class TroubledEngine final : public Engine, public ValueSource {
  public:
   TroubledEngine(const Limits& limits, const std::atomic<Trouble>& trouble)
       : engine_(make_engine(limits)), trouble_(trouble) {}
@@ -60,6 +61,18 @@ class TroubledEngine final : public Engine {
     return engine_->inspect(request, job);
   }
 
+  const ValueSource* value_source() const override { return this; }
+  Result<std::vector<SettingValues>> values(const ValuesRequest& request, std::span<const Json> settings,
+                                            const Cancel& cancel) const override {
+    if (auto problem = meet_trouble(cancel)) return *std::move(problem);
+    return engine_->value_source()->values(request, settings, cancel);
+  }
+  Result<std::vector<std::string>> exported_places(const Graph& graph) const override {
+    return engine_->value_source()->exported_places(graph);
+  }
+  Result<SharedAssetFile> mesh_file(const std::string& name, const Cancel& cancel) const override {
+    return engine_->value_source()->mesh_file(name, cancel);
+  }
   CacheState cache_state() const override { return engine_->cache_state(); }
   void forget() const override { engine_->forget(); }
 

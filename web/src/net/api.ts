@@ -6,7 +6,7 @@ import { failedChecks, withoutNodes } from "./checks";
 import { boundaryOf, readMultipart } from "./multipart";
 import { readProblem } from "./problem";
 import { readReport } from "./report";
-import type { Answer, Effort, EvaluateBody } from "./requests";
+import type { Answer, Effort, EvaluateBody, GradientBody } from "./requests";
 
 const MULTIPART = "multipart/form-data";
 const MODEL = "model/gltf-binary";
@@ -72,6 +72,20 @@ export async function fetchPreview(body: EvaluateBody, signal: AbortSignal): Pro
     if (signal.aborted) throw error;
     return null;
   }
+}
+
+/** The model in the colors of its motion with a parameter; null if there is none. Rejects if nothing comes. */
+export async function fetchSensitivity(
+  body: GradientBody,
+  signal: AbortSignal,
+): Promise<Uint8Array<ArrayBuffer> | null> {
+  const response = await fetch("v1/gradient", {
+    method: "POST",
+    headers: { "content-type": "application/json", accept: MODEL },
+    body: JSON.stringify(body),
+    signal,
+  });
+  return response.ok ? new Uint8Array(await response.arrayBuffer()) : null;
 }
 
 async function readAnswer(response: Response): Promise<Answer> {

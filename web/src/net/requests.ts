@@ -1,4 +1,4 @@
-// What is asked of POST /v1/evaluate, and what comes back.
+// What is asked of POST /v1/evaluate and /v1/gradient, and what comes back.
 
 import type { JsonObject } from "../model/json";
 import type { ParameterValues } from "../model/parameters";
@@ -13,6 +13,13 @@ export interface EvaluateBody {
   output?: string;
   /** Nodes, or outputs of them, to draw beside the model. */
   preview?: string[];
+}
+
+/** What moves with which parameters. */
+export interface GradientBody {
+  graph: JsonObject;
+  parameters: ParameterValues;
+  by: string[];
 }
 
 /** How good an answer has to be. Drafts have about `triangles` triangles. */

@@ -39,6 +39,8 @@ export function ParameterRow({ parameter }: { parameter: Parameter }): ReactElem
         htmlFor={id}
         title={`${parameter.name}: double-click for the default`}
         onDoubleClick={reset}
+        onPointerEnter={() => parameter.type === "number" && session.sensitivity.show(parameter.name)}
+        onPointerLeave={() => session.sensitivity.hide()}
       >
         {parameter.label}
       </label>

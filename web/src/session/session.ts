@@ -27,6 +27,7 @@ import type { EvaluateBody } from "../net/requests";
 import { validate } from "../net/validation";
 import { finest, inOrderOfFigures, readExample } from "./examples";
 import { Renderer } from "./renderer";
+import { Sensitivity } from "./sensitivity";
 import { EMPTY, type Origin, type PictureViewer, type SessionState, type Sight } from "./state";
 import { Thumbnails } from "./thumbnails";
 
@@ -52,6 +53,7 @@ export class Session {
   readonly store: Store<SessionState> = createStore(EMPTY);
   private readonly renderer = new Renderer(this.store);
   readonly thumbnails = new Thumbnails(this.store, () => this.renderer.loaded);
+  readonly sensitivity = new Sensitivity(this.store, () => this.renderer.loaded);
   private readonly history = new History<Snapshot>();
   private saved: Json;
   private savedValues: ParameterValues = {};

@@ -68,6 +68,8 @@ export interface PictureViewer {
   readonly pictureCamera: CameraPlace | null;
   /** Shows control geometry over the model; null takes it away. */
   showControl(picture: Picture | null, info: ControlInfo): void;
+  /** Shows a model in the colors of its motion in place of the shown one; null brings that back. */
+  showSensitivity(picture: Picture | null): void;
   clear(): void;
   /** Shows another model together with the present one; null takes it away. */
   compare(picture: Picture | null, how: "beside" | "over"): void;

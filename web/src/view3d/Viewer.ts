@@ -52,6 +52,7 @@ export class Viewer {
   /** Pixels of a drawing to one of the page while things move. */
   private readonly ratio: number;
   private model: DecodedModel | undefined;
+  private sensitivity: DecodedModel | undefined;
   private control: ControlGeometry | undefined;
   private readonly split = new SplitView(this.scene);
   private opening: CameraPlace | null = null;
@@ -150,6 +151,16 @@ export class Viewer {
       this.control.group.visible = this.settings.control;
       this.scene.add(this.control.group);
     }
+    this.draw();
+  }
+
+  /** Shows a model in the colors of its motion in place of the shown one; null brings that back. */
+  showSensitivity(model: DecodedModel | null): void {
+    this.clearSensitivity();
+    this.sensitivity = model ?? undefined;
+    if (model) this.scene.add(model.scene);
+    if (this.model) this.model.scene.visible = !model;
+    this.renderer.domElement.dataset["sensitivity"] = String(model !== null);
     this.draw();
   }
 
@@ -318,7 +329,14 @@ export class Viewer {
     };
   }
 
+  private clearSensitivity(): void {
+    if (this.sensitivity) this.scene.remove(this.sensitivity.scene);
+    this.sensitivity?.dispose();
+    this.sensitivity = undefined;
+  }
+
   private clearModel(): void {
+    this.clearSensitivity();
     this.look.clear();
     if (this.model) this.scene.remove(this.model.scene);
     this.model?.dispose();
