@@ -46,7 +46,7 @@ test("nodes become a group, a group in a group, and the graph again, with the sa
     const nested = await untilGraph(page, ({ groups }) => groups?.group2 !== undefined);
     assert.equal(nested.groups.group2.nodes.group.type, "group/group");
     assert.deepEqual(await sizes(await bytesOf(nested)), await sizes(model));
-    await untilSelected(page, ["group"]);
+    await untilSelected(page, ["group2"]);
 
     // In, and in again, by Tab; out by the path.
     await page.keyboard.press("Tab");
@@ -61,7 +61,7 @@ test("nodes become a group, a group in a group, and the graph again, with the sa
     await untilGraph(page, ({ groups }) => groups.group.label === "Innermost");
     await groupPath(page).getByRole("button").first().click();
     await groupPath(page).waitFor({ state: "detached" });
-    await untilSelected(page, ["group"]);
+    await untilSelected(page, ["group2"]);
 
     await page.keyboard.press("Control+Shift+g");
     await untilGraph(page, ({ groups }) => groups.group2 === undefined && groups.group !== undefined);
