@@ -63,9 +63,9 @@ Generator reflect(const Sphere& mirror, const Generator& generator) {
 Circle reflect(const Sphere& mirror, const Circle& circle) { return {-1.0 * reflect(mirror, circle.dual)}; }
 
 Sphere reflect(const Sphere& mirror, const Sphere& sphere) {
-  const Vector center = sphere.no != 0 ? sphere.e / sphere.no : Vector{};
-  const bool far = !(squared_length(center) * sphere.no * sphere.no <= 1e6 * std::abs(square(sphere)));
-  const Vector origin = far ? Vector{} : center;
+  // From its own center, when that is far beside the radius.
+  const Vector center = sphere.e / sphere.no;
+  const Vector origin = 4 * square(sphere) < squared_length(sphere.e) && is_finite(center) ? center : Vector{};
   const Sphere s = seen_from(mirror, origin), local = seen_from(sphere, origin);
   const double factor = 2 * (dot(s.e, local.e) - s.no * local.ni - s.ni * local.no) / square(s);
   return seen_from({local.no - factor * s.no, local.e - factor * s.e, local.ni - factor * s.ni}, -origin);

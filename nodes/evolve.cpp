@@ -1,17 +1,13 @@
 // Networks of weighted points that carry one another.
 
 #include <algorithm>
-#include <array>
-#include <span>
 
-#include "algebra/network.h"
-#include "geometry/chunks.h"
+#include "geometry/network.h"
 #include "geometry/point_tree.h"
 #include "graph/kept_axes.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 #include "nodes/links.h"
-#include "nodes/shapes.h"
 
 namespace dini {
 
@@ -33,27 +29,6 @@ struct EvolveInputs : kernels::NetworkSettings {
   std::int64_t count;
   std::string links;
 };
-
-/// Indices of neighbors, as many for each point; a point itself stands for one that is missing.
-struct NeighborTable {
-  std::vector<std::uint32_t> indices;
-  std::size_t each = 0;
-
-  NeighborTable(std::size_t size, std::size_t neighbors) : indices(size * neighbors), each(neighbors) {
-    for (std::size_t m = 0; m < each; ++m) {
-      for (std::size_t i = 0; i < size; ++i) indices[m * size + i] = static_cast<std::uint32_t>(i);
-    }
-  }
-};
-
-NeighborTable chain_of(std::size_t size, bool closed) {
-  NeighborTable table(size, 2);
-  for (std::size_t i = 0; i < size; ++i) {
-    if (closed || i > 0) table.indices[i] = static_cast<std::uint32_t>((i + size - 1) % size);
-    if (closed || i + 1 < size) table.indices[size + i] = static_cast<std::uint32_t>((i + 1) % size);
-  }
-  return table;
-}
 
 Attempt<NeighborTable> table_of_links(const std::string& text, std::size_t size) {
   std::vector<std::vector<std::uint32_t>> found(size);
@@ -95,50 +70,29 @@ Attempt<NeighborTable> lasting_neighbors(const EvolveInputs& in) {
   }
 }
 
-constexpr std::size_t points_in_chunk = 256;
-
-void find_neighbors(kernels::ConstPoints points, std::size_t size, NeighborTable& table, const Cancel& cancel) {
-  const PointTree tree(points, size, cancel);
-  for_chunks(cancel, size, points_in_chunk, [&](std::size_t begin, std::size_t end) {
-    std::array<std::uint32_t, PointTree::most_neighbors> found{};
-    for (std::size_t place = begin; place < end; ++place) {
-      tree.find_nearest(place, std::span(found).first(table.each));
-      const std::uint32_t i = tree.in_order(place);
-      for (std::size_t m = 0; m < table.each; ++m) table.indices[m * size + i] = found[m];
-    }
-  });
+NeighborSearch search_of(NeighborKind kind) {
+  if (kind == NeighborKind::nearest) return NeighborSearch::nearest;
+  return kind == NeighborKind::all ? NeighborSearch::all : NeighborSearch::table;
 }
 
 Attempt<Made<Point>> evolved(const Context& context, const EvolveInputs& in) {
-  const Cancel& cancel = context.cancel();
-  const std::size_t size = in.points.size(), rows = static_cast<std::size_t>(in.steps);
+  const std::size_t size = in.points.size();
   Attempt<NeighborTable> table = lasting_neighbors(in);
   if (!table) return table.error();
-  Made<Point> made{Column<Point>(rows * size)};
+  Column<Point> start(size);
   std::vector<double> weights(size);
-  CancelEvery looks(cancel);
+  CancelEvery looks(context.cancel());
   for (std::size_t i = 0; i < size && !looks.stopped(); ++i) {
     const Point point = in.points(i);
     if (!is_finite(point)) {
       return Failure{"degenerate", "point " + std::to_string(i) + " is at infinity, where it has no neighbors",
                      "points"};
     }
-    made.values.set(i, point);
+    start.set(i, point);
     weights[i] = in.weights(i);
   }
-  Column<Point> steps(size);
-  for (std::size_t row = 1; row < rows && !cancel.stopped(); ++row) {
-    const kernels::ConstPoints before = components(std::as_const(made.values), (row - 1) * size);
-    if (in.neighbors == NeighborKind::nearest) find_neighbors(before, size, *table, cancel);
-    const kernels::Neighbors neighbors{in.neighbors == NeighborKind::all ? nullptr : table->indices.data(),
-                                       table->each};
-    const kernels::Network network{before, weights.data(), size, neighbors};
-    const kernels::Points after = components(made.values, row * size);
-    for_chunks(cancel, size, points_in_chunk, [&](std::size_t begin, std::size_t end) {
-      kernels::step_network(in, network, begin, end, components(steps, 0), after, cancel.for_kernels());
-    });
-  }
-  return made;
+  return Made<Point>{evolve(start, weights, in, search_of(in.neighbors), *std::move(table),
+                            static_cast<std::size_t>(in.steps), context.cancel())};
 }
 
 RunCost cost_of_evolve(const RunSize& size) {
