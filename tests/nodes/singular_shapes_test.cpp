@@ -164,18 +164,18 @@ TEST_CASE("Singular inputs: a zero radius") {
         {"meet",
          [&] {
            const Json through = plus(c, {{"plane", make("plane", {{"point", {0, 0, 3}}})}, {"other", make("plane")}});
-           for (const char* shape : {"c", "s"}) {
-             const Json touching = with("meet", {{"shape", from(shape)}, {"sphere", from("plane")}}, through);
+           for (const char* given : {"c", "s"}) {
+             const Json touching = with("meet", {{"shape", from(given)}, {"sphere", from("plane")}}, through);
              CHECK(value(touching, "n.kind") == 0);
              require_close(point(touching, "n.a"), {1, 2, 3});
-             CHECK(value(with("meet", {{"shape", from(shape)}, {"sphere", from("other")}}, through), "n.kind") == -1);
+             CHECK(value(with("meet", {{"shape", from(given)}, {"sphere", from("other")}}, through), "n.kind") == -1);
            }
          }},
         {"project",
          [&] {
-           for (const char* shape : {"c", "s"}) {
-             require_close(point(with("project", {{"shape", from(shape)}, {"point", {4, 2, 7}}}, c)), {1, 2, 3});
-             CHECK(value(with("project", {{"shape", from(shape)}, {"point", {4, 2, 7}}}, c), "n.distance") == 5);
+           for (const char* given : {"c", "s"}) {
+             require_close(point(with("project", {{"shape", from(given)}, {"point", {4, 2, 7}}}, c)), {1, 2, 3});
+             CHECK(value(with("project", {{"shape", from(given)}, {"point", {4, 2, 7}}}, c), "n.distance") == 5);
            }
          }},
         {"distance",
