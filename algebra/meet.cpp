@@ -21,12 +21,15 @@ Meeting kind_of_gap(double gap, double terms) {
 
 double size_of(const Point& p) { return length(to_vector(p)); }
 
-/// The circle about `normal` with this center and square of the radius.
+/// The circle about `normal` with this center and square of the radius; without one where that is not above zero.
 SphereMeeting round_meeting(Meeting kind, const Vector& center, const Vector& normal, double square) {
-  if (kind == Meeting::apart) return {kind, {split_pair(to_point(center), normal, -0.5 * square)}};
   const double radius = kind == Meeting::crossing ? std::sqrt(std::max(square, 0.0)) : 0.0;
   const CircleCoordinates circle{false, to_point(center), normal, radius, {}, {}};
-  return {kind, circle_from(circle.center, normal, radius), point_at(circle, 0), point_at(circle, 0.5)};
+  SphereMeeting meeting{kind, circle_from(circle.center, normal, radius)};
+  if (kind == Meeting::apart) return meeting;
+  meeting.a = point_at(circle, 0);
+  meeting.b = point_at(circle, 0.5);
+  return meeting;
 }
 
 std::optional<SphereMeeting> meet_of_spheres(const SphereCoordinates& first, const SphereCoordinates& second) {
@@ -35,7 +38,7 @@ std::optional<SphereMeeting> meet_of_spheres(const SphereCoordinates& first, con
   const double terms = distance + r + s + size_of(first.center) + size_of(second.center);
   if (distance <= noise * terms) {
     if (std::abs(r - s) <= noise * terms) return std::nullopt;
-    return SphereMeeting{};
+    return round_meeting(Meeting::apart, from, {0, 0, 1}, 0);
   }
   const Vector normal = way / distance;
   const double outside = r + s - distance, inside = distance - std::abs(r - s);
@@ -66,7 +69,8 @@ std::optional<SphereMeeting> meet_of_planes(const SphereCoordinates& first, cons
     const double sense = dot(first.normal, second.normal);
     const double gap = std::abs(first.distance - sense * second.distance);
     if (gap <= noise * (std::abs(first.distance) + std::abs(second.distance))) return std::nullopt;
-    return SphereMeeting{Meeting::touching, {direction_generator((gap / sense) * first.normal)}};
+    const Vector between = 0.5 * (first.distance + sense * second.distance) * first.normal;
+    return SphereMeeting{Meeting::touching, circle_from(to_point(between), first.normal, 0)};
   }
   const Vector place =
       (first.distance * cross(second.normal, along) + second.distance * cross(along, first.normal)) / square;
@@ -117,7 +121,10 @@ std::optional<CircleMeeting> meet_of_round(const CircleCoordinates& circle, cons
   const double steepness_noise =
       tolerance::collinear * (sphere.plane ? 1.0 : length(slope) + length(o) + size_of(sphere.center));
   if (steepness <= steepness_noise) {
-    if (std::abs(height) <= noise * terms + steepness * R) return std::nullopt;
+    if (std::abs(height) <= noise * terms + steepness * R) {
+      if (R == 0) return pair_meeting(Meeting::touching, o, any_perpendicular(circle.normal), 0);
+      return std::nullopt;
+    }
     return CircleMeeting{Meeting::apart, rotation_generator(line_from(circle.center, circle.normal))};
   }
   const double away = height / steepness;

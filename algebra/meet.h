@@ -11,9 +11,9 @@ namespace dini {
 /// How two elements meet. Touching is decided to the round-off of their places and sizes.
 enum class Meeting { apart = -1, touching = 0, crossing = 1 };
 
-/// What two spheres or planes have in common. Apart, `circle` is imaginary: an element that has no coordinates, with
-/// the center and the negative squared radius that the circle would have. Touching, it is the circle of radius zero
-/// there. Parallel planes touch at infinity, and spheres about one center are apart; `circle` is no circle then.
+/// What two spheres or planes have in common. Where they touch, `circle` is the one of radius zero there. Apart it has
+/// radius zero too, since an imaginary circle has no place on a wire: it stands in the plane in which the spheres would
+/// meet, at the center of spheres about one center, and half way between parallel planes, which touch at infinity.
 /// It runs counter-clockwise about the way from the center of the first sphere to that of the second, a line along the
 /// cross product of the normals.
 struct SphereMeeting {

@@ -122,8 +122,8 @@ void add_relations(Registry& registry) {
           .source("Dorst, Fontijne and Mann, Geometric Algebra for Computer Science (2007), chapter 14")
           .details("Two spheres meet in a circle, planes in a line, a circle and a sphere in a pair of points, a line "
                    "and a plane in a point and infinity. kind is 1 where they cross, 0 where they touch (to "
-                   "round-off), -1 where they are apart: then the circle or pair is imaginary, an element without a "
-                   "place, and a and b are at infinity. Parallel planes, or a plane and a line along it, touch at "
+                   "round-off), -1 where they are apart: then the circle has radius zero, the pair is imaginary, and "
+                   "a and b are at infinity. Parallel planes, or a plane and a line along it, touch at "
                    "infinity. One that lies in the other is an error.")
           .degenerate("parallel lines", "Planes and lines that are parallel touch at infinity, kind 0.")
           .degenerate("zero radius", "A point is met where it lies on the other: kind 0, else -1.")
