@@ -1,5 +1,6 @@
 #include "geometry/network.h"
 
+#include <algorithm>
 #include <array>
 
 #include "geometry/chunks.h"
@@ -33,7 +34,8 @@ void find_neighbors(kernels::ConstPoints points, std::size_t size, NeighborTable
 
 }  // namespace
 
-NeighborTable::NeighborTable(std::size_t points, std::size_t neighbors) : indices(points * neighbors), each(neighbors) {
+NeighborTable::NeighborTable(std::size_t points, std::size_t neighbors)
+    : indices(points * std::max<std::size_t>(1, neighbors)), each(std::max<std::size_t>(1, neighbors)) {
   for (std::size_t m = 0; m < each; ++m) {
     for (std::size_t i = 0; i < points; ++i) indices[m * points + i] = static_cast<std::uint32_t>(i);
   }

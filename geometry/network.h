@@ -21,6 +21,7 @@ struct NeighborTable {
   std::vector<std::uint32_t> indices;
   std::size_t each = 0;
 
+  /// Each point is its own neighbor, once at least.
   NeighborTable(std::size_t points, std::size_t neighbors);
 };
 

@@ -227,8 +227,9 @@ TEST_CASE("Singular inputs: parallel and opposite lines") {
         if (std::string(type) != "logarithm") inputs["amount"] = 1;
         if (std::string(type) == "transform_between") inputs["shape"] = from("a");
         Json nodes = with(type, inputs, {{"a", make("circle")}, {"b", make("circle", {{"normal", {0, 0, -1}}})}});
-        nodes["moved"] = make("transform", {{"shape", from("a")}, {"generator", from("n")}});
-        const Json there = value(nodes, std::string(type) == "logarithm" ? "moved" : "n");
+        const bool is_generator = std::string(type) == "logarithm";
+        if (is_generator) nodes["moved"] = make("transform", {{"shape", from("a")}, {"generator", from("n")}});
+        const Json there = value(nodes, is_generator ? "moved" : "n");
         require_close(triple(there["normal"]), {0, 0, -1}, 1e-12);
         CHECK(there["radius"].get<double>() == Approx(1));
       }

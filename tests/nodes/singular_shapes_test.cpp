@@ -64,7 +64,7 @@ TEST_CASE("Singular inputs: a circle becomes a line") {
          [] {
            const Json ball = plus(opened, {{"ball", make("sphere", {{"center", {-1, 0, 0}}})}});
            require_line(value(with("reflect", {{"shape", from("unit")}, {"mirror", from("ball")}}, ball)), {-0.5, 0, 0},
-                        {0, -1, 0});
+                        {0, 1, 0});
          }},
         {"transform_between",
          [] {
