@@ -10,4 +10,8 @@ namespace dini {
 /// it.
 Generator seen_from(const Generator& generator, const Vector& origin);
 
+/// A good origin for products with a bivector: the middle of a pair or circle that lies off the origin, else the origin
+/// itself. From elsewhere they lose digits with the cube of the distance over the size.
+Vector middle(const Generator& generator);
+
 }  // namespace dini

@@ -43,16 +43,6 @@ Versor sandwich(const Matrix& m, const Versor& element) {
   return result;
 }
 
-/// A good origin for a bivector: the middle of a pair or circle that lies off the origin, else the origin itself.
-/// Products lose digits with the cube of the distance over the size.
-Vector middle(const Generator& g) {
-  const double weight = squared_length(g.no_e);
-  const double size = 2 * std::abs(dot(g.no_e, g.e_ni) - 0.5 * g.no_ni * g.no_ni + 0.5 * squared_length(g.e_e));
-  if (!(weight > 0) || size >= squared_length(g.e_e) + g.no_ni * g.no_ni) return {};
-  const Vector result = (g.no_ni * g.no_e + cross(g.no_e, g.e_e)) / weight;
-  return is_finite(result) ? result : Vector{};
-}
-
 /// vec(a ~c) / |a|^2: the image of the origin by the first column, of infinity by the second with (b, d).
 std::optional<Vector> image(const Quaternion& weight, const Quaternion& rest, bool& infinite) {
   const double size = lanes::squared_size(weight);
@@ -65,6 +55,14 @@ std::optional<Vector> image(const Quaternion& weight, const Quaternion& rest, bo
 }
 
 }  // namespace
+
+Vector middle(const Generator& g) {
+  const double weight = squared_length(g.no_e);
+  const double size = 2 * std::abs(dot(g.no_e, g.e_ni) - 0.5 * g.no_ni * g.no_ni + 0.5 * squared_length(g.e_e));
+  if (!(weight > 0) || size >= squared_length(g.e_e) + g.no_ni * g.no_ni) return {};
+  const Vector result = (g.no_ni * g.no_e + cross(g.no_e, g.e_e)) / weight;
+  return is_finite(result) ? result : Vector{};
+}
 
 Generator seen_from(const Generator& generator, const Vector& origin) {
   return lanes::generator(lanes::seen_from(lanes::bivector(generator), lanes::triple(origin), 0.5));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "graph/kept_axes.h"
 #include "graph/literal.h"
 
 namespace dini {
@@ -217,7 +218,14 @@ class Inference {
       std::vector<Axes> made = node_.type->axes(node_.literals, node_.id);
       made.resize(overload.outputs.size());
       for (std::size_t output = 0; output < overload.outputs.size(); ++output) {
-        if (overload.outputs[output].makes_axes) node_.made[output] = made[output];
+        if (!overload.outputs[output].makes_axes) continue;
+        for (const Axis& axis : made[output]) {
+          if (is_kept_axes(axis)) {
+            node_.made[output].insert(node_.made[output].end(), node_.consumed.begin(), node_.consumed.end());
+          } else {
+            node_.made[output].push_back(axis);
+          }
+        }
       }
     }
     for (std::size_t output = 0; output < overload.outputs.size(); ++output) {

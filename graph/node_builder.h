@@ -82,6 +82,13 @@ class NodeBuilder {
     declaration_.add_port(std::move(name), std::move(doc), std::move(spec));
     return std::move(*this).bind_all(std::index_sequence_for<Inputs...>{}, member, other);
   }
+  /// The same for three kinds of inputs.
+  template <class T, class Owner, class U, class Other, class V, class Third>
+  NodeBuilder&& input(std::string name, T Owner::*member, U Other::*other, V Third::*third, std::string doc,
+                      InputSpec spec = required()) && {
+    declaration_.add_port(std::move(name), std::move(doc), std::move(spec));
+    return std::move(*this).bind_all(std::index_sequence_for<Inputs...>{}, member, other, third);
+  }
   NodeBuilder&& output(std::string name, std::string doc) && {
     type().outputs.push_back({std::move(name), std::move(doc), {}});
     return std::move(*this);

@@ -7,10 +7,15 @@ void add_all_nodes(Registry& registry) {
   add_random(registry);
   add_elements(registry);
   add_rounds(registry);
+  add_relations(registry);
   add_generators(registry);
   add_curvature(registry);
   add_transforms(registry);
   add_operators(registry);
+  add_reflect(registry);
+  add_between(registry);
+  add_flow(registry);
+  add_evolve(registry);
   add_fields(registry);
   add_curves(registry);
   add_sampling(registry);

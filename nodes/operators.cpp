@@ -1,8 +1,7 @@
 // Transforms that the paper builds from special operators: loxodromes, products of points, Hopf fibers, ratios of
 // spheres.
 
-#include <cmath>
-
+#include "algebra/between.h"
 #include "algebra/construct.h"
 #include "algebra/elementary.h"
 #include "algebra/extract.h"
@@ -53,8 +52,6 @@ Attempt<Versor> product_of_points(const ProductInputs& in) {
   return versor_from(product.scalar, bivector);
 }
 
-double product(const Sphere& a, const Sphere& b) { return dot(a.e, b.e) - a.no * b.ni - a.ni * b.no; }
-
 struct BoostBetweenInputs {
   Sphere from, to;
   double amount;
@@ -62,24 +59,9 @@ struct BoostBetweenInputs {
 
 /// A square root of to/from, to the power `amount`: its plane is that of the two vectors.
 Attempt<Versor> sphere_to_sphere(const BoostBetweenInputs& in) {
-  const auto& [from, to, amount] = in;
-  const double square = product(from, from) * product(to, to);
-  if (!(product(from, from) > 0) || !(product(to, to) > 0)) {
-    return Failure{"degenerate", "a sphere of radius zero has no inverse, so there is no ratio", "from"};
-  }
-  // The nearer of the two orientations of the second sphere.
-  const double sign = product(from, to) < 0 ? -1.0 : 1.0;
-  const double scale = sign / std::sqrt(square);
-  const double cosine = scale * product(from, to);
-  const Generator wedge = scale * Generator{to.no * from.e - from.no * to.e, cross(to.e, from.e),
-                                            to.no * from.ni - to.ni * from.no, from.ni * to.e - to.ni * from.e};
-  const double squared_sine = cosine * cosine - 1;
-  const double sine = std::sqrt(std::abs(squared_sine));
-  double angle_per_sine = 1;
-  if (sine > 1e-8) {
-    angle_per_sine = (squared_sine < 0 ? elementary::atan2(sine, cosine) : elementary::asinh(sine)) / sine;
-  }
-  return exponential((0.5 * amount * angle_per_sine) * wedge);
+  const std::optional<SphereRatio> ratio = sphere_ratio(in.from, in.to);
+  if (!ratio) return Failure{"degenerate", "a sphere of radius zero has no inverse, so there is no ratio", "from"};
+  return exponential((in.amount * ratio->factor) * ratio->plane);
 }
 
 /// The true fiber at `tilt` turns (a quarter is the axis) over the direction `outward`, for a base circle about the

@@ -70,6 +70,7 @@ constexpr std::array codes = {
     ProblemCode{"out-of-range", graph, 422, "A number is outside of what its place accepts."},
     ProblemCode{"not-in-choices", graph, 422, "A word is none of the choices."},
     ProblemCode{"invalid-formula", graph, 422, "A formula cannot be read."},
+    ProblemCode{"invalid-links", graph, 422, "A text that lists links between points cannot be read."},
     ProblemCode{"limit-exceeded", graph, 422, "A document, a file or a predicted result is larger than a limit."},
     ProblemCode{"non-finite", graph, 422, "A number is not finite, or became so while it was computed."},
     ProblemCode{"degenerate", graph, 422, "A value has no meaning for the node: a zero vector as an axis, say."},

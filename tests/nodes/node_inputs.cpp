@@ -79,7 +79,8 @@ class Source {
       add("place", "point", {{"position", {0.4 + mark(), -0.3, 0.6 + mark() * mark()}}});
     } else if (rank_ == 1) {
       add("ring", "circle", {{"normal", {0.2, 0.1, 1}}});
-      add("place", "sample", {{"shape", from(prefix_ + "ring")}, {"count", along_one(5)}, {"axis", "rows"}});
+      add("place", "sample",
+          {{"shape", from(prefix_ + "ring")}, {"count", along_one(4)}, {"closed", false}, {"axis", "rows"}});
     } else {
       add("place", "grid",
           {{"v_vector", {0, 1, 0.5}},
@@ -217,7 +218,7 @@ std::optional<Json> other_literal(const InputPort& port) {
     case WireType::choice:
       return Json(port.choices.front() == usual ? port.choices.back() : port.choices.front());
     case WireType::text:
-      return Json(port.names_file ? "square" : "x * 2");
+      return Json(port.names_file ? "square" : port.spec.text_fault_code == "invalid-links" ? "0-1 1-2" : "x * 2");
     default:
       return std::nullopt;
   }

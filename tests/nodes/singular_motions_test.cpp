@@ -53,6 +53,14 @@ TEST_CASE("Singular inputs: a point at a generator") {
            const Json nodes = with("orbit", {{"point", {1, 2, 3}}, {"generator", from("tau")}, {"to", 5}}, tau);
            for (const Point& p : graph_of(nodes).all<Point>("n")) require_close(p, {1, 2, 3});
          }},
+        {"flow",
+         [&] {
+           const Json nodes = with("flow", {{"point", {1, 2, 3}}, {"generator", from("tau")}}, tau);
+           for (const char* place : {"n.velocity", "n.acceleration"}) {
+             CHECK(length(graph_of(nodes).one<Vector>(place)) == 0);
+           }
+           for (const char* place : {"n.curvature", "n.torsion"}) CHECK(value(nodes, place) == 0);
+         }},
         {"contour",
          [&] {
            const Json nodes = with("contour", {{"point", {1, 2, 3}}, {"generators", {from("tau")}}}, tau);
@@ -85,6 +93,18 @@ TEST_CASE("Singular inputs: coincident points") {
        {{"circle_through",
          [&] {
            require_degenerate(with("circle_through", {{"a", at}, {"b", at}}), "b");
+         }},
+        {"sphere_through",
+         [&] {
+           require_degenerate(with("sphere_through", {{"a", at}, {"b", at}}), "d");
+           require_degenerate(with("sphere_through", {{"d", {0, -1, 0}}}), "d");
+         }},
+        {"evolve",
+         [&] {
+           for (const Point& p :
+                graph_of(with("evolve", {{"points", from("same")}, {"softening", 0}}, others)).all<Point>("n")) {
+             CHECK(p == Point{1, 2, 3});
+           }
          }},
         {"point_pair_through",
          [&] {
@@ -134,6 +154,17 @@ TEST_CASE("Singular inputs: both weights -1") {
            CHECK(value(nodes, "n.scalar") == 0);
            CHECK_FALSE(graph_of(nodes).one<Generator>("n") == Generator{});
          }},
+        {"evolve",
+         [] {
+           const auto way = [](double weight) {
+             const Json ends = {{"ends", make("list", {{"items", {{0, 0, -1}, {0, 0, 1}}}})}};
+             const Json nodes = with(
+                 "evolve", {{"points", from("ends")}, {"weights", weight}, {"steps", 2}, {"strength", 1e-4}}, ends);
+             return graph_of(nodes).all<Point>("n")[2].z + 1;
+           };
+           CHECK(way(-1) > 0);
+           CHECK(way(-1) == Approx(2 * way(0)).epsilon(1e-3));
+         }},
         {"product", [&] {
            const auto image = [&](double amount) {
              return with("product", plus(poles, {{"shape", from("spot")}, {"amount", amount}}), {{"spot", spot}});
@@ -154,7 +185,31 @@ TEST_CASE("Singular inputs: parallel and opposite lines") {
     return point(with(type, {{"shape", from("spot")}, {"from", from("a")}, {"to", from("b")}, {"amount", amount}},
                       {{"spot", spot}, {"a", first}, {"b", second}}));
   };
-  hold("parallel lines", {{"twist_between",
+  const auto seen = [](const char* type, const char* first, const char* second, const Json& a, const Json& b,
+                       const char* place = "n") {
+    return value(with(type, {{first, from("a")}, {second, from("b")}}, {{"a", a}, {"b", b}}), place);
+  };
+  hold("parallel lines", {{"meet",
+                           [&] {
+                             const Json other = plane(2, 1), along = line({0, 0, 1}, {1, 0, 0});
+                             for (const Json& shape : {plane(0, -1), along}) {
+                               CHECK(seen("meet", "shape", "sphere", shape, other, "n.kind") == 0);
+                               CHECK(seen("meet", "shape", "sphere", shape, other, "n.a").is_null());
+                             }
+                           }},
+                          {"distance",
+                           [&] {
+                             const Json a = line({0, 0, 1}, {1, 0, 0}), b = line({7, 2, 1}, {-3, 0, 0});
+                             CHECK(seen("distance", "shape", "other", a, b).get<double>() == Approx(2));
+                             CHECK(seen("distance", "shape", "other", plane(1, 1), plane(4, -1)) == 3);
+                           }},
+                          {"angle",
+                           [&] {
+                             const Json a = line({0, 0, 1}, {1, 0, 0}), b = line({7, 2, 1}, {-3, 0, 0});
+                             CHECK(seen("angle", "shape", "other", a, b).get<double>() == Approx(180));
+                             CHECK(seen("angle", "shape", "other", a, a).get<double>() == Approx(0).margin(1e-6));
+                           }},
+                          {"twist_between",
                            [&] {
                              const Json a = line({0, 0, 1}, {1, 0, 0}), b = line({7, 2, 1}, {3, 0, 0});
                              require_close(carried("twist_between", a, b, 1), {1, 2.5, 0.25});
@@ -164,8 +219,27 @@ TEST_CASE("Singular inputs: parallel and opposite lines") {
                           {"boost_between", [&] {
                              require_close(carried("boost_between", plane(0, 1), plane(2, 1), 1), {1, 0.5, 2.25});
                            }}});
+  /// The circle or line that goes from itself to itself run the other way gets there.
+  const auto reverses = [&](const char* type) {
+    return [&, type] {
+      for (const char* method : {"similarity", "conformal"}) {
+        Json inputs = {{"from", from("a")}, {"to", from("b")}, {"method", method}};
+        if (std::string(type) != "logarithm") inputs["amount"] = 1;
+        if (std::string(type) == "transform_between") inputs["shape"] = from("a");
+        Json nodes = with(type, inputs, {{"a", make("circle")}, {"b", make("circle", {{"normal", {0, 0, -1}}})}});
+        const bool is_generator = std::string(type) == "logarithm";
+        if (is_generator) nodes["moved"] = make("transform", {{"shape", from("a")}, {"generator", from("n")}});
+        const Json there = value(nodes, is_generator ? "moved" : "n");
+        require_close(triple(there["normal"]), {0, 0, -1}, 1e-12);
+        CHECK(there["radius"].get<double>() == Approx(1));
+      }
+    };
+  };
   hold("opposite lines",
-       {{"twist_between",
+       {{"transform_between", reverses("transform_between")},
+        {"logarithm", reverses("logarithm")},
+        {"blend", reverses("blend")},
+        {"twist_between",
          [&] {
            const Json a = line({0, 0, 1}, {1, 0, 0});
            for (const Json& b : {line({0, 2, 1}, {-1, 0, 0}), line({0, 0, 1}, {-2, 0, 0})}) {

@@ -60,6 +60,19 @@ TEST_CASE("Singular inputs: a circle becomes a line") {
         {"axis_of", refuses("axis_of")},
         {"poles_of", refuses("poles_of")},
         {"radius_of", refuses("radius_of")},
+        {"reflect",
+         [] {
+           const Json ball = plus(opened, {{"ball", make("sphere", {{"center", {-1, 0, 0}}})}});
+           require_line(value(with("reflect", {{"shape", from("unit")}, {"mirror", from("ball")}}, ball)), {-0.5, 0, 0},
+                        {0, 1, 0});
+         }},
+        {"transform_between",
+         [] {
+           Json inputs = {{"shape", from("unit")}, {"from", from("unit")}, {"to", from("opened")}};
+           require_degenerate(with("transform_between", inputs, opened), "to");
+           inputs["method"] = "conformal";
+           require_line(value(with("transform_between", inputs, opened)), {0.5, 0, 0}, {0, 1, 0});
+         }},
         {"center_of",
          [] {
            CHECK(point(with("center_of", {{"shape", from("opened")}}, opened)) == Point::at_infinity());
@@ -144,6 +157,52 @@ TEST_CASE("Singular inputs: a zero radius") {
            require_close(triple(shape("center_of")), {1, 2, 3});
          }},
         {"radius_of", [&] { CHECK(shape("radius_of") == 0); }},
+        {"reflect",
+         [&] {
+           require_degenerate(with("reflect", {{"shape", from("c")}, {"mirror", from("s")}}, c), "mirror");
+         }},
+        {"meet",
+         [&] {
+           const Json through = plus(c, {{"plane", make("plane", {{"point", {0, 0, 3}}})}, {"other", make("plane")}});
+           for (const char* given : {"c", "s"}) {
+             const Json touching = with("meet", {{"shape", from(given)}, {"sphere", from("plane")}}, through);
+             CHECK(value(touching, "n.kind") == 0);
+             require_close(point(touching, "n.a"), {1, 2, 3});
+             CHECK(value(with("meet", {{"shape", from(given)}, {"sphere", from("other")}}, through), "n.kind") == -1);
+           }
+         }},
+        {"project",
+         [&] {
+           for (const char* given : {"c", "s"}) {
+             require_close(point(with("project", {{"shape", from(given)}, {"point", {4, 2, 7}}}, c)), {1, 2, 3});
+             CHECK(value(with("project", {{"shape", from(given)}, {"point", {4, 2, 7}}}, c), "n.distance") == 5);
+           }
+         }},
+        {"distance",
+         [&] {
+           CHECK(value(with("distance", {{"shape", from("c")}, {"other", {4, 2, 7}}}, c)) == 5);
+         }},
+        {"angle",
+         [&] {
+           require_degenerate(with("angle", {{"shape", from("unit")}, {"other", from("s")}}, c), "other");
+           require_degenerate(with("angle", {{"shape", from("c")}, {"other", from("unit")}}, c), "shape");
+         }},
+        {"transform_between",
+         [&] {
+           const Json ring = plus(c, {{"ring", make("circle")}});
+           for (const char* method : {"similarity", "conformal"}) {
+             Json inputs = {{"shape", from("ring")}, {"from", from("c")}, {"to", from("ring")}, {"method", method}};
+             require_degenerate(with("transform_between", inputs, ring), "from");
+           }
+         }},
+        {"logarithm",
+         [&] {
+           require_degenerate(with("logarithm", {{"from", from("s")}, {"to", from("unit")}}, c), "from");
+         }},
+        {"blend",
+         [&] {
+           require_degenerate(with("blend", {{"from", from("c")}, {"to", from("c")}}, c), "from");
+         }},
         {"boost_between",
          [&] {
            require_degenerate(
@@ -212,6 +271,13 @@ TEST_CASE("Singular inputs: a zero direction") {
   hold("zero direction",
        {{"circle", refused("circle", "normal")},
         {"line", refused("line", "direction")},
+        {"plane", refused("plane", "normal")},
+        {"flow",
+         [&] {
+           const Json nodes = with("flow", {{"point", {1, 2, 3}}, {"generator", from("none")}}, others);
+           CHECK(graph_of(nodes).one<Vector>("n.velocity") == Vector{});
+           CHECK(value(nodes, "n.torsion") == 0);
+         }},
         {"osculating_sphere", refused("osculating_sphere", "normal")},
         {"torus_mesh", refused("torus_mesh", "axis")},
         {"contour", refused("contour", "normal", {{"generators", {from("tau")}}})},
