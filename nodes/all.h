@@ -16,6 +16,8 @@ void add_curvature(Registry& registry);
 void add_transforms(Registry& registry);
 void add_operators(Registry& registry);
 void add_fields(Registry& registry);
+void add_implicit(Registry& registry);
+void add_implicit_surface(Registry& registry);
 void add_curves(Registry& registry);
 void add_sampling(Registry& registry);
 void add_surfaces(Registry& registry);

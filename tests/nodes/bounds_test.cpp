@@ -71,6 +71,8 @@ bool is_whole(const T& value) {
     return value != nullptr && !mesh_defect(*value) && std::all_of(value->color.begin(), value->color.end(), shade);
   } else if constexpr (std::is_same_v<T, SharedFile>) {
     return value != nullptr && value->bytes->starts_with("glTF");
+  } else if constexpr (std::is_same_v<T, SharedField>) {
+    return value != nullptr && !std::isnan(value_at(*value, {0.3, -0.2, 0.5}));
   } else if constexpr (std::is_same_v<T, Point>) {
     return is_finite(value) || value == Point::at_infinity();
   } else if constexpr (std::is_same_v<T, Circle> || std::is_same_v<T, Sphere>) {
