@@ -139,8 +139,8 @@ void add_implicit(Registry& registry) {
           .synonyms({"implicit sphere", "half space", "signed distance", "field"})
           .doc("The inside of a sphere, or what is behind a plane, as a field.")
           .details("The field is the distance from the shape, below zero inside. Behind a plane is where its normal "
-                   "comes from. Transforms carry fields as they carry shapes.")
-          .degenerate("zero radius", "A point: a field without a solid.")
+                   "comes from. Transforms carry fields as they carry shapes. A sphere of radius zero is a field "
+                   "without a solid.")
           .input("shape", "The sphere or plane.")
           .input("inverted", &SolidInputs::inverted, "All the rest of space instead.", defaults(false))
           .cost(cost_of_field)
@@ -153,10 +153,8 @@ void add_implicit(Registry& registry) {
           .synonyms({"implicit torus", "metaballs", "thick curve", "point cloud"})
           .doc("Everything within a distance of a circle, of a line or of points, as a field.")
           .details("A torus around a circle, a cylinder around a line, balls around points. Balls that are near one "
-                   "another are joined smoothly as blend says.")
-          .degenerate("zero radius", "The ball around a point.")
-          .degenerate("circle to line", "The cylinder around it.")
-          .degenerate("coincident points", "Without a blend they act as one; with one they swell a little.")
+                   "another are joined smoothly as blend says; those at one place act as one without a blend, and swell a "
+                   "little with one. Around a circle of radius zero there is a ball.")
           .input("shape", "A circle or line, or points over an axis.")
           .input("distance", &AroundInputs::distance, "How far the solid reaches around the shape.",
                  defaults(0.2).hard(1e-6, 1e6).soft(0.01, 1).unit("m"))
