@@ -1,5 +1,5 @@
-// Meshing implicit solids: six boosted primitives, blended, in grids of 64, 128 and 256 cells, on one thread and two; and
-// the same solid under a warp by four pairs.
+// Meshing implicit solids: six boosted primitives, blended, in grids of 64, 128 and 256 cells, on one thread and two;
+// and the same solid under a warp by four pairs.
 
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>

@@ -45,7 +45,7 @@ SolidBall ball_around(const std::vector<SolidBall>& balls) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Vector low{infinity, infinity, infinity}, high = -low;
   for (const SolidBall& ball : balls) {
-    const Vector &c = ball.center;
+    const Vector& c = ball.center;
     const double r = ball.radius;
     low = {std::min(low.x, c.x - r), std::min(low.y, c.y - r), std::min(low.z, c.z - r)};
     high = {std::max(high.x, c.x + r), std::max(high.y, c.y + r), std::max(high.z, c.z + r)};
@@ -81,10 +81,7 @@ std::optional<Reach> reach_of_blend(const std::vector<SharedField>& fields, doub
 class BlendField : public ScalarField {
  public:
   BlendField(std::vector<SharedField> fields, double side, double blend, std::optional<Reach> reach)
-      : ScalarField(size_over(fields, sizeof(*this)), reach),
-        fields_(std::move(fields)),
-        side_(side),
-        blend_(blend) {}
+      : ScalarField(size_over(fields, sizeof(*this)), reach), fields_(std::move(fields)), side_(side), blend_(blend) {}
 
   void values(const Places& at, double* out) const override {
     const std::size_t count = fields_.size();

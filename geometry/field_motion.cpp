@@ -183,11 +183,10 @@ class MovedField : public ScalarField {
     const auto coordinate = [&](double origin, const Vector& row, double square) {
       return image_of(origin, row, square, place, power) / weight;
     };
-    const SolidBall image{
-        {coordinate(map.origin.e.x, {map.x.e.x, map.y.e.x, map.z.e.x}, map.infinity.e.x),
-         coordinate(map.origin.e.y, {map.x.e.y, map.y.e.y, map.z.e.y}, map.infinity.e.y),
-         coordinate(map.origin.e.z, {map.x.e.z, map.y.e.z, map.z.e.z}, map.infinity.e.z)},
-        ball.radius / weight};
+    const SolidBall image{{coordinate(map.origin.e.x, {map.x.e.x, map.y.e.x, map.z.e.x}, map.infinity.e.x),
+                           coordinate(map.origin.e.y, {map.x.e.y, map.y.e.y, map.z.e.y}, map.infinity.e.y),
+                           coordinate(map.origin.e.z, {map.x.e.z, map.y.e.z, map.z.e.z}, map.infinity.e.z)},
+                          ball.radius / weight};
     if (!is_finite(image.center) || !std::isfinite(image.radius)) return std::nullopt;
     return image;
   }

@@ -40,10 +40,7 @@ class OffsetField : public ScalarField {
 class ShellField : public ScalarField {
  public:
   ShellField(SharedField field, double middle, double half, std::optional<Reach> reach)
-      : ScalarField(size_over({field}, sizeof(*this)), reach),
-        field_(std::move(field)),
-        middle_(middle),
-        half_(half) {}
+      : ScalarField(size_over({field}, sizeof(*this)), reach), field_(std::move(field)), middle_(middle), half_(half) {}
 
   void values(const Places& at, double* out) const override {
     field_->values(at, out);

@@ -128,8 +128,7 @@ SolidBall ball_around(const Column<Point>& points) {
 class BallsField : public ScalarField {
  public:
   BallsField(Column<Point> centers, double radius, double blend, SolidBall around)
-      : ScalarField({1, 1, sizeof(*this) + centers.bytes()},
-                    Reach{{around.center, around.radius + radius + blend}, 1}),
+      : ScalarField({1, 1, sizeof(*this) + centers.bytes()}, Reach{{around.center, around.radius + radius + blend}, 1}),
         centers_(std::move(centers)),
         around_(around),
         radius_(radius),
@@ -191,7 +190,9 @@ class BallsField : public ScalarField {
 
 SharedField sphere_field(const Vector& center, double radius) { return std::make_shared<SphereField>(center, radius); }
 
-SharedField plane_field(const Vector& normal, double distance) { return std::make_shared<PlaneField>(normal, distance); }
+SharedField plane_field(const Vector& normal, double distance) {
+  return std::make_shared<PlaneField>(normal, distance);
+}
 
 SharedField ring_field(const Vector& center, const Vector& normal, double radius, double thickness) {
   return std::make_shared<RingField>(center, normal, radius, thickness);

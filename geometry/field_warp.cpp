@@ -64,8 +64,7 @@ class WarpedField : public ScalarField {
     const auto along = [&](const Vector& axis) {
       const PulledBack ahead = pulled_back(at + step * axis), behind = pulled_back(at - step * axis);
       const Vector moved = (ahead.place - behind.place) / (2 * step);
-      return back.weight * dot(there.gradient, moved) +
-             there.value * ((ahead.weight - behind.weight) / (2 * step));
+      return back.weight * dot(there.gradient, moved) + there.value * ((ahead.weight - behind.weight) / (2 * step));
     };
     return {back.weight * there.value, {along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})}};
   }

@@ -125,9 +125,10 @@ class BrickSampler {
       }
     }
     std::vector<Vector> outward(from.size());
-    for (std::size_t i = 0; i < from.size(); ++i) outward[i] = normalized(low[i] < 0 ? to[i] - from[i] : from[i] - to[i]);
-    const std::vector<Vector> places = Secants(std::move(from), std::move(to), std::move(low), std::move(high))
-                                           .zeros(*brick_.field);
+    for (std::size_t i = 0; i < from.size(); ++i)
+      outward[i] = normalized(low[i] < 0 ? to[i] - from[i] : from[i] - to[i]);
+    const std::vector<Vector> places =
+        Secants(std::move(from), std::move(to), std::move(low), std::move(high)).zeros(*brick_.field);
     crossings_.reserve(places.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
       crossings_.push_back({places[i], normal_at(*brick_.field, places[i], outward[i])});
@@ -142,8 +143,12 @@ class BrickSampler {
       inside |= (values[c] < 0 ? 1U : 0U) << c;
     }
     if (inside == 0 || inside == 0xFF) return;
-    CrossedCell cell{place, static_cast<std::uint8_t>(inside), false, loops_of(values),
-                     static_cast<std::uint32_t>(surface_.places.size()), {}};
+    CrossedCell cell{place,
+                     static_cast<std::uint8_t>(inside),
+                     false,
+                     loops_of(values),
+                     static_cast<std::uint32_t>(surface_.places.size()),
+                     {}};
     cell.vertices.fill(no_loop);
     const double half = 0.5 * grid_.step;
     const Vector center = corner(place[0], place[1], place[2]) + Vector{half, half, half};
@@ -159,12 +164,12 @@ class BrickSampler {
     for (std::size_t edge = 0; edge < 12; ++edge) {
       if (cell.loops.loop[edge] != loop) continue;
       const auto lower = static_cast<unsigned>(ends_of_edge(static_cast<int>(edge))[0]);
-      const std::size_t index = corner_index(cell.place[0] + (lower & 1), cell.place[1] + (lower >> 1 & 1),
-                                             cell.place[2] + (lower >> 2 & 1));
+      const std::size_t index =
+          corner_index(cell.place[0] + (lower & 1), cell.place[1] + (lower >> 1 & 1), cell.place[2] + (lower >> 2 & 1));
       edges.push_back(edge);
       around.push_back(crossings_[static_cast<std::size_t>(crossing_at_[edge / 4][index])]);
     }
-    const ImplicitVertex vertex = implicit_vertex(*brick_.field, around, center, grid_.step);
+    const ImplicitVertex vertex = implicit_vertex(*brick_.field, around, center, grid_.step, cell.loops.count == 1);
     const auto first = static_cast<std::uint8_t>(surface_.places.size() - cell.first);
     for (const Vector& normal : vertex.normals) {
       surface_.places.push_back(vertex.place);

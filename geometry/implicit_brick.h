@@ -16,7 +16,7 @@ struct CrossedCell {
   std::uint8_t inside = 0;            ///< bit of each corner that is inside
   bool sharp = false;                 ///< has a vertex on an edge of the surface
   CellLoops loops;
-  std::uint32_t first = 0;               ///< its first vertex in the brick
+  std::uint32_t first = 0;                ///< its first vertex in the brick
   std::array<std::uint8_t, 12> vertices;  ///< at which place from there on the vertex of each crossed edge is
 };
 

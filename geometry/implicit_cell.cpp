@@ -22,7 +22,8 @@ constexpr std::array<Face, 6> faces = [] {
     const int first = face % 2 << axis;
     const std::array<int, 4> corners = {first, first | 1 << u, first | 1 << u | 1 << v, first | 1 << v};
     all[static_cast<std::size_t>(face)] = {
-        corners, {edge_from(u, corners[0]), edge_from(v, corners[1]), edge_from(u, corners[3]), edge_from(v, corners[0])}};
+        corners,
+        {edge_from(u, corners[0]), edge_from(v, corners[1]), edge_from(u, corners[3]), edge_from(v, corners[0])}};
   }
   return all;
 }();
@@ -97,7 +98,8 @@ CellLoops loops_of(const std::array<double, 8>& values) {
     const auto& edges = at(face).edges;
     const bool one = loops.loop[static_cast<std::size_t>(edges[0])] == loops.loop[static_cast<std::size_t>(edges[2])] &&
                      loops.loop[static_cast<std::size_t>(edges[1])] == loops.loop[static_cast<std::size_t>(edges[3])];
-    const bool all = one && loops.loop[static_cast<std::size_t>(edges[0])] == loops.loop[static_cast<std::size_t>(edges[1])];
+    const bool all =
+        one && loops.loop[static_cast<std::size_t>(edges[0])] == loops.loop[static_cast<std::size_t>(edges[1])];
     if (all) loops.doubled = static_cast<std::uint8_t>(loops.doubled | 1 << face);
   }
   return loops;

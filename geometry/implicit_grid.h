@@ -9,8 +9,8 @@
 
 namespace dini {
 
-/// Cubic cells that cover a box and half a cell more on all sides, so that the border of the box runs through the middle
-/// of the outermost ones.
+/// Cubic cells that cover a box and half a cell more on all sides, so that the border of the box runs through the
+/// middle of the outermost ones.
 struct ImplicitGrid {
   Vector low;
   double step = 1;
@@ -18,7 +18,9 @@ struct ImplicitGrid {
 
   /// The lower corner of a cell. One place has the same coordinates to the last bit in whichever cell it is met.
   Vector corner(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
-    const auto at = [&](double start, std::uint32_t index) { return start + step * (static_cast<double>(index) - 0.5); };
+    const auto at = [&](double start, std::uint32_t index) {
+      return start + step * (static_cast<double>(index) - 0.5);
+    };
     return {at(low.x, i), at(low.y, j), at(low.z, k)};
   }
 };

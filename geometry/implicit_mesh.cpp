@@ -70,8 +70,8 @@ class Mesher {
            std::size_t{sides_[0]} * (cell[1] / Brick::side + std::size_t{sides_[1]} * (cell[2] / Brick::side));
   }
 
-  /// The crossed cell at a place. An edge of the grid that the surface crosses has crossed cells all around, since signs
-  /// at a corner agree in all bricks.
+  /// The crossed cell at a place. An edge of the grid that the surface crosses has crossed cells all around, since
+  /// signs at a corner agree in all bricks.
   CellAtEdge cell_at(const Cell& cell, int edge) const {
     const std::uint32_t brick = brick_at_[brick_index(cell)];
     constexpr std::uint32_t within = Brick::side - 1;
@@ -118,9 +118,9 @@ class Mesher {
       const auto [from, to] = ends_of_edge(edge);
       middle = middle + 0.5 * crossing_between(field, corner(from), corner(to));
     }
-    on_faces_.emplace(FaceCurve{place[0], place[1], place[2], static_cast<std::uint32_t>(axis),
-                                static_cast<std::uint32_t>(curve)},
-                      static_cast<std::uint32_t>(vertices++));
+    on_faces_.emplace(
+        FaceCurve{place[0], place[1], place[2], static_cast<std::uint32_t>(axis), static_cast<std::uint32_t>(curve)},
+        static_cast<std::uint32_t>(vertices++));
     extra_places_.push_back(middle);
     extra_normals_.push_back(normal_at(field, middle, {0, 0, 1}));
   }
@@ -219,7 +219,8 @@ class Mesher {
     for (std::size_t b = 0; b < bricks_.size() && !cancel_.stopped(); ++b) {
       add(surfaces_[b].places, surfaces_[b].normals);
       const std::size_t begin = tile_ends.empty() ? 0 : tile_ends.back();
-      if (all.size() > begin && all.size() + triangles[b].size() - begin > most_in_tile) tile_ends.push_back(all.size());
+      if (all.size() > begin && all.size() + triangles[b].size() - begin > most_in_tile)
+        tile_ends.push_back(all.size());
       for (const Triangle& triangle : triangles[b]) all.push_back(triangle);
     }
     add(extra_places_, extra_normals_);

@@ -8,7 +8,7 @@ namespace dini {
 
 /// The box that is looked into, and how finely.
 struct ImplicitOptions {
-  Vector low, high;            ///< low below high in every coordinate
+  Vector low, high;             ///< low below high in every coordinate
   std::size_t resolution = 64;  ///< cells along the longest side
   std::size_t most_vertices = 0;
 };

@@ -76,15 +76,28 @@ Vector clamped(const Vector& place, const Vector& center, double half) {
   return {within(place.x, center.x), within(place.y, center.y), within(place.z, center.z)};
 }
 
-/// Steps down the gradient to the surface while that helps and stays in the cell.
+/// Where a step along the gradient to the surface ends, kept in the cell: what would leave it goes along its side.
+Vector stepped(const Vector& place, const Slope& slope, const Vector& center, double half) {
+  const auto blocked = [&](double x, double middle, double gradient) {
+    const double away = -slope.value * gradient;
+    return away > 0 ? x >= middle + half : x <= middle - half;
+  };
+  Vector free = slope.gradient;
+  if (blocked(place.x, center.x, free.x)) free.x = 0;
+  if (blocked(place.y, center.y, free.y)) free.y = 0;
+  if (blocked(place.z, center.z, free.z)) free.z = 0;
+  const double steepness = squared_length(free);
+  return steepness > 0 ? clamped(place - (slope.value / steepness) * free, center, half) : place;
+}
+
+/// Steps to the surface while that helps.
 Slope polish(const ScalarField& field, Vector& place, const Vector& center, double half) {
-  constexpr int most_steps = 4;
+  constexpr int most_steps = 8;
   constexpr double good_enough = 1e-12;
   Slope slope = field.slope(place);
   for (int step = 0; step < most_steps && std::abs(slope.value) > good_enough * half; ++step) {
-    const double steepness = squared_length(slope.gradient);
-    if (!(steepness > 0) || !std::isfinite(steepness)) break;
-    const Vector next = clamped(place - (slope.value / steepness) * slope.gradient, center, half);
+    if (!is_finite(slope.gradient)) break;
+    const Vector next = stepped(place, slope, center, half);
     const Slope there = field.slope(next);
     if (!(std::abs(there.value) < std::abs(slope.value))) break;
     place = next;
@@ -115,7 +128,7 @@ void find_sides(std::span<const Crossing> crossings, ImplicitVertex& vertex) {
 }  // namespace
 
 ImplicitVertex implicit_vertex(const ScalarField& field, std::span<const Crossing> crossings, const Vector& center,
-                               double step) {
+                               double step, bool only_piece) {
   Vector place, normal;
   for (const Crossing& crossing : crossings) {
     place = place + crossing.place;
@@ -124,11 +137,11 @@ ImplicitVertex implicit_vertex(const ScalarField& field, std::span<const Crossin
   place = place / static_cast<double>(crossings.size());
   normal = normalized(normal);
   const double half = 0.5 * within_cell * step;
-  const bool is_smooth =
-      std::all_of(crossings.begin(), crossings.end(), [&](const Crossing& c) { return dot(c.normal, normal) > smooth; });
-  if (!is_smooth) place = where_planes_meet(crossings, place);
+  const bool is_smooth = std::all_of(crossings.begin(), crossings.end(),
+                                     [&](const Crossing& c) { return dot(c.normal, normal) > smooth; });
+  if (!is_smooth && only_piece) place = where_planes_meet(crossings, place);
   ImplicitVertex vertex{clamped(place, center, half), {}, {}};
-  const Slope slope = polish(field, vertex.place, center, half);
+  const Slope slope = only_piece ? polish(field, vertex.place, center, half) : field.slope(vertex.place);
   if (!is_smooth) {
     find_sides(crossings, vertex);
     return vertex;

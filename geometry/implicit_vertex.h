@@ -24,8 +24,9 @@ struct ImplicitVertex {
 /// The vertex of the piece of surface that leaves the cell with this center and edge length at the crossings. Where the
 /// normals agree it is on the surface, to the accuracy of the field's gradient; where they do not, it is where the
 /// tangent planes meet (Ju, Losasso, Schaefer and Warren, Dual Contouring of Hermite Data, 2002). It lies inside the
-/// cell, never on its border, so that vertices of two cells never agree.
+/// cell, never on its border, so that vertices of two cells never agree. Of several pieces in one cell, which could be
+/// taken to one place, each has its vertex in the middle of its crossings.
 ImplicitVertex implicit_vertex(const ScalarField& field, std::span<const Crossing> crossings, const Vector& center,
-                               double step);
+                               double step, bool only_piece);
 
 }  // namespace dini

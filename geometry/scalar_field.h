@@ -4,9 +4,9 @@
 // the distance from it, in meters. A field is an immutable tree of shapes and of what is done with them; whoever makes
 // one of another shares it.
 //
-// What a mesher needs of a field beside its values is a bound of them over a ball (SolidBall): conformal maps take balls
-// to balls, so a bound goes through a boost without getting wider. With it comes the field that is left of it in that
-// ball: of a union of a thousand shapes the few that decide there.
+// What a mesher needs of a field beside its values is a bound of them over a ball (SolidBall): conformal maps take
+// balls to balls, so a bound goes through a boost without getting wider. With it comes the field that is left of it in
+// that ball: of a union of a thousand shapes the few that decide there.
 
 #include <array>
 #include <cstddef>

@@ -21,7 +21,8 @@ constexpr std::array<WireInfo, 14> types = {{
     {WireType::mesh, "mesh", "mesh", "#7F61FF", "square", "A triangle mesh.", false},
     {WireType::asset, "asset", "asset", "#F1491A", "rounded", "A finished file with its media type.", false},
     {WireType::field, "field", "field", "#A83054", "outline",
-     "A number at every place of space: below zero inside a solid, and near its surface the distance from it, in meters.",
+     "A number at every place of space: below zero inside a solid, and near its surface the distance from it, in "
+     "meters.",
      false},
     {WireType::integer, "integer", "number", "#C1D7D0", "dot", "A whole number, written in the graph.", true},
     {WireType::text, "text", "number", "#C1D7D0", "dot", "A short text, written in the graph.", true},

@@ -28,9 +28,8 @@ Json family_titles() {
   return {{{"name", "numbers"}, {"title", "Numbers"}},       {{"name", "elements"}, {"title", "Elements"}},
           {{"name", "generators"}, {"title", "Generators"}}, {{"name", "transforms"}, {"title", "Transforms"}},
           {{"name", "fields"}, {"title", "Fields"}},         {{"name", "implicit"}, {"title", "Implicit solids"}},
-          {{"name", "sampling"}, {"title", "Sampling"}},
-          {{"name", "surfaces"}, {"title", "Surfaces"}},     {{"name", "meshes"}, {"title", "Meshes"}},
-          {{"name", "answers"}, {"title", "Answers"}}};
+          {{"name", "sampling"}, {"title", "Sampling"}},     {{"name", "surfaces"}, {"title", "Surfaces"}},
+          {{"name", "meshes"}, {"title", "Meshes"}},         {{"name", "answers"}, {"title", "Answers"}}};
 }
 
 }  // namespace dini

@@ -152,9 +152,10 @@ void add_implicit(Registry& registry) {
           .family("implicit")
           .synonyms({"implicit torus", "metaballs", "thick curve", "point cloud"})
           .doc("Everything within a distance of a circle, of a line or of points, as a field.")
-          .details("A torus around a circle, a cylinder around a line, balls around points. Balls that are near one "
-                   "another are joined smoothly as blend says; those at one place act as one without a blend, and swell a "
-                   "little with one. Around a circle of radius zero there is a ball.")
+          .details(
+              "A torus around a circle, a cylinder around a line, balls around points. Balls that are near one "
+              "another are joined smoothly as blend says; those at one place act as one without a blend, and swell a "
+              "little with one. Around a circle of radius zero there is a ball.")
           .input("shape", "A circle or line, or points over an axis.")
           .input("distance", &AroundInputs::distance, "How far the solid reaches around the shape.",
                  defaults(0.2).hard(1e-6, 1e6).soft(0.01, 1).unit("m"))
@@ -170,10 +171,11 @@ void add_implicit(Registry& registry) {
           .family("implicit")
           .synonyms({"boolean", "smooth union", "csg", "difference", "intersection"})
           .doc("The union, intersection or difference of solids, with sharp or round seams.")
-          .details("With a blend b the value v of fields d is the one with sum max(0, v + b - d)^2 = b^2: two planes at "
-                   "a right angle are joined by a fillet of radius b, the order does not matter, and what is b or more "
-                   "away from the surface of the others is as it was. A difference is what is in the first field and "
-                   "in none of the others.")
+          .details(
+              "With a blend b the value v of fields d is the one with sum max(0, v + b - d)^2 = b^2: two planes at "
+              "a right angle are joined by a fillet of radius b, the order does not matter, and what is b or more "
+              "away from the surface of the others is as it was. A difference is what is in the first field and "
+              "in none of the others.")
           .input("fields", &CombineInputs::fields, "Links to one or several, or one family of them.",
                  required().several())
           .consumed_axis("over", "The axis to combine over; empty means the last of fields.")

@@ -41,9 +41,9 @@ Attempt<SharedMesh> implicit_surface(const Context& context, const SharedField& 
     resolution = std::clamp(static_cast<std::size_t>(coarse), std::size_t{least_resolution}, asked);
   }
   for (;;) {
-    ImplicitSurface surface = implicit_mesh(
-        field, {center - 0.5 * in.size, center + 0.5 * in.size, resolution, most_vertices(resolution)},
-        context.cancel());
+    ImplicitSurface surface =
+        implicit_mesh(field, {center - 0.5 * in.size, center + 0.5 * in.size, resolution, most_vertices(resolution)},
+                      context.cancel());
     if (surface.too_large) {
       return Failure{"limit-exceeded",
                      "the surface is so large or so folded that it would have more than " +
@@ -81,10 +81,10 @@ void add_implicit_surface(Registry& registry) {
                   "(2004)")
           .details(
               "Closed and two-manifold whatever the field is: each edge has two triangles. Edges and corners of the "
-              "solid are kept, vertices of smooth parts are on the surface, and faces within about a quarter of "
-              "cell^2 / radius of curvature. What is smaller than a cell may be missed, or joined to what is beside it. "
-              "A solid that reaches the border of the box is closed there, with a warning. Only cells where the bounds "
-              "of the field allow a surface are looked at.")
+              "solid are kept. Where it is smooth, faces are within a third of cell^2 / radius of curvature of the "
+              "surface, vertices within a fiftieth. What is smaller than a cell may be missed, or joined to what is "
+              "beside it. A solid that reaches the border of the box is closed there, with a warning. Only cells where "
+              "the bounds of the field allow a surface are looked at.")
           .input("field", "The field.")
           .input("center", &ImplicitInputs::center, "Center of the box.",
                  defaults({0, 0, 0}).unit("m").position_handle())

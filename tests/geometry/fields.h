@@ -11,7 +11,9 @@
 namespace dini::support {
 
 /// A boost of moderate strength.
-inline Versor random_boost(RandomElements& random) { return exponential(null_pair(random.point(1.5), random.vector(0.3))); }
+inline Versor random_boost(RandomElements& random) {
+  return exponential(null_pair(random.point(1.5), random.vector(0.3)));
+}
 
 inline SharedField moved(const SharedField& field, const Versor& versor) { return moved_field(field, versor).value(); }
 

@@ -106,7 +106,8 @@ TEST_CASE("Bounds become as narrow as the ball") {
   }
 }
 
-TEST_CASE("The field of a boosted sphere is never more than the distance from its image, and is that distance outside") {
+TEST_CASE(
+    "The field of a boosted sphere is never more than the distance from its image, and is that distance outside") {
   RandomElements random(5);
   for (int round = 0; round < 300; ++round) {
     const Vector center = random.vector();
@@ -141,7 +142,7 @@ TEST_CASE("A boosted ring is at least as far as its field says, and as far where
       // A place of the surface, found along a ray from the core of the tube.
       const Vector across = normalized(cross(normal, random.vector()));
       const Vector out = normalized(random.vector());
-      double low = 0, high = 0.3;
+      double low = 0, high = 3;
       for (int step = 0; step < 60; ++step) {
         const double middle = (low + high) / 2;
         (value_at(*ring, center + 0.6 * across + middle * out) < 0 ? low : high) = middle;
@@ -162,10 +163,12 @@ TEST_CASE("A boosted ring is at least as far as its field says, and as far where
 TEST_CASE("No field is NaN, not at the point that goes to infinity either") {
   const Versor boost = exponential(null_pair({0, 0, 0}, {0, 0, 0.5}));
   const Vector pole{0, 0, 2};  // what comes there was at infinity
-  for (const SharedField& shape : {sphere_field({0.1, 0, 0}, 1), plane_field({0, 0, 1}, 0.2), sphere_field({0, 0, -2}, 1),
-                                   ring_field({}, {0, 0, 1}, 0.5, 0.1), rod_field({}, {0, 1, 0}, 0.1)}) {
+  for (const SharedField& shape :
+       {sphere_field({0.1, 0, 0}, 1), plane_field({0, 0, 1}, 0.2), sphere_field({0, 0, -2}, 1),
+        ring_field({}, {0, 0, 1}, 0.5, 0.1), rod_field({}, {0, 1, 0}, 0.1)}) {
     const SharedField field = moved(shape, boost);
-    for (const Vector& place : {pole, -pole, Vector{}, Vector{0, 0, 2 + 1e-15}, Vector{1e9, 0, 0}, Vector{0, 0, -1e9}}) {
+    for (const Vector& place :
+         {pole, -pole, Vector{}, Vector{0, 0, 2 + 1e-15}, Vector{1e9, 0, 0}, Vector{0, 0, -1e9}}) {
       CHECK(std::isfinite(value_at(*field, place)));
       CHECK(is_finite(field->slope(place).gradient));
       const Interval values = field->narrowed({place, 0.5}, field).values;
@@ -181,7 +184,8 @@ TEST_CASE("What is no versor moves no field") {
   CHECK_FALSE(moved_field(field, versor_from(1, {{1, 0, 0}, {0, 0, 2}, 0.5, {0.3, 0, 1}})));
 }
 
-TEST_CASE("A warped field is below zero where the opposite rotor at the place leads into the solid, and keeps its bounds") {
+TEST_CASE(
+    "A warped field is below zero where the opposite rotor at the place leads into the solid, and keeps its bounds") {
   RandomElements random(8);
   int bounded = 0;
   for (int round = 0; round < 100; ++round) {

@@ -145,7 +145,8 @@ TEST_CASE("Fields that are too large, too deep or carried by no versor are refus
   if (!problems.empty()) CHECK(problems.front().port == "shape");
 
   Json warped = ball_and_ring();
-  warped["warped"] = make("warp", {{"shape", from("a")}, {"generators", {from("tau")}}, {"method", "sum_displacements"}});
+  warped["warped"] =
+      make("warp", {{"shape", from("a")}, {"generators", {from("tau")}}, {"method", "sum_displacements"}});
   CHECK(graph_of(warped).problems("warped").front().port == "method");
 }
 
