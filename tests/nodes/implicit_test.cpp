@@ -96,12 +96,13 @@ TEST_CASE("A family of fields is combined along its axis, and made into a family
 
 TEST_CASE("An offset of a boosted solid is as far away as it says") {
   Json nodes = ball_and_ring();
-  nodes["moved"] = make("boost", {{"shape", from("b")}, {"generator", from("tau")}, {"amount", 0.8}});
+  nodes["moved"] = make("boost", {{"shape", from("b")}, {"generator", from("tau")}, {"amount", 0.4}});
   nodes["grown"] = make("offset_field", {{"shape", from("moved")}, {"distance", 0.04}});
   nodes["thin"] = make("implicit", {{"field", from("moved")}, {"resolution", 48}});
   nodes["thick"] = make("implicit", {{"field", from("grown")}, {"resolution", 48}});
   CatalogueGraph graph = graph_of(nodes);
   const SharedMesh thin = graph.one<SharedMesh>("thin"), thick = graph.one<SharedMesh>("thick");
+  CHECK(graph.warnings().empty());
   for (std::size_t i = 0; i < thick->positions.size(); i += 7) {
     double nearest = 1;
     for (std::size_t k = 0; k < thin->positions.size(); ++k) {
@@ -123,7 +124,7 @@ TEST_CASE("A draft of an implicit surface has at most the triangles that it was 
   CHECK(measure(*mesh, never).closed);
 }
 
-TEST_CASE("Fields that are too large, too deep or carried by no versor are refused with the place to blame") {
+TEST_CASE("Fields that are too large or too deep are refused, and warps that no field can take") {
   Json nodes = ball_and_ring();
   nodes["n0"] = make("shell_field", {{"shape", from("a")}});
   for (int k = 1; k < 140; ++k) {
@@ -138,11 +139,6 @@ TEST_CASE("Fields that are too large, too deep or carried by no versor are refus
     doubled["n" + std::to_string(k)] = make("combine_fields", {{"fields", {from(before), from(before)}}});
   }
   CHECK(graph_of(doubled).problems("n29").front().code == "limit-exceeded");
-
-  Json flat = ball_and_ring();
-  flat["zero"] = make("scale", {{"shape", from("a")}, {"factor", 1e-300}});
-  const Problems problems = graph_of(flat).problems("zero");
-  if (!problems.empty()) CHECK(problems.front().port == "shape");
 
   Json warped = ball_and_ring();
   warped["warped"] =

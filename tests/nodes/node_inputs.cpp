@@ -48,7 +48,8 @@ class Source {
                     {"segments", wiring_.vertices == 0 ? 6 : side_of(wiring_.vertices)},
                     {"rings", wiring_.vertices == 0 ? 4 : side_of(wiring_.vertices)}});
       case WireType::field:
-        return add("field", "solid", {{"shape", from(make(WireType::sphere, false))}});
+        add("ball", "sphere", {{"center", {0.2, -0.1, 0.4}}, {"radius", spread_or_drive()}});
+        return add("field", "solid", {{"shape", from(prefix_ + "ball")}});
       default:
         FAIL("no source makes a " << name(type));
     }
