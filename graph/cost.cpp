@@ -31,6 +31,8 @@ double bytes_of_value(WireType type) {
     case WireType::generator:
     case WireType::circle:
       return 10 * sizeof(double);
+    case WireType::field:
+      return 512;  // an operation, and its column of pointers
     default:
       return 2 * sizeof(void*);
   }

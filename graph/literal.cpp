@@ -157,6 +157,7 @@ LiteralResult read_literal(const Json& json, WireType type, const InputPort& por
     case WireType::sphere:
     case WireType::mesh:
     case WireType::asset:
+    case WireType::field:
       break;
   }
   return mismatch(json, "a link to a " + std::string(name(type)));
@@ -195,6 +196,7 @@ bool has_literals(WireType type) {
     case WireType::sphere:
     case WireType::mesh:
     case WireType::asset:
+    case WireType::field:
       return false;
     default:
       return true;

@@ -58,7 +58,7 @@ using VertexFactor = std::function<std::size_t(const Literals&)>;
 struct RunSize {
   const Literals& literals;
   const Axes& consumed;
-  std::array<double, 8> given;  ///< values by wire type, at inputs that keep them apart
+  std::array<double, 9> given;  ///< values by wire type, at inputs that keep them apart
   double given_vertices;        ///< of all meshes that it is given
   double values;                ///< that it makes, over all outputs
   double vertices;              ///< of the meshes that it makes

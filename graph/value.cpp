@@ -18,6 +18,9 @@ std::size_t held_by(const Column<T>& column) {
   if constexpr (std::is_same_v<T, SharedFile>) {
     for (std::size_t i = 0; i < column.size(); ++i) total += column[i]->bytes->size();
   }
+  if constexpr (std::is_same_v<T, SharedField>) {
+    for (std::size_t i = 0; i < column.size(); ++i) total += column[i]->size().bytes;
+  }
   return total;
 }
 

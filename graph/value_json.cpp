@@ -39,6 +39,20 @@ Json one(const SharedFile& file) {
   return {{"media_type", file->media_type}, {"bytes", file->bytes->size()}, {"sha256", to_hex(file->sha256)}};
 }
 
+Json one(const SharedField& field) {
+  constexpr std::size_t longest_formula = 400;
+  std::string formula = field->formula();
+  if (formula.size() > longest_formula) formula = formula.substr(0, longest_formula) + "...";
+  Json json = {{"formula", formula},
+               {"operations", field->size().operations},
+               {"depth", field->size().depth},
+               {"surface_within", nullptr}};
+  if (const std::optional<Reach>& reach = field->reach()) {
+    json["surface_within"] = {{"center", triple(reach->ball.center)}, {"radius", reach->ball.radius}};
+  }
+  return json;
+}
+
 Json bounds_of(const Column<Point>& points, CancelEvery& steps) {
   Vector least = {0, 0, 0}, most = {0, 0, 0};
   for (std::size_t i = 0; i < points.size() && !steps.stopped(); ++i) {

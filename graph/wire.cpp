@@ -10,7 +10,7 @@ namespace dini {
 namespace {
 
 // Colors keep an OKLab distance of at least 0.116 under every simulated color blindness.
-constexpr std::array<WireInfo, 13> types = {{
+constexpr std::array<WireInfo, 14> types = {{
     {WireType::number, "number", "number", "#C1D7D0", "dot", "A real number.", false},
     {WireType::vector, "vector", "vector", "#2FC2FF", "circle", "A free direction in space, in meters.", false},
     {WireType::point, "point", "point", "#F2FF71", "circle", "A position in space, or the point at infinity.", false},
@@ -20,6 +20,10 @@ constexpr std::array<WireInfo, 13> types = {{
     {WireType::sphere, "sphere", "round", "#F3AF20", "disc", "An oriented sphere or plane.", false},
     {WireType::mesh, "mesh", "mesh", "#7F61FF", "square", "A triangle mesh.", false},
     {WireType::asset, "asset", "asset", "#F1491A", "rounded", "A finished file with its media type.", false},
+    {WireType::field, "field", "field", "#A83054", "outline",
+     "A number at every place of space: below zero inside a solid, and near its surface the distance from it, in "
+     "meters.",
+     false},
     {WireType::integer, "integer", "number", "#C1D7D0", "dot", "A whole number, written in the graph.", true},
     {WireType::text, "text", "number", "#C1D7D0", "dot", "A short text, written in the graph.", true},
     {WireType::choice, "choice", "number", "#C1D7D0", "dot", "One of a fixed list of words.", true},

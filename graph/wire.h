@@ -11,6 +11,7 @@
 
 #include "algebra/elements.h"
 #include "geometry/mesh.h"
+#include "geometry/scalar_field.h"
 #include "graph/file.h"
 
 namespace dini {
@@ -24,6 +25,7 @@ enum class WireType : std::uint8_t {
   sphere,
   mesh,
   asset,
+  field,
   integer,
   text,
   choice,
@@ -84,6 +86,10 @@ template <>
 struct Wire<SharedFile> {
   static constexpr WireType type = WireType::asset;
 };
+template <>
+struct Wire<SharedField> {
+  static constexpr WireType type = WireType::field;
+};
 
 /// The C++ types of wires in the order of WireType, as far as values travel on them.
 template <class... T>
@@ -93,7 +99,7 @@ struct WireList {
     return ((static_cast<std::size_t>(Wire<T>::type) == place++) && ...);
   }();
 };
-using WireTypes = WireList<double, Vector, Point, Generator, Circle, Sphere, SharedMesh, SharedFile>;
+using WireTypes = WireList<double, Vector, Point, Generator, Circle, Sphere, SharedMesh, SharedFile, SharedField>;
 static_assert(WireTypes::in_order, "the list of wires is not in the order of WireType");
 
 template <class T>

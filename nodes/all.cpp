@@ -17,6 +17,8 @@ void add_all_nodes(Registry& registry) {
   add_flow(registry);
   add_evolve(registry);
   add_fields(registry);
+  add_implicit(registry);
+  add_implicit_surface(registry);
   add_curves(registry);
   add_sampling(registry);
   add_surfaces(registry);
@@ -30,9 +32,9 @@ void add_all_nodes(Registry& registry) {
 Json family_titles() {
   return {{{"name", "numbers"}, {"title", "Numbers"}},       {{"name", "elements"}, {"title", "Elements"}},
           {{"name", "generators"}, {"title", "Generators"}}, {{"name", "transforms"}, {"title", "Transforms"}},
-          {{"name", "fields"}, {"title", "Fields"}},         {{"name", "sampling"}, {"title", "Sampling"}},
-          {{"name", "surfaces"}, {"title", "Surfaces"}},     {{"name", "meshes"}, {"title", "Meshes"}},
-          {{"name", "answers"}, {"title", "Answers"}}};
+          {{"name", "fields"}, {"title", "Fields"}},         {{"name", "implicit"}, {"title", "Implicit solids"}},
+          {{"name", "sampling"}, {"title", "Sampling"}},     {{"name", "surfaces"}, {"title", "Surfaces"}},
+          {{"name", "meshes"}, {"title", "Meshes"}},         {{"name", "answers"}, {"title", "Answers"}}};
 }
 
 }  // namespace dini

@@ -21,6 +21,8 @@ void add_between(Registry& registry);
 void add_flow(Registry& registry);
 void add_evolve(Registry& registry);
 void add_fields(Registry& registry);
+void add_implicit(Registry& registry);
+void add_implicit_surface(Registry& registry);
 void add_curves(Registry& registry);
 void add_sampling(Registry& registry);
 void add_surfaces(Registry& registry);

@@ -1,9 +1,11 @@
 #include <algorithm>
 
 #include "geometry/chunks.h"
+#include "geometry/field_warp.h"
 #include "geometry/normals.h"
 #include "nodes/all.h"
 #include "nodes/costs.h"
+#include "nodes/moved_field.h"
 #include "nodes/shapes.h"
 #include "nodes/warp_inputs.h"
 
@@ -76,6 +78,15 @@ Attempt<SharedMesh> warp_mesh(const Context& context, const SharedMesh& shape, c
   return SharedMesh(warped);
 }
 
+Attempt<SharedField> warp_field(const Context& context, const SharedField& shape, const WarpInputs& in) {
+  if (in.method != kernels::WarpMethod::sum_generators || in.rule != Rule::exact) {
+    return Failure{"degenerate", "fields are warped by one exact rotor: method sum_generators, rule exact", "method"};
+  }
+  Attempt<std::vector<kernels::WarpSource>> sources = sources_of(context, in.generators);
+  if (!sources) return sources.error();
+  return accepted(warped_field(shape, *std::move(sources), in.strength, in.power, in.softening), "generators");
+}
+
 /// Of every point with every generator. Whole powers and null pairs are quicker, but that shows only when they come.
 RunCost cost_of_warp(const RunSize& size) {
   const auto sources = static_cast<double>(size.consumed.front().size);
@@ -88,14 +99,16 @@ RunCost cost_of_warp(const RunSize& size) {
 
 void add_fields(Registry& registry) {
   registry.add(
-      node("warp", warp_points, warp_mesh)
+      node("warp", warp_points, warp_mesh, warp_field)
           .title("Warp")
           .family("fields")
           .synonyms({"deform", "bend", "displace", "field", "distort", "attract", "magnet", "sculpt"})
           .doc("Moves every point by all generators together, each weighted by its distance.")
           .source("Boosted Surfaces, eqs. (13), (16)")
           .details("Weight 1 / (d^power + softening), rotor exp(strength * weighted sum). With power 2 and no "
-                   "softening the effect does not fade with distance and has a pole near each generator.")
+                   "softening the effect does not fade with distance and has a pole near each generator. A field is "
+                   "pulled back at each place by the opposite of the rotor there, so its weights are those at the "
+                   "place that is reached; its values are scaled by the rotor's conformal factor.")
           .degenerate("point at a generator",
                       "With softening 0 the point stays, whatever the other generators do; where displacements are "
                       "summed, that generator moves it nowhere and the others do.")
@@ -104,7 +117,7 @@ void add_fields(Registry& registry) {
           .degenerate("coincident points", "Generators at one place act as their sum.")
           .degenerate("isoclinic generators",
                       "The two equal turns have a closed form of their own; nothing is divided by their difference.")
-          .input("shape", "Points or meshes.")
+          .input("shape", "Points, meshes or fields.")
           .input("generators", &WarpInputs::generators, "Links to one or several, or one family of them.",
                  required().several())
           .consumed_axis("over", "The axis to sum over; empty means the last of generators.")

@@ -109,7 +109,7 @@ void add_operators(Registry& registry) {
           .source("Boosted Surfaces, section 3, fig. 3")
           .details("The generator is simple, and both rules agree, only when a and b are parallel.")
           .degenerate("zero direction", "A zero vector leaves out its part; without both it is the identity.")
-          .input("shape", "Points, circles, spheres, generators or meshes.")
+          .input("shape", "Points, circles, spheres, generators, meshes or fields.")
           .input("a", &LoxodromeInputs::a, "Direction of the boost.",
                  defaults({1, 0, 0}).direction_handle().title("Boost direction"))
           .input("lambda", &LoxodromeInputs::lambda, "Strength of the boost.",
@@ -138,7 +138,7 @@ void add_operators(Registry& registry) {
           .degenerate("w = -1",
                       "With both weights -1 the scalar part of a unit pair about the origin is 0: every amount gives "
                       "the same map, and amount 0, where K = 0, is an error.")
-          .input("shape", "Points, circles, spheres, generators or meshes.")
+          .input("shape", "Points, circles, spheres, generators, meshes or fields.")
           .input("a", &ProductInputs::a, "First point.",
                  defaults({0, 0, 1}).unit("m").position_handle().title("First point"))
           .input("weight_a", &ProductInputs::weight_a, "Weight of its no coefficient.",
@@ -167,7 +167,7 @@ void add_operators(Registry& registry) {
           .degenerate("parallel lines", "Parallel planes give a translation.")
           .degenerate("opposite lines",
                       "Orientation does not count: opposite planes give what equally oriented ones give.")
-          .input("shape", "Points, circles, spheres, generators or meshes.")
+          .input("shape", "Points, circles, spheres, generators, meshes or fields.")
           .input("from", &BoostBetweenInputs::from, "The sphere that is moved.")
           .input("to", &BoostBetweenInputs::to, "The sphere that it is moved to.")
           .input("amount", &BoostBetweenInputs::amount, "0 nothing, 1 the whole way.",

@@ -92,9 +92,14 @@ SharedMesh boost_mesh(const Context& context, const SharedMesh& shape, const Boo
   return apply_to_mesh(context, exponential(in.amount * in.generator, in.rule), shape);
 }
 
+Attempt<SharedField> boost_field(const SharedField& shape, const BoostInputs& in) {
+  return carried(shape, exponential(in.amount * in.generator, in.rule));
+}
+
 /// `boost` and `transform` are one function under the two names that people look for.
 auto exponential_node(const char* id) {
-  return node(id, boost_points, boost_element<Circle>, boost_element<Sphere>, boost_element<Generator>, boost_mesh)
+  return node(id, boost_points, boost_element<Circle>, boost_element<Sphere>, boost_element<Generator>, boost_mesh,
+              boost_field)
       .family("transforms")
       .degenerate("point at a generator", "A fixed point stays: the point of a null pair, the poles of a real one.")
       .degenerate("circle to line", "A circle through the point that goes to infinity becomes a line.")
@@ -102,7 +107,7 @@ auto exponential_node(const char* id) {
       .degenerate("zero direction", "The zero generator is the identity.")
       .degenerate("isoclinic generators",
                   "The two equal turns have a closed form of their own; nothing is divided by their difference.")
-      .input("shape", "Points, circles, spheres, generators or meshes.")
+      .input("shape", "Points, circles, spheres, generators, meshes or fields.")
       .input("generator", &BoostInputs::generator, &BoostPointsInputs::generator,
              "The generator B of the rotor exp(amount B).")
       .input("amount", &BoostInputs::amount, &BoostPointsInputs::amount, "How much of it.", defaults(1).soft(-2, 2))
@@ -140,7 +145,7 @@ void add_transforms(Registry& registry) {
           .doc("Turns a shape about a line while sliding it along the line.")
           .source("Boosted Surfaces, section 3.1, fig. 5")
           .degenerate("circle to line", "A circle as axis is an error; one that has become a line is an axis.")
-          .input("shape", "Points, circles, spheres, generators or meshes.")
+          .input("shape", "Points, circles, spheres, generators, meshes or fields.")
           .input("axis", &TwistInputs::axis, "The line to turn about.", required().title("Line"))
           .input("angle", &TwistInputs::angle, "The turn, right hand.", defaults(90).soft(-360, 360).unit("deg"))
           .input("slide", &TwistInputs::slide, "The way along the line.", defaults(0).soft(-4, 4).unit("m"))
@@ -156,7 +161,7 @@ void add_transforms(Registry& registry) {
                    .degenerate("circle to line", "A circle is an error; one that has become a line is a line.")
                    .degenerate("parallel lines", "The shift between them.")
                    .degenerate("opposite lines", "A half turn about an axis across both, chosen by a fixed rule.")
-                   .input("shape", "Points, circles, spheres, generators or meshes.")
+                   .input("shape", "Points, circles, spheres, generators, meshes or fields.")
                    .input("from", &TwistBetweenInputs::from, "The line that is moved.")
                    .input("to", &TwistBetweenInputs::to, "The line that it is moved to.")
                    .input("amount", &TwistBetweenInputs::amount, "0 nothing, 1 the whole way.", defaults(1).soft(0, 1))
@@ -169,7 +174,7 @@ void add_transforms(Registry& registry) {
           .synonyms({"move", "shift", "offset", "displace"})
           .doc("Moves a shape.")
           .degenerate("zero direction", "The identity.")
-          .input("shape", "Points, circles, spheres, generators or meshes.")
+          .input("shape", "Points, circles, spheres, generators, meshes or fields.")
           .input("vector", &TranslateInputs::vector, "By how much.", defaults({0, 0, 0}).unit("m").direction_handle())
           .output("shape", "The moved shape."));
 
@@ -180,7 +185,7 @@ void add_transforms(Registry& registry) {
           .synonyms({"turn", "spin", "revolve", "orient", "lathe"})
           .doc("Turns a shape about a line.")
           .degenerate("circle to line", "A circle as axis is an error; one that has become a line is an axis.")
-          .input("shape", "Points, circles, spheres, generators or meshes.")
+          .input("shape", "Points, circles, spheres, generators, meshes or fields.")
           .input("axis", &RotateInputs::axis, "The line to turn about.", required().title("Line"))
           .input("angle", &RotateInputs::angle, "The turn, right hand.", defaults(90).soft(-360, 360).unit("deg"))
           .output("shape", "The turned shape."));
@@ -190,7 +195,7 @@ void add_transforms(Registry& registry) {
                    .family("transforms")
                    .synonyms({"size", "resize", "zoom", "grow", "shrink", "enlarge"})
                    .doc("Scales a shape about a point.")
-                   .input("shape", "Points, circles, spheres, generators or meshes.")
+                   .input("shape", "Points, circles, spheres, generators, meshes or fields.")
                    .input("center", &ScaleInputs::center, "The point that stays.",
                           defaults({0, 0, 0}).unit("m").position_handle())
                    .input("factor", &ScaleInputs::factor, "The factor; it must be positive.",

@@ -10,6 +10,7 @@
 #include "algebra/extract.h"
 #include "graph/node_builder.h"
 #include "nodes/costs.h"
+#include "nodes/moved_field.h"
 #include "nodes/shapes.h"
 
 namespace dini {
@@ -55,8 +56,14 @@ struct VersorNode {
     return apply_to_mesh(context, *versor, shape);
   }
 
+  static Attempt<SharedField> field(const SharedField& shape, const Inputs& in) {
+    const Attempt<Versor> versor = make(in);
+    if (!versor) return versor.error();
+    return carried(shape, *versor);
+  }
+
   static auto declare(const char* id) {
-    return node(id, points, element<Circle>, element<Sphere>, element<Generator>, mesh).cost(cost_of_moved_mesh);
+    return node(id, points, element<Circle>, element<Sphere>, element<Generator>, mesh, field).cost(cost_of_moved_mesh);
   }
 };
 

@@ -67,7 +67,7 @@ std::optional<std::size_t> curve_axis(const Plan& plan, std::size_t node, const 
   return std::nullopt;
 }
 
-bool is_drawn(WireType type) { return type != WireType::number && type != WireType::asset; }
+bool is_drawn(WireType type) { return type != WireType::number && type != WireType::asset && type != WireType::field; }
 
 /// How many points all lines of one of so many outputs have at most.
 std::size_t points_of_lines(std::size_t outputs) {

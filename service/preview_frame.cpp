@@ -25,6 +25,11 @@ std::optional<Ball> ball_of(const Vector& vector) { return Ball{{}, length(vecto
 std::optional<Ball> ball_of(double) { return std::nullopt; }
 std::optional<Ball> ball_of(const SharedFile&) { return std::nullopt; }
 
+std::optional<Ball> ball_of(const SharedField& field) {
+  if (!field->reach()) return std::nullopt;
+  return Ball{field->reach()->ball.center, field->reach()->ball.radius};
+}
+
 std::optional<Ball> ball_of(const Circle& circle) {
   const auto found = coordinates(circle);
   if (!found) return std::nullopt;

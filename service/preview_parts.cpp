@@ -32,6 +32,7 @@ class Drawing {
  private:
   void draw(const Column<double>&) {}
   void draw(const Column<SharedFile>&) {}
+  void draw(const Column<SharedField>&) {}
 
   void draw(const Column<SharedMesh>& meshes) {
     const std::vector<std::size_t> shown = spread_indices(meshes.size(), limits_.preview_elements);

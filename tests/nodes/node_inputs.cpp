@@ -47,6 +47,9 @@ class Source {
                     {"radius", drive_},
                     {"segments", wiring_.vertices == 0 ? 6 : side_of(wiring_.vertices)},
                     {"rings", wiring_.vertices == 0 ? 4 : side_of(wiring_.vertices)}});
+      case WireType::field:
+        add("ball", "sphere", {{"center", {0.2, -0.1, 0.4}}, {"radius", spread_or_drive()}});
+        return add("field", "solid", {{"shape", from(prefix_ + "ball")}});
       default:
         FAIL("no source makes a " << name(type));
     }
@@ -138,12 +141,23 @@ bool same_mesh(const Mesh& a, const Mesh& b) {
          a.triangles == b.triangles && a.tile_ends == b.tile_ends && a.color == b.color && a.finish == b.finish;
 }
 
+bool same_field(const ScalarField& a, const ScalarField& b) {
+  if (a.formula() != b.formula()) return false;
+  for (int i = 0; i < 27; ++i) {
+    const Vector place = 0.7 * Vector{i % 3 - 1.1, i / 3 % 3 - 0.9, i / 9 - 1.2};
+    if (value_at(a, place) != value_at(b, place)) return false;
+  }
+  return true;
+}
+
 template <class T>
 bool same_value(const T& a, const T& b) {
   if constexpr (std::is_same_v<T, SharedMesh>) {
     return same_mesh(*a, *b);
   } else if constexpr (std::is_same_v<T, SharedFile>) {
     return *a->bytes == *b->bytes && a->media_type == b->media_type;
+  } else if constexpr (std::is_same_v<T, SharedField>) {
+    return same_field(*a, *b);
   } else {
     std::array<double, Components<T>::width> left, right;
     Components<T>::set(left.data(), 1, a);
