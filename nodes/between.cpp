@@ -99,7 +99,7 @@ void add_between(Registry& registry) {
                       "conformal goes everywhere.")
           .degenerate("zero radius", "An error: a circle of radius zero has no ratio to another.")
           .degenerate("opposite lines", opposite)
-          .input("shape", "Points, circles, spheres, generators or meshes.")
+          .input("shape", "Points, circles, spheres, generators, meshes or fields.")
           .input("from", &TransformBetweenInputs::from, "The circle or line that is moved.", required().title("From"))
           .input("to", &TransformBetweenInputs::to, "The one that it is moved to.", required().title("To"))
           .input("amount", &TransformBetweenInputs::amount, "0 nothing, 1 the whole way.",
