@@ -43,6 +43,7 @@ bool CornerTable::pair_corners(std::size_t vertices) {
   opposites_.assign(corners, absent);
   for (std::uint32_t begin = 0; begin < vertices; ++begin) {
     for (const Edge& edge : edges_of(begin)) {
+      if (edge.end == begin) return false;  // a triangle that has a vertex twice
       const auto others = edges_of(edge.end);
       const auto other = std::lower_bound(others.begin(), others.end(), Edge{begin, 0});
       if (other == others.end() || other->end != begin) continue;

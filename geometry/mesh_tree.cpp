@@ -39,7 +39,8 @@ MeshPlace nearest_on_triangle(const std::array<Vector, 3>& corners, const Vector
   const Vector u = corners[1] - corners[0], v = corners[2] - corners[0], w = point - corners[0];
   const double uu = squared_length(u), uv = dot(u, v), vv = squared_length(v), wu = dot(w, u), wv = dot(w, v);
   const double determinant = uu * vv - uv * uv;
-  if (determinant > 0) {
+  // Of a sliver the foot is round-off, and its edges are as near.
+  if (determinant > 1e-12 * uu * vv) {
     const double s = (wu * vv - wv * uv) / determinant, t = (wv * uu - wu * uv) / determinant;
     if (s >= 0 && t >= 0 && s + t <= 1) return place_of(corners, {1 - s - t, s, t}, point);
   }

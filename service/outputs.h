@@ -16,7 +16,8 @@ struct Exports {
 
 Exports exports_of(const Registry& registry, const Document& document);
 
-/// The node to export: the one asked for, which may be an instance of a group that makes the file, else the only one that makes a file. Problems list what there is.
+/// The node to export: the one asked for, which may be an instance of a group that makes the file, else the only one
+/// that makes a file. Problems list what there is.
 Result<std::string> find_output(const Registry& registry, const Document& document, const std::string& asked);
 
 }  // namespace dini

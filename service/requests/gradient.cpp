@@ -13,7 +13,7 @@ const RequestType<GradientBody>& request() {
           .parameters(&GradientRequest::parameters)
           .member("of", &GradientRequest::of,
                   "Outputs (`node` or `node.output`) of numbers, vectors, points or meshes; of a mesh all vertices.",
-                  left_out_means("what the only `export` node writes").example(Json::array({"amounts"})))
+                  left_out_means("what the only `export` node writes").example(Json::array({"skin"})))
           .member("by", &GradientRequest::by, "Parameters that are numbers.",
                   left_out_means("all that are numbers").example(Json::array({"reach"})))
           .deadline(&GradientBody::deadline_milliseconds);

@@ -113,6 +113,7 @@ TEST_CASE("Colors are a choice of every command that tells problems") {
     const std::size_t documents = command == "merge" ? 3 : command == "diff" ? 2 : 1;
     words.insert(words.end(), documents, broken);
     if (command == "inspect") words.emplace_back("ball");
+    if (command == "fit") words.insert(words.end(), {"--vary", "x=0:1", "--minimize", "mass.volume"});
     if (command == "sweep") words.insert(words.end(), {"--list", "x=1"});
     for (const auto& [color, colored] : std::map<std::string, bool>{{"always", true}, {"never", false}}) {
       std::vector<std::string> all = words;
