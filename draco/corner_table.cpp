@@ -68,6 +68,7 @@ bool CornerTable::fans_are_whole(std::size_t vertices) {
     if (begins_fan) boundary_[around] = true;
   }
   for (std::uint32_t around = 0; around < vertices; ++around) {
+    if (firsts[around] == absent) return false;  // a vertex of no triangle
     std::uint32_t met = 0;
     Corner corner = firsts[around];
     do {

@@ -50,6 +50,7 @@ TEST_CASE("What is no manifold has no table") {
   CHECK_FALSE(is_manifold({{0, 1, 2}, {0, 2, 1}}, 3));             // both sides of a triangle
   CHECK_FALSE(is_manifold({{0, 1, 2}, {2, 1, 1}}, 3));             // a vertex twice in a triangle
   CHECK_FALSE(is_manifold({{0, 0, 0}}, 1));
+  CHECK_FALSE(is_manifold(quad, 5));  // a vertex of no triangle
 }
 
 TEST_CASE("A fan around one vertex is found however large it is") {

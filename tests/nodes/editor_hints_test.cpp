@@ -27,7 +27,8 @@ bool has_port(const Json& ports, const Json& name) {
 TEST_CASE("What a new node begins with is accepted and is not the default") {
   std::size_t beginnings = 0;
   for (const auto& [id, type] : catalogue().types()) {
-    for (const Json& input : hinted(id)["inputs"]) {
+    const Json described = hinted(id);
+    for (const Json& input : described["inputs"]) {
       if (!input.contains("begin")) continue;
       CAPTURE(id, input["name"]);
       ++beginnings;
