@@ -61,12 +61,12 @@ std::optional<std::string> endpoint_of(const std::string& address) {
 }  // namespace
 
 struct WorkerMetrics::Served {
-  Served(const std::string& endpoint, std::shared_ptr<WorkerReadings> told)
+  Served(const std::string& endpoint, std::shared_ptr<prometheus::Collectable> told)
       : readings(std::move(told)), exposer(endpoint, 1) {
     exposer.RegisterCollectable(readings);
   }
 
-  std::shared_ptr<WorkerReadings> readings;
+  std::shared_ptr<prometheus::Collectable> readings;
   prometheus::Exposer exposer;
 };
 

@@ -32,7 +32,7 @@ double bytes_of_value(WireType type) {
     case WireType::circle:
       return 10 * sizeof(double);
     case WireType::field:
-      return 512;  // an operation, and its column of pointers
+      return 160;  // an operation, and its column of pointers
     default:
       return 2 * sizeof(void*);
   }

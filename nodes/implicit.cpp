@@ -122,11 +122,11 @@ std::tuple<double, Vector> looked_up(const SharedField& shape, const FieldAtInpu
   return finite ? std::tuple(slope.value, slope.gradient) : std::tuple(0.0, Vector{});
 }
 
-/// A field is some hundred bytes; of points it has a copy.
+/// A field is some hundred bytes more than its wire counts; of points it has a copy.
 RunCost cost_of_field(const RunSize& size) {
   double points = 0;
   for (const Axis& axis : size.consumed) points += static_cast<double>(axis.size);
-  return {20 * points, 64 * points, 512 + 64 * points};
+  return {20 * points, 64 * points, 240 + 64 * points};
 }
 
 }  // namespace

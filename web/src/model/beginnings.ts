@@ -15,8 +15,8 @@ export function beginningsOf(catalogue: Catalogue, type: string): NodeCard[] {
 
 /** How much of a node is set by hand in the view, against what has to be typed: the former is what one begins with. */
 function easeOf({ inputs }: NodeCard): number {
-  const handles = inputs.filter(({ handle }) => handle !== undefined).length;
-  // Of two that are all handles, the one with more of them says more.
+  const handles = Math.min(inputs.filter(({ handle }) => handle !== undefined).length, 2);
+  // Two handles are set at a glance; of more each is work.
   return 2.1 * handles - inputs.length;
 }
 
@@ -25,7 +25,10 @@ export function likelySource(catalogue: Catalogue, types: readonly string[]): No
   const wanted = [...FIRST_TYPES.filter((type) => types.includes(type)), ...types];
   for (const type of wanted) {
     const [card] = beginningsOf(catalogue, type).sort(
-      (a, b) => easeOf(b) - easeOf(a) || a.title.length - b.title.length,
+      (a, b) =>
+        Number(b.title.toLowerCase() === type) - Number(a.title.toLowerCase() === type) ||
+        easeOf(b) - easeOf(a) ||
+        a.title.length - b.title.length,
     );
     if (card) return card;
   }
