@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
-import { choose, node, said, undo, untilGraph, untilSelected, withEditor } from "./editing.mjs";
+import { choose, emptyGraph, node, said, undo, untilGraph, untilSelected, withEditor } from "./editing.mjs";
 import { useServer } from "./fixture.mjs";
 import { eventually, settled } from "./harness.mjs";
 
@@ -121,6 +121,14 @@ test(
         (tone) => tone === "error" || tone === "warning",
         "the mark of the problem in the group",
       );
+      await page.getByRole("tab", { name: /^Problems/ }).click();
+      await page
+        .getByRole("button")
+        .filter({ hasText: `group/${one}` })
+        .first()
+        .click();
+      await groupPath(page).waitFor();
+      await untilSelected(page, [one]);
     }),
 );
 
@@ -138,5 +146,14 @@ test("a group is saved to a file and comes back from it into another graph", { t
     const saved = JSON.parse(await readFile(file, "utf8"));
     assert.deepEqual(saved.groups, groups);
     assert.deepEqual(saved.nodes, {});
+
+    await emptyGraph(page);
+    const [chooser] = await Promise.all([page.waitForEvent("filechooser"), page.keyboard.press("Control+o")]);
+    const buffer = Buffer.from(JSON.stringify(saved));
+    await chooser.setFiles({ name: "group.group.json", mimeType: "application/json", buffer });
+    await node(page, "group").waitFor();
+    const taken = await untilGraph(page, ({ nodes }) => Object.keys(nodes).length === 1);
+    assert.equal(taken.nodes.group.type, "group/group");
+    assert.deepEqual(taken.groups, groups);
   }),
 );
