@@ -19,7 +19,9 @@ const IDS =
 // Ids that are also parameter types, words of CSS, SVG or the DOM, names of the page's own things (icons, settings), or
 // kinds of handles in the catalogue's hints.
 const ORDINARY = new Set(
-  "number vector point circle line color grid range list scale rotate translate check add patch direction angle distance plane blend flow project reflect".split(" "),
+  "number vector point circle line color grid range list scale rotate translate check add patch direction angle distance plane blend flow project reflect".split(
+    " ",
+  ),
 );
 
 function sources(folder: string): string[] {
