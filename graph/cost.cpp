@@ -55,10 +55,11 @@ double samples_of(const Axes& axes) { return static_cast<double>(sample_count(ax
 
 /// What one run of a node is given and makes.
 RunSize run_size(const PlannedNode& node, double runs) {
-  RunSize size{node.literals, node.consumed, {}, 0, 0, 0};
+  RunSize size{node.literals, node.consumed, {}, 0, 0, 0, 0};
   for (const WireShape& shape : node.outputs) {
     if (shape.type != WireType::asset) size.vertices += static_cast<double>(shape.vertices) / runs;
     size.values += samples_of(shape.axes) / runs;
+    if (shape.type == WireType::field) size.fields += samples_of(shape.axes) / runs;
   }
   for (std::size_t port = 0; port < node.inputs.size(); ++port) {
     const PlannedInput& input = node.inputs[port];

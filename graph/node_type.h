@@ -62,6 +62,7 @@ struct RunSize {
   double given_vertices;        ///< of all meshes that it is given
   double values;                ///< that it makes, over all outputs
   double vertices;              ///< of the meshes that it makes
+  double fields;                ///< that it makes
 
   double given_of(WireType type) const { return given[static_cast<std::size_t>(type)]; }
 };

@@ -92,11 +92,9 @@ RunCost cost_of_warp(const RunSize& size) {
   const auto sources = static_cast<double>(size.consumed.front().size);
   const double pair_work = text_at(size.literals, "method") == "sum_displacements" ? 10 : 4;
   const double points = std::max(1.0, size.vertices);
-  // A field holds its sources, and a tree over them. It is not counted as kept, which points, of which each is a run,
-  // do not have.
-  const double tree = size.vertices == 0 ? 200 * sources : 0;
-  return {sources * (pair_work * points + 50) + 300 * size.vertices,
-          source_bytes * sources + tree + 80 * size.vertices};
+  // A field keeps its sources, and a tree over them.
+  return {sources * (pair_work * points + 50) + 300 * size.vertices, source_bytes * sources + 80 * size.vertices,
+          200 * sources * size.fields};
 }
 
 }  // namespace
