@@ -110,15 +110,16 @@ class BoxField : public FormulaField<BoxField> {
   Vector low_, high_;
 };
 
-SolidBall ball_around(const Column<Point>& points) {
+SolidBall ball_around(const Column<Point>& points, const Cancel& cancel) {
+  CancelEvery steps(cancel);
   Vector low = to_vector(points[0]), high = low;
-  for (std::size_t i = 1; i < points.size(); ++i) {
+  for (std::size_t i = 1; i < points.size() && !steps.stopped(); ++i) {
     const Point p = points[i];
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
   SolidBall ball{0.5 * low + 0.5 * high, 0};
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (std::size_t i = 0; i < points.size() && !steps.stopped(); ++i) {
     ball.radius = std::max(ball.radius, length(to_vector(points[i]) - ball.center));
   }
   return ball;
@@ -202,8 +203,8 @@ SharedField rod_field(const Vector& point, const Vector& direction, double thick
   return std::make_shared<RodField>(point, direction, thickness);
 }
 
-SharedField balls_field(Column<Point> centers, double radius, double blend) {
-  const SolidBall around = ball_around(centers);
+SharedField balls_field(Column<Point> centers, double radius, double blend, const Cancel& cancel) {
+  const SolidBall around = ball_around(centers, cancel);
   return std::make_shared<BallsField>(std::move(centers), radius, blend, around);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "algebra/elements.h"
+#include "geometry/cancel.h"
 #include "geometry/column.h"
 #include "geometry/scalar_field.h"
 
@@ -20,8 +21,8 @@ SharedField ring_field(const Vector& center, const Vector& normal, double radius
 SharedField rod_field(const Vector& point, const Vector& direction, double thickness);
 
 /// The union of balls of one radius, their distances joined by `rounded_minimum` with `blend` (geometry/field_blend.h).
-/// There must be one at least, and all must be finite.
-SharedField balls_field(Column<Point> centers, double radius, double blend);
+/// There must be one at least, and all must be finite. Stopped early: of no use.
+SharedField balls_field(Column<Point> centers, double radius, double blend, const Cancel& cancel);
 
 /// The distance from a box along the axes, measured by the largest coordinate, below zero inside.
 SharedField box_field(const Vector& low, const Vector& high);

@@ -178,6 +178,7 @@ class WarpedField : public ScalarField {
 SharedField warped_field(SharedField field, std::vector<kernels::WarpSource> sources, double strength, double power,
                          double softening) {
   auto pulls = std::make_shared<std::vector<Pull>>();
+  pulls->reserve(sources.size());
   for (const kernels::WarpSource& source : sources) pulls->push_back(pull_of(source));
   FieldSize size = size_over({field}, sizeof(WarpedField) + pulls->size() * sizeof(Pull));
   size.operations += pulls->size();

@@ -84,6 +84,10 @@ Attempt<SharedField> warp_field(const Context& context, const SharedField& shape
   }
   Attempt<std::vector<kernels::WarpSource>> sources = sources_of(context, in.generators);
   if (!sources) return sources.error();
+  FieldSize size = shape->size();
+  size.operations += sources->size();
+  // Before there are as many again.
+  if (std::optional<std::string> fault = too_large(size)) return Failure{"limit-exceeded", *fault, "generators"};
   return accepted(warped_field(shape, *std::move(sources), in.strength, in.power, in.softening), "generators");
 }
 

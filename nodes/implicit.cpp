@@ -60,7 +60,7 @@ Attempt<SharedField> around_points(const Context& context, const Block<Point, 1>
     }
     centers.set(i, place);
   }
-  return balls_field(std::move(centers), in.distance, in.blend);
+  return balls_field(std::move(centers), in.distance, in.blend, context.cancel());
 }
 
 struct CombineInputs {

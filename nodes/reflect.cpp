@@ -48,7 +48,8 @@ Attempt<SharedMesh> reflect_mesh(const Context& context, const SharedMesh& shape
   const Cancel& cancel = context.cancel();
   Column<Point> positions(shape->positions.size());
   Column<Vector> normals(shape->normals.size());
-  for_chunks(cancel, positions.size(), [&](std::size_t begin, std::size_t end) {
+  // A vertex with its normal takes several times as long as what chunks usually have.
+  for_chunks(cancel, positions.size(), usual_chunk / 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Point place = shape->positions[i];
       positions.set(i, reflect(in.mirror, place));

@@ -26,8 +26,15 @@ part() {
   if ((bad == 0)); then part_ok=true; else part_ok=false; fi
   parts+=("$(printf '%-7s %-20s %5d passed %4d failed %5d s' \
     "$($part_ok && echo ok || echo FAILED)" "$title" "$good" "$bad" $((SECONDS - started)))")
-  $part_ok || parts+=("        see $log")
+  if ! $part_ok; then
+    while read -r line; do parts+=("        $line"); done < <(told_failures "$log")
+    parts+=("        see $log")
+  fi
 }
+
+# told_failures LOG: the first lines that tell of a failure: of ctest, of node, of a runner of our own, of a compiler. Only the end of
+# the output may be at hand where nobody sees the logs.
+told_failures() { grep -aE '\*\*\*|^(not ok|FAILED|✖)|error:|FAILED:$|^  (CHECK|REQUIRE)' "$1" | cut -c1-200 | head -n 30; }
 
 # left_out TITLE REASON: a part that cannot run because an earlier one failed.
 left_out() { parts+=("$(printf '%-7s %-20s %s' "not run" "$1" "$2")"); }

@@ -136,7 +136,7 @@ TEST_CASE("Every mesh is closed and two-manifold, however little the cells resol
       // Balls and bubbles about as large as a cell.
       Column<Point> centers(60);
       for (std::size_t i = 0; i < 60; ++i) centers.set(i, random.point(0.9));
-      field = balls_field(std::move(centers), 0.16, 0);
+      field = balls_field(std::move(centers), 0.16, 0, Cancel());
       if (round % 4 == 1) field = complement_field(field);
       ++ambiguous;
     }
