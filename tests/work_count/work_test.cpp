@@ -16,7 +16,8 @@ constexpr std::uint64_t most_after_stop = 4'000'000;
 /// What is stopped has to be much more than that, or nothing is shown.
 constexpr std::uint64_t much = 5 * most_after_stop;
 
-/// All nodes are minutes of work: each quarter of them, stopped before it begins and anywhere within, is a test of its own.
+/// All nodes are minutes of work: each quarter of them, stopped before it begins and anywhere within, is a test of its
+/// own.
 constexpr std::size_t quarters = 4;
 
 struct Planned {
@@ -94,18 +95,10 @@ void check_stops(std::size_t quarter) {
 
 }  // namespace
 
-TEST_CASE("A node that is stopped computes little more: first quarter") {
-  check_stops(0);
-}
+TEST_CASE("A node that is stopped computes little more: first quarter") { check_stops(0); }
 
-TEST_CASE("A node that is stopped computes little more: second quarter") {
-  check_stops(1);
-}
+TEST_CASE("A node that is stopped computes little more: second quarter") { check_stops(1); }
 
-TEST_CASE("A node that is stopped computes little more: third quarter") {
-  check_stops(2);
-}
+TEST_CASE("A node that is stopped computes little more: third quarter") { check_stops(2); }
 
-TEST_CASE("A node that is stopped computes little more: last quarter") {
-  check_stops(3);
-}
+TEST_CASE("A node that is stopped computes little more: last quarter") { check_stops(3); }
