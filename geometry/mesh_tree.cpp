@@ -119,6 +119,11 @@ MeshPlace MeshTree::nearest(const Vector& point) const {
   return best;
 }
 
+std::size_t MeshTree::bytes() const {
+  return sizeof(Vector) * positions_.size() + (sizeof(triangles_[0]) + sizeof(order_[0])) * triangles_.size() +
+         sizeof(Box) * boxes_.size();
+}
+
 Vector MeshTree::normal(std::size_t triangle) const {
   const auto [a, b, c] = corners(triangle);
   return normalized(cross(b - a, c - a));

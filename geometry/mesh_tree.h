@@ -39,6 +39,8 @@ class MeshTree {
 
   const std::vector<Vector>& positions() const { return positions_; }
   const Triangles& triangles() const { return triangles_; }
+  /// About how much memory it holds.
+  std::size_t bytes() const;
   /// Of the front side of a triangle, of length 1; zero where it has no area.
   Vector normal(std::size_t triangle) const;
 
