@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/bounding_box.h"
+
 namespace dini {
 
 double rounded_minimum(std::span<const double> numbers, double blend, std::vector<double>* shares) {
@@ -42,15 +44,13 @@ double rounded_minimum(std::span<const double> numbers, double blend, std::vecto
 }
 
 SolidBall ball_around(const std::vector<SolidBall>& balls) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Vector low{infinity, infinity, infinity}, high = -low;
+  BoundingBox bounds;
   for (const SolidBall& ball : balls) {
-    const Vector& c = ball.center;
-    const double r = ball.radius;
-    low = {std::min(low.x, c.x - r), std::min(low.y, c.y - r), std::min(low.z, c.z - r)};
-    high = {std::max(high.x, c.x + r), std::max(high.y, c.y + r), std::max(high.z, c.z + r)};
+    const Vector corner{ball.radius, ball.radius, ball.radius};
+    bounds.add(ball.center - corner);
+    bounds.add(ball.center + corner);
   }
-  SolidBall around{0.5 * low + 0.5 * high, 0};
+  SolidBall around{0.5 * bounds.low + 0.5 * bounds.high, 0};
   for (const SolidBall& ball : balls) {
     around.radius = std::max(around.radius, length(ball.center - around.center) + ball.radius);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "geometry/bounding_box.h"
 #include "geometry/field_blend.h"
 
 namespace dini {
@@ -111,13 +112,9 @@ class BoxField : public FormulaField<BoxField> {
 };
 
 SolidBall ball_around(const Column<Point>& points) {
-  Vector low = to_vector(points[0]), high = low;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const Point p = points[i];
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  SolidBall ball{0.5 * low + 0.5 * high, 0};
+  BoundingBox bounds;
+  for (std::size_t i = 0; i < points.size(); ++i) bounds.add(to_vector(points[i]));
+  SolidBall ball{0.5 * bounds.low + 0.5 * bounds.high, 0};
   for (std::size_t i = 0; i < points.size(); ++i) {
     ball.radius = std::max(ball.radius, length(to_vector(points[i]) - ball.center));
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/cancel.h"
+#include "geometry/bounding_box.h"
 #include "geometry/mesh.h"
 
 namespace dini {
@@ -47,7 +48,7 @@ class MeshTree {
  private:
   /// A box around the triangles of `order_` in [begin, end). Its left child follows it; a leaf has none.
   struct Box {
-    Vector low, high;
+    BoundingBox bounds;
     std::uint32_t begin = 0, end = 0;
     std::uint32_t right = 0;  ///< 0 for a leaf
   };
