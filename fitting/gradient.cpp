@@ -112,7 +112,13 @@ Result<ValuesRequest> request_of(const ValueSource& source, const GradientReques
   ValuesRequest values{.graph = request.graph, .parameters = request.parameters, .places = request.of};
   if (!values.places.empty()) return values;
   auto exported = source.exported_places(*request.graph);
-  if (!exported) return exported.problems();
+  if (!exported) {
+    Problems problems = exported.problems();
+    for (Problem& problem : problems) {
+      if (problem.in_request) problem.pointer = "/of";
+    }
+    return problems;
+  }
   values.places = *std::move(exported);
   return values;
 }

@@ -51,10 +51,18 @@ Result<std::vector<NumberGoal>> read_targets(const Json& targets) {
   return goals;
 }
 
+/// Problems of a member that this request calls otherwise.
+Problems at_member(Problems problems, std::string_view from, const std::string& to) {
+  for (Problem& problem : problems) {
+    if (problem.in_request && problem.pointer == from) problem.pointer = to;
+  }
+  return problems;
+}
+
 Result<std::string> place_of_mesh(const ValueSource& source, const FitRequest& request) {
   if (!request.mesh.empty()) return request.mesh;
   const auto exported = source.exported_places(*request.graph);
-  if (!exported) return exported.problems();
+  if (!exported) return at_member(exported.problems(), "/output", "/mesh");
   if (exported->size() == 1) return exported->front();
   std::string list;
   for (const std::string& place : *exported) list += (list.empty() ? "" : ", ") + place;
@@ -164,7 +172,7 @@ Problems Model::at_own_places(Problems problems) const {
     const auto index = static_cast<std::size_t>(std::stoul(problem.pointer->substr(measures.size())));
     problem.pointer = pointer_to(index);
   }
-  return problems;
+  return at_member(std::move(problems), "/measures", targets_.empty() ? "/minimize" : "/targets");
 }
 
 std::string Model::pointer_to(std::size_t place) const {
