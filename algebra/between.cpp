@@ -5,6 +5,7 @@
 #include "algebra/construct.h"
 #include "algebra/elementary.h"
 #include "algebra/extract.h"
+#include "algebra/products.h"
 #include "algebra/tolerance.h"
 #include "algebra/versor.h"
 
@@ -18,10 +19,8 @@ constexpr double small_square = 0.015625;
 constexpr int most_roots = 64;
 constexpr int terms = 12;
 
-double product(const Sphere& a, const Sphere& b) { return dot(a.e, b.e) - a.no * b.ni - a.ni * b.no; }
-
 /// A grade-4 part v I times itself.
-double square_of(const Sphere& quad) { return -product(quad, quad); }
+double square_of(const Sphere& quad) { return -scalar_product(quad, quad); }
 
 /// s + Q, the even elements that commute with everything made of one bivector.
 Versor scalar_and_quad(double scalar, double factor, const Sphere& quad) {
@@ -50,13 +49,6 @@ std::optional<Versor> normalized_rotor(const Versor& rotor) {
   return Versor{scale * rotor.scalar,
                 scale * rotor.bivector,
                 {scale * rotor.quad.no, scale * rotor.quad.e, scale * rotor.quad.ni}};
-}
-
-/// A circle or line as its dual bivector of square -1.
-std::optional<Generator> unit_dual(const CircleCoordinates& circle) {
-  if (circle.line) return line_from(circle.point, circle.direction).dual;
-  if (circle.radius == 0) return std::nullopt;
-  return (1 / circle.radius) * circle_from(circle.center, circle.normal, circle.radius).dual;
 }
 
 /// Half a turn about an axis across a circle or line: it runs the other way then.
@@ -133,21 +125,19 @@ std::optional<Generator> rotor_between(const Circle& from, const Circle& to) {
 }
 
 std::optional<SphereRatio> sphere_ratio(const Sphere& from, const Sphere& to) {
-  const double square = product(from, from) * product(to, to);
-  if (!(product(from, from) > 0) || !(product(to, to) > 0)) return std::nullopt;
+  const double square = scalar_product(from, from) * scalar_product(to, to);
+  if (!(scalar_product(from, from) > 0) || !(scalar_product(to, to) > 0)) return std::nullopt;
   // The nearer of the two orientations of the second sphere.
-  const double sign = product(from, to) < 0 ? -1.0 : 1.0;
+  const double sign = scalar_product(from, to) < 0 ? -1.0 : 1.0;
   const double scale = sign / std::sqrt(square);
-  const double cosine = scale * product(from, to);
-  const Generator wedge = scale * Generator{to.no * from.e - from.no * to.e, cross(to.e, from.e),
-                                            to.no * from.ni - to.ni * from.no, from.ni * to.e - to.ni * from.e};
+  const double cosine = scale * scalar_product(from, to);
   const double squared_sine = cosine * cosine - 1;
   const double sine = std::sqrt(std::abs(squared_sine));
   double angle_per_sine = 1;
   if (sine > 1e-8) {
     angle_per_sine = (squared_sine < 0 ? elementary::atan2(sine, cosine) : elementary::asinh(sine)) / sine;
   }
-  return SphereRatio{0.5 * angle_per_sine, wedge};
+  return SphereRatio{0.5 * angle_per_sine, scale * wedge(to, from)};
 }
 
 }  // namespace dini

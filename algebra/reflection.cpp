@@ -4,6 +4,7 @@
 
 #include "algebra/extract.h"
 #include "algebra/frame.h"
+#include "algebra/products.h"
 #include "algebra/tolerance.h"
 
 namespace dini {
@@ -15,17 +16,6 @@ double square(const Sphere& s) { return squared_length(s.e) - 2 * s.no * s.ni; }
 /// The same sphere in coordinates whose origin is `origin`.
 Sphere seen_from(const Sphere& s, const Vector& origin) {
   return {s.no, s.e - s.no * origin, s.ni - dot(s.e, origin) + 0.5 * s.no * squared_length(origin)};
-}
-
-/// s ^ g of two vectors.
-Generator wedge(const Sphere& s, const Sphere& g) {
-  return {s.no * g.e - g.no * s.e, cross(s.e, g.e), s.no * g.ni - s.ni * g.no, g.ni * s.e - s.ni * g.e};
-}
-
-/// s . B, a vector.
-Sphere contraction(const Sphere& s, const Generator& b) {
-  return {s.no * b.no_ni - dot(s.e, b.no_e), s.no * b.e_ni - s.ni * b.no_e - cross(s.e, b.e_e),
-          dot(s.e, b.e_ni) - s.ni * b.no_ni};
 }
 
 /// Half of the slope of the mirror's function s.P at p. Twice the function over it is the way to the image.

@@ -5,6 +5,7 @@
 
 #include "algebra/construct.h"
 #include "algebra/extract.h"
+#include "algebra/products.h"
 #include "algebra/tolerance.h"
 
 namespace dini {
@@ -77,15 +78,6 @@ double distance_of_lines(const CircleCoordinates& a, const CircleCoordinates& b)
   const Vector way = to_vector(b.point) - to_vector(a.point), normal = cross(a.direction, b.direction);
   if (length(normal) <= tolerance::opposite_directions) return length(across(way, a.direction));
   return std::abs(dot(way, normalized(normal)));
-}
-
-/// A circle or line as its dual bivector of square -1, in coordinates whose origin is `origin`; nothing without a
-/// radius.
-std::optional<Generator> unit_dual(const CircleCoordinates& circle, const Vector& origin) {
-  if (circle.line) return line_from(to_point(to_vector(circle.point) - origin), circle.direction).dual;
-  if (circle.radius == 0) return std::nullopt;
-  const Point center = to_point(to_vector(circle.center) - origin);
-  return (1 / circle.radius) * circle_from(center, circle.normal, circle.radius).dual;
 }
 
 Vector place_of(const CircleCoordinates& circle) { return to_vector(circle.line ? circle.point : circle.center); }
@@ -200,10 +192,8 @@ std::optional<double> angle_cosine(const Circle& a, const Sphere& b) {
   const Sphere s = sphere->plane ? Sphere{0, sphere->normal, sphere->distance - dot(sphere->normal, origin)}
                                  : Sphere{1 / r, center / r, 0.5 * (squared_length(center) - r * r) / r};
   // s . B lies in the plane of B: it is as long as the part of s there.
-  const double no = s.no * dual->no_ni - dot(s.e, dual->no_e);
-  const Vector e = s.no * dual->e_ni - s.ni * dual->no_e - cross(s.e, dual->e_e);
-  const double ni = dot(s.e, dual->e_ni) - s.ni * dual->no_ni;
-  return std::sqrt(std::max(squared_length(e) - 2 * no * ni, 0.0));
+  const Sphere part = contraction(s, *dual);
+  return std::sqrt(std::max(squared_length(part.e) - 2 * part.no * part.ni, 0.0));
 }
 
 std::optional<double> angle_cosine(const Sphere& a, const Sphere& b) {

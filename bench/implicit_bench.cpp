@@ -43,7 +43,7 @@ void run(benchmark::State& state, const SharedField& field) {
   const auto resolution = static_cast<std::size_t>(state.range(0)), threads = static_cast<std::size_t>(state.range(1));
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
   tbb::task_arena arena(static_cast<int>(threads));
-  const ImplicitOptions options{{-1.4, -1.4, -1.4}, {1.4, 1.4, 1.4}, resolution, 10'000'000};
+  const ImplicitOptions options{{-1.4, -1.4, -1.4}, {1.4, 1.4, 1.4}, resolution, 10'000'000, 100'000'000};
   for (auto _ : state) {
     const ImplicitSurface surface = arena.execute([&] { return implicit_mesh(field, options, Cancel()); });
     if (surface.mesh.triangles.empty()) return state.SkipWithError("there is no surface");

@@ -40,10 +40,11 @@ class Lines {
 
   void add_changes(const std::string& name, const Json& changes) {
     for (const auto& [member, change] : changes.items()) {
+      // Inputs may be called anything, "nodes" as well.
       const bool is_member = change.contains("from") || change.contains("to");
       if (member == "inputs" && !is_member) {
         add_changes(name, change);
-      } else if (member == "nodes") {
+      } else if (member == "nodes" && !is_member) {
         add(change, name + "/");
       } else {
         line("~ " + name + "." + member + ": " + side(change, "from") + " -> " + side(change, "to"));

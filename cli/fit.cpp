@@ -16,7 +16,7 @@
 namespace dini::cli {
 namespace {
 
-struct Options {
+struct FitOptions {
   GraphArguments graph;
   FitWords words;
   std::optional<std::string> target_mesh, out, report;
@@ -40,7 +40,7 @@ Result<std::string> added_mesh(const std::string& path, const Engine& engine) {
   return problems;
 }
 
-Result<FitRequest> request_of(const Options& options, const GivenGraph& given) {
+Result<FitRequest> request_of(const FitOptions& options, const GivenGraph& given) {
   FitRequest request{.graph = given.graph,
                      .parameters = given.parameters,
                      .mesh = options.mesh,
@@ -92,23 +92,32 @@ std::string summary_of_fit(const Json& found) {
   return text;
 }
 
-int write(const Options& options, const GivenGraph& given, const Json& found) {
-  int code = code_of(found);
-  const auto put = [&](const std::optional<std::string>& path, const std::string& text) {
-    if (!path) return;
-    if (const Problems wrong = write_output(*path, text); !wrong.empty()) {
-      code = options.graph.console().fail(wrong, exit_io);
-    }
-  };
-  put(options.out, canonical_layout(dump(fitting::with_defaults(given.document, found.at("parameters")))));
-  Json report = found;
+/// Every report says whether the fit succeeded, and what was wrong where it did not.
+int write_report(const FitOptions& options, Json report, const Problems& problems, const SourceText* source, int code) {
+  if (!options.report) return code;
   report["succeeded"] = code == exit_ok;
-  put(options.report, written(report));
-  if (!options.quiet && options.out != "-" && options.report != "-") std::cout << summary_of_fit(found);
-  return code;
+  report["errors"] = problems_json(problems, source);
+  const Problems wrong = write_output(*options.report, written(report));
+  return wrong.empty() ? code : options.graph.console().fail(wrong, code == exit_ok ? exit_io : code);
 }
 
-int run(Options& options, const EngineMaker& make_engine) {
+/// The values that were given are part of what was found: without them the graph would be another one.
+Json fitted(const GivenGraph& given, const Json& found) {
+  Json parameters = given.parameters;
+  parameters.update(found.at("parameters"));
+  return fitting::with_defaults(given.document, parameters);
+}
+
+int write(const FitOptions& options, const GivenGraph& given, const Json& found) {
+  int code = code_of(found);
+  Problems wrong;
+  if (options.out) wrong = write_output(*options.out, canonical_layout(dump(fitted(given, found))));
+  if (!wrong.empty()) code = options.graph.console().fail(wrong, exit_io);
+  if (!options.quiet && options.out != "-" && options.report != "-") std::cout << summary_of_fit(found);
+  return write_report(options, found, wrong, nullptr, code);
+}
+
+int run(FitOptions& options, const EngineMaker& make_engine) {
   const Console& console = options.graph.console();
   const auto refused = [&](const Problems& problems) {
     return console.fail(problems, exit_code_for(problems, Stage::checking));
@@ -120,16 +129,22 @@ int run(Options& options, const EngineMaker& make_engine) {
   const std::vector<OutputPath> outputs = {{"-o", options.out}, {"--report", options.report, OutputKind::report}};
   if (const Problems unfit = unwritable(outputs, inputs); !unfit.empty()) return refused(unfit);
   if (options.report) remove_file(*options.report);
-  const auto given = options.graph.load(make_engine);
-  if (!given) return given.error();
+  Problems unread;
+  const auto given =
+      options.graph.load(make_engine, [&](const Problems& problems, const SourceText*) { unread = problems; });
+  if (!given) return write_report(options, Json::object(), unread, nullptr, given.error());
+  const auto failed = [&](const Problems& problems, const SourceText* source) {
+    const int code = console.fail(problems, exit_code_for(problems, Stage::checking), source);
+    return write_report(options, Json::object(), problems, source, code);
+  };
   const auto request = request_of(options, *given);
-  if (!request) return refused(request.problems());
+  if (!request) return failed(request.problems(), nullptr);
   fitting::FitTerms terms;
   if (options.deadline_ms > 0) {
     terms.deadline = Cancel::Clock::now() + std::chrono::milliseconds(options.deadline_ms);
   }
   const auto found = fitting::fit(*given->engine, *request, Job(), terms);
-  if (!found) return console.fail(found.problems(), exit_code_for(found.problems(), Stage::checking), &given->source);
+  if (!found) return failed(found.problems(), &given->source);
   return write(options, *given, *found);
 }
 
@@ -140,7 +155,7 @@ void add_fit(CLI::App& program, Command& chosen, const EngineMaker& make_engine)
   command->footer(
       "dini fit ring.json --vary reach,height=0.2:3 --target-mesh scan.ply -o best.json\n"
       "dini fit box.json --vary width,depth --target mass.volume=0.8 --minimize mass.area --report fit.json");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FitOptions>();
   options->graph.add_options(*command);
   options->words.add_options(*command);
   command->add_option("--target-mesh", options->target_mesh,

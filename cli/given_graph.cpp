@@ -12,8 +12,11 @@ void GraphArguments::add_options(CLI::App& command) {
   console_.add_options(command);
 }
 
-Expected<GivenGraph, int> GraphArguments::load(const EngineMaker& make_engine) const {
+Expected<GivenGraph, int> GraphArguments::load(
+    const EngineMaker& make_engine,
+    const std::function<void(const Problems& problems, const SourceText* source)>& told) const {
   const auto failed = [&](const Problems& problems, const SourceText* source = nullptr) {
+    if (told) told(problems, source);
     return console_.fail(problems, exit_code_for(problems, Stage::checking), source);
   };
   const Limits limits;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,8 +35,11 @@ class GraphArguments {
   const std::string& path() const { return path_; }
   const Console& console() const { return console_; }
 
-  /// Reads all of it. What is wrong is told on standard error, and the exit code for that is the error.
-  Expected<GivenGraph, int> load(const EngineMaker& make_engine) const;
+  /// Reads all of it. What is wrong is told on standard error, and to `failed` if it is given; the exit code for that is
+  /// the error.
+  Expected<GivenGraph, int> load(
+      const EngineMaker& make_engine,
+      const std::function<void(const Problems& problems, const SourceText* source)>& failed = {}) const;
 
  private:
   std::string path_;

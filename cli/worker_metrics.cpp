@@ -1,6 +1,5 @@
 #include "cli/worker_metrics.h"
 
-#include <charconv>
 #include <prometheus/collectable.h>
 #include <prometheus/exposer.h>
 #include <prometheus/metric_family.h>
@@ -8,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/number_in.h"
 #include "cli/problems.h"
 
 namespace dini::cli {
@@ -52,9 +52,8 @@ class WorkerReadings : public prometheus::Collectable {
 std::optional<std::string> endpoint_of(const std::string& address) {
   const std::size_t colon = address.rfind(':');
   const std::string_view port = std::string_view(address).substr(colon == std::string::npos ? 0 : colon + 1);
-  unsigned number = 0;
-  const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), number);
-  if (error != std::errc() || end != port.data() + port.size() || number < 1 || number > 65535) return std::nullopt;
+  const auto number = number_in<unsigned>(port);
+  if (!number || *number < 1 || *number > 65535) return std::nullopt;
   return colon == std::string::npos ? "127.0.0.1:" + address : address;
 }
 

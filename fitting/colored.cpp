@@ -11,10 +11,6 @@
 namespace dini::fitting {
 namespace {
 
-Problem wrong(std::string pointer, std::string code, std::string detail) {
-  return {.code = std::move(code), .detail = std::move(detail), .pointer = std::move(pointer), .in_request = true};
-}
-
 double speed_at(const Derivative& derivative, std::size_t vertex) {
   const auto first = derivative.slopes.begin() + static_cast<std::ptrdiff_t>(3 * vertex);
   return length(Vector{first[0], first[1], first[2]});
@@ -44,7 +40,7 @@ void add_meshes(const Differentiated& output, double fastest, GlbGroup& group) {
 
 Result<std::string> colored(const Gradient& gradient, const Cancel& cancel) {
   if (gradient.parameters.size() != 1) {
-    return wrong("/by", "limit-exceeded",
+    return request_problem("/by", "limit-exceeded",
                  "colors show how a model moves with one parameter, and " +
                      std::to_string(gradient.parameters.size()) + " are asked for; name one in `by`");
   }
@@ -56,7 +52,7 @@ Result<std::string> colored(const Gradient& gradient, const Cancel& cancel) {
     const Derivative& derivative = output.by.front();
     for (std::size_t k = 0; 3 * k < derivative.slopes.size(); ++k) fastest = std::max(fastest, speed_at(derivative, k));
   }
-  if (!has_mesh) return wrong("/of", "type-mismatch", "none of these outputs is a mesh, which alone can be colored");
+  if (!has_mesh) return request_problem("/of", "type-mismatch", "none of these outputs is a mesh, which alone can be colored");
   // What is within the error is no motion.
   for (const Differentiated& output : gradient.outputs) {
     if (output.value.type() == WireType::mesh && fastest <= output.by.front().error) fastest = 0;

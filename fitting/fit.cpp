@@ -33,7 +33,7 @@ std::vector<std::string> at_bounds(const Model& model, const Place& place) {
 }
 
 Json best_json(const Model& model, const Search& search) {
-  const Found& best = *search.best();
+  const Found& best = search.best();
   Json json = {{"parameters", setting_at(model.varied(), best.place)},
                {"objective", best.merit.objective},
                {"at_bounds", at_bounds(model, best.place)}};
@@ -54,40 +54,45 @@ Json best_json(const Model& model, const Search& search) {
   return json;
 }
 
+/// Of a search that came to its end.
 std::string outcome_of(const Search& search) {
-  if (search.ran_out_of_time()) return "deadline";
-  if (search.ran_out_of_evaluations()) return "evaluations";
   // Found, but not within the conditions: nothing near keeps them.
-  return search.has_conditions() && search.best()->merit.missing > 1e-6 ? "conditions" : "converged";
+  return search.has_conditions() && search.best().merit.missing > 1e-6 ? "conditions" : "converged";
 }
 
 }  // namespace
 
 Result<std::size_t> check(const Engine& engine, const FitRequest& request, const Cancel& cancel) {
   const Result<Model> model = Model::read(engine, request, cancel);
-  return model ? model->memory(engine) : Result<std::size_t>(model.problems());
+  if (!model) return model.problems();
+  return model->memory(engine, request.starts > 1 ? Search::evaluated_together : 1);
 }
 
 Result<Json> fit(const Engine& engine, const FitRequest& request, const Job& job, const FitTerms& terms) {
-  Result<Model> read = Model::read(engine, request, job.cancel);
+  const Cancel cancel(terms.deadline, job.cancel);
+  Result<Model> read = Model::read(engine, request, cancel);
   if (!read) return read.problems();
   Model& model = *read;
-  if (Problems problems = model.begin(); !problems.empty()) return problems;
-  Search search(model, request, job, terms);
+  Result<Sample> first = model.begin();
+  if (!first) return first.problems();
+  Search search(model, request, *std::move(first), cancel, job.progress, terms);
   Json starts = Json::array();
-  const auto is_met = [&] { return model.minimized().empty() && search.best() && search.best()->merit.objective < met; };
+  const auto is_met = [&] { return model.minimized().empty() && search.best().merit.objective < met; };
   const auto begin_at = [&](const Place& start) {
-    if (search.stopped() || is_met()) return;
+    if (search.stopped()) return;
     const std::optional<Found> found = search.descend(start);
     starts.push_back(start_json(model, start, found));
   };
   begin_at(start_of(model.varied()));
-  if (!is_met()) std::ranges::for_each(search.other_starts(), begin_at);
-  const bool was_late = search.ran_out_of_time();
-  if (job.cancel.stopped() && !was_late) return stopped_problem(job.cancel.reason());
-  if (!search.best()) return stopped_problem(StopReason::deadline);
+  if (!is_met()) {
+    for (const Place& start : search.other_starts()) {
+      if (!is_met()) begin_at(start);
+    }
+  }
+  const bool was_late = search.ran_out_of_time(), was_short = search.ran_out_of_evaluations();
+  if (cancel.stopped() && !was_late) return stopped_problem(cancel.reason());
   Json answer = best_json(model, search);
-  answer["outcome"] = outcome_of(search);
+  answer["outcome"] = was_late ? "deadline" : was_short ? "evaluations" : outcome_of(search);
   answer["starts"] = std::move(starts);
   Json undetermined = Json::array();
   if (!was_late) {

@@ -17,10 +17,6 @@ constexpr double longer_step = 2e-4;
 /// Of a value, in proportion to the largest of its output: what evaluating rounds away.
 constexpr double rounding = 4e-15;
 
-Problem wrong(std::string pointer, std::string code, std::string detail) {
-  return {.code = std::move(code), .detail = std::move(detail), .pointer = std::move(pointer), .in_request = true};
-}
-
 /// The values that a difference is made of: the parameter is moved by these parts of its longer step.
 struct Stencil {
   double step = 0;  ///< with its sign where it is one-sided
@@ -116,62 +112,140 @@ Result<ValuesRequest> request_of(const ValueSource& source, const GradientReques
   ValuesRequest values{.graph = request.graph, .parameters = request.parameters, .places = request.of};
   if (!values.places.empty()) return values;
   auto exported = source.exported_places(*request.graph);
-  if (!exported) return exported.problems();
+  if (!exported) {
+    Problems problems = exported.problems();
+    for (Problem& problem : problems) {
+      if (problem.in_request) problem.pointer = "/of";
+    }
+    return problems;
+  }
   values.places = *std::move(exported);
   return values;
 }
 
-}  // namespace
+/// What is asked, read without evaluating.
+struct Asked {
+  std::vector<Varied> varied;
+  ValuesRequest values;
+  std::vector<Stencil> stencils;  ///< of each parameter
+  std::size_t bytes = 0;          ///< predicted for one evaluation
 
-Result<Gradient> gradient(const Engine& engine, const GradientRequest& request, const Cancel& cancel) {
+  std::size_t settings() const {
+    std::size_t count = 1;
+    for (const Stencil& stencil : stencils) count += parts_of(stencil).size();
+    return count;
+  }
+};
+
+Result<Asked> read(const Engine& engine, const GradientRequest& request, const Cancel& cancel) {
   const ValueSource* source = engine.value_source();
-  if (source == nullptr) return wrong("", "internal", "this engine has no values to differentiate");
+  if (source == nullptr) return request_problem("", "internal", "this engine has no values to differentiate");
   const Result<Json> interface = engine.interface(*request.graph);
   if (!interface) return interface.problems();
-  const auto varied = read_differentiated(request.by, *interface, request.parameters);
+  Asked asked;
+  auto varied = read_differentiated(request.by, *interface, request.parameters);
   if (!varied) return varied.problems();
-  const auto asked = request_of(*source, request);
-  if (!asked) return asked.problems();
-  Gradient gradient;
-  std::vector<Stencil> stencils;
-  std::vector<Json> settings = {Json::object()};
-  for (const Varied& each : *varied) {
-    gradient.parameters.push_back(each.name);
-    gradient.at.push_back(each.start);
-    gradient.ranges.push_back(range_of(each));
-    stencils.push_back(stencil_of(each, gradient.ranges.back()));
-    for (const double part : parts_of(stencils.back())) {
-      settings.push_back({{each.name, each.start + part * stencils.back().step}});
+  auto values = request_of(*source, request);
+  if (!values) return values.problems();
+  asked.varied = *std::move(varied);
+  asked.values = *std::move(values);
+  for (const Varied& each : asked.varied) asked.stencils.push_back(stencil_of(each, range_of(each)));
+  const auto bytes = memory_of_one(engine, asked.values, Json::object(), cancel);
+  if (!bytes) return at_own_places(bytes.problems());
+  asked.bytes = *bytes;
+  return asked;
+}
+
+/// Where the values are not differentiated: one of another type, or more slopes than the limit of memory lets be kept.
+std::optional<Problem> fault_in(const Asked& asked, const std::vector<Value>& values, std::size_t limit) {
+  constexpr std::size_t bytes_of_slope = 48;  // as a number, and as text in an answer
+  std::size_t slopes = 0;
+  for (std::size_t place = 0; place < values.size(); ++place) {
+    if (!is_differentiated(values[place].type())) {
+      return request_problem("/of/" + std::to_string(place), "type-mismatch",
+                   asked.values.places[place] + " is of type " + std::string(name(values[place].type())) +
+                       "; accepted are numbers, vectors, points and meshes");
+    }
+    slopes += all_numbers(values[place]).size() * asked.varied.size();
+  }
+  if (slopes <= limit / bytes_of_slope) return std::nullopt;
+  return request_problem("/by", "limit-exceeded",
+               "there would be " + std::to_string(slopes) + " derivatives, at most " +
+                   std::to_string(limit / bytes_of_slope) + " are accepted; name fewer parameters, or smaller outputs");
+}
+
+/// Derivatives by the parameters [begin, end), whose evaluations are one family.
+Problems add_derivatives(const Asked& asked, std::size_t begin, std::size_t end, const ValueSource& source,
+                         const Cancel& cancel, Gradient& gradient) {
+  std::vector<Json> settings;
+  for (std::size_t k = begin; k < end; ++k) {
+    for (const double part : parts_of(asked.stencils[k])) {
+      settings.push_back({{asked.varied[k].name, asked.varied[k].start + part * asked.stencils[k].step}});
     }
   }
-  const auto values = source->values(*asked, settings, cancel);
+  const auto values = source.values(asked.values, settings, cancel);
   if (!values) return values.problems();
   for (const SettingValues& each : *values) {
     if (!each) return at_own_places(each.problems());
   }
-  for (std::size_t place = 0; place < asked->places.size(); ++place) {
-    Differentiated output{asked->places[place], (*values->front())[place], {}};
-    if (!is_differentiated(output.value.type())) {
-      return wrong("/of/" + std::to_string(place), "type-mismatch",
-                   output.place + " is of type " + std::string(name(output.value.type())) +
-                       "; accepted are numbers, vectors, points and meshes");
-    }
+  for (std::size_t place = 0; place < gradient.outputs.size(); ++place) {
+    Differentiated& output = gradient.outputs[place];
     const std::vector<double> numbers = all_numbers(output.value);
-    std::size_t setting = 1;
-    for (std::size_t k = 0; k < varied->size(); ++k) {
+    std::size_t setting = 0;
+    for (std::size_t k = begin; k < end; ++k) {
       std::vector<std::vector<double>> moved;
-      for (std::size_t part = 0; part < parts_of(stencils[k]).size(); ++part) {
+      for (std::size_t part = 0; part < parts_of(asked.stencils[k]).size(); ++part) {
         moved.push_back(all_numbers((*(*values)[setting++])[place]));
       }
-      auto found = derivative(stencils[k], numbers, moved);
+      auto found = derivative(asked.stencils[k], numbers, moved);
       if (!found) {
-        return wrong("/of/" + std::to_string(place), "degenerate",
-                     output.place + " has no derivative by " + gradient.parameters[k] +
-                         " here: within a small step it gets another number of values, or one that is not finite");
+        return {request_problem("/of/" + std::to_string(place), "degenerate",
+                      output.place + " has no derivative by " + asked.varied[k].name +
+                          " here: within a small step it gets another number of values, or one that is not finite")};
       }
       output.by.push_back(*std::move(found));
     }
-    gradient.outputs.push_back(std::move(output));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<std::size_t> check(const Engine& engine, const GradientRequest& request, const Cancel& cancel) {
+  const Result<Asked> asked = read(engine, request, cancel);
+  if (!asked) return asked.problems();
+  return std::min(engine.limits().request_bytes, asked->settings() * asked->bytes);
+}
+
+Result<Gradient> gradient(const Engine& engine, const GradientRequest& request, const Cancel& cancel) {
+  const Result<Asked> asked = read(engine, request, cancel);
+  if (!asked) return asked.problems();
+  const ValueSource& source = *engine.value_source();
+  const std::size_t limit = engine.limits().request_bytes;
+  const Json here = Json::object();
+  const auto first = source.values(asked->values, std::span(&here, 1), cancel);
+  if (!first) return first.problems();
+  if (!first->front()) return at_own_places(first->front().problems());
+  const std::vector<Value>& values = *first->front();
+  if (auto fault = fault_in(*asked, values, limit)) return *std::move(fault);
+  Gradient gradient;
+  for (const Varied& each : asked->varied) {
+    gradient.parameters.push_back(each.name);
+    gradient.at.push_back(each.start);
+    gradient.ranges.push_back(range_of(each));
+  }
+  for (std::size_t place = 0; place < values.size(); ++place) {
+    gradient.outputs.push_back({asked->values.places[place], values[place], {}});
+  }
+  const std::size_t most_settings = limit / std::max<std::size_t>(1, asked->bytes);
+  for (std::size_t begin = 0, end = 0; begin < asked->varied.size(); begin = end) {
+    std::size_t settings = 0;
+    do {
+      settings += parts_of(asked->stencils[end++]).size();
+    } while (end < asked->varied.size() && settings + central.size() <= most_settings);
+    if (Problems problems = add_derivatives(*asked, begin, end, source, cancel, gradient); !problems.empty()) {
+      return problems;
+    }
   }
   return gradient;
 }

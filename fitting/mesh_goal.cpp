@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tbb/parallel_for.h>
+
+#include "geometry/bounding_box.h"
 
 namespace dini::fitting {
 namespace {
@@ -29,16 +30,11 @@ std::vector<std::uint32_t> samples_among(std::size_t vertices, const MeshTree::T
 }
 
 double diagonal_of(const Surface& surface) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Vector low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
+  BoundingBox bounds;
   for (const auto& triangle : surface.triangles) {
-    for (const std::uint32_t corner : triangle) {
-      const Vector& point = surface.positions[corner];
-      low = {std::min(low.x, point.x), std::min(low.y, point.y), std::min(low.z, point.z)};
-      high = {std::max(high.x, point.x), std::max(high.y, point.y), std::max(high.z, point.z)};
-    }
+    for (const std::uint32_t corner : triangle) bounds.add(surface.positions[corner]);
   }
-  const double diagonal = length(high - low);
+  const double diagonal = length(bounds.high - bounds.low);
   return diagonal > 0 ? diagonal : 1;
 }
 

@@ -49,6 +49,9 @@ class MeshGoal {
 
   MeshDistance distance(const std::vector<Foot>& feet) const;
 
+  /// About how much memory it holds.
+  std::size_t bytes() const { return tree_.bytes(); }
+
  private:
   std::size_t samples_of_model(const std::vector<Foot>& feet) const { return feet.size() - samples_.size(); }
   double weight(std::size_t samples) const;

@@ -13,10 +13,6 @@ namespace {
 /// digits are for the difference, and the others for what bends within the step.
 constexpr double difference_step = 1e-6;
 
-Problem wrong(std::string pointer, std::string code, std::string detail) {
-  return {.code = std::move(code), .detail = std::move(detail), .pointer = std::move(pointer), .in_request = true};
-}
-
 /// All numbers of a number or of lists in lists; nothing for anything else.
 bool gather_numbers(const Json& json, std::vector<double>& numbers) {
   if (json.is_number()) {
@@ -42,7 +38,7 @@ Result<std::vector<NumberGoal>> read_targets(const Json& targets) {
   for (const auto& [place, wanted] : targets.items()) {
     NumberGoal goal{.place = place, .wanted = {}};
     if (!gather_numbers(wanted, goal.wanted) || goal.wanted.empty()) {
-      problems.push_back(wrong("/targets/" + pointer_token(place), "type-mismatch",
+      problems.push_back(request_problem("/targets/" + pointer_token(place), "type-mismatch",
                                place + " is to be a number, or a list of all numbers of that output"));
       continue;
     }
@@ -55,14 +51,22 @@ Result<std::vector<NumberGoal>> read_targets(const Json& targets) {
   return goals;
 }
 
+/// Problems of a member that this request calls otherwise.
+Problems at_member(Problems problems, std::string_view from, const std::string& to) {
+  for (Problem& problem : problems) {
+    if (problem.in_request && problem.pointer == from) problem.pointer = to;
+  }
+  return problems;
+}
+
 Result<std::string> place_of_mesh(const ValueSource& source, const FitRequest& request) {
   if (!request.mesh.empty()) return request.mesh;
   const auto exported = source.exported_places(*request.graph);
-  if (!exported) return exported.problems();
+  if (!exported) return at_member(exported.problems(), "/output", "/mesh");
   if (exported->size() == 1) return exported->front();
   std::string list;
   for (const std::string& place : *exported) list += (list.empty() ? "" : ", ") + place;
-  return wrong("/mesh", "required-input-missing",
+  return request_problem("/mesh", "required-input-missing",
                exported->empty() ? "nothing is exported, so `mesh` names the output that is to be like the mesh"
                                  : "several outputs are exported, so `mesh` names one of " + list);
 }
@@ -77,7 +81,7 @@ Result<MeshGoal> read_mesh(const ValueSource& source, const std::string& name, c
   const auto column = single_column<SharedMesh>(std::make_shared<const Mesh>((*file)->content.mesh));
   Surface target = surface_of(Value{{}, column});
   if (target.triangles.empty()) {
-    return wrong("/target_mesh", "degenerate", "the mesh file has no triangles to be like");
+    return request_problem("/target_mesh", "degenerate", "the mesh file has no triangles to be like");
   }
   return MeshGoal(std::move(target), cancel);
 }
@@ -100,12 +104,12 @@ std::vector<double> differences(const std::vector<double>& from, const std::vect
 
 Result<Model> Model::read(const Engine& engine, const FitRequest& request, const Cancel& cancel) {
   const ValueSource* source = engine.value_source();
-  if (source == nullptr) return wrong("", "internal", "this engine has no values to fit");
+  if (source == nullptr) return request_problem("", "internal", "this engine has no values to fit");
   if (request.targets.empty() && request.target_mesh.empty() && request.minimize.empty()) {
-    return wrong("", "required-input-missing", "a fit needs targets, a target_mesh or something to minimize");
+    return request_problem("", "required-input-missing", "a fit needs targets, a target_mesh or something to minimize");
   }
   if (!request.mesh.empty() && request.target_mesh.empty()) {
-    return wrong("/mesh", "required-input-missing", "mesh goes with a target_mesh, the file that it is to be like");
+    return request_problem("/mesh", "required-input-missing", "mesh goes with a target_mesh, the file that it is to be like");
   }
   const Result<Json> interface = engine.interface(*request.graph);
   if (!interface) return interface.problems();
@@ -131,25 +135,34 @@ Result<Model> Model::read(const Engine& engine, const FitRequest& request, const
   return model;
 }
 
-Problems Model::begin() {
-  const std::vector<Result<Sample>> first = at({start_of(varied_)});
-  if (!first.front()) return at_own_places(first.front().problems());
+Result<Sample> Model::begin() {
+  Result<Sample> first = std::move(at({start_of(varied_)}).front());
+  if (!first) return at_own_places(first.problems());
   for (std::size_t k = 0; k < minimized_.size(); ++k) {
-    const double value = std::abs(first.front()->numbers[targets_.size() + k].front());
-    sizes_.push_back(value > 0 ? value : 1);
+    const double value = first->numbers[targets_.size() + k].front(), size = std::abs(value) > 0 ? std::abs(value) : 1;
+    sizes_.push_back(size);
+    first->minimized += value / size;
   }
-  return {};
+  return first;
 }
 
-Result<std::size_t> Model::memory(const Engine& engine) const {
-  EvaluateRequest request{.graph = request_.graph,
-                          .parameters = request_.parameters,
-                          .measures = request_.places,
-                          .without_output = true};
-  request.parameters.update(setting_at(varied_, start_of(varied_)));
-  const auto prepared = engine.prepare(request, *cancel_);
-  if (!prepared) return at_own_places(prepared.problems());
-  return std::min(engine.limits().request_bytes, (varied_.size() + 1) * (*prepared)->bytes);
+Result<std::size_t> memory_of_one(const Engine& engine, const ValuesRequest& request, const Json& setting,
+                                  const Cancel& cancel) {
+  EvaluateRequest one{.graph = request.graph,
+                      .parameters = request.parameters,
+                      .measures = request.places,
+                      .without_output = true};
+  one.parameters.update(setting);
+  const auto prepared = engine.prepare(one, cancel);
+  return prepared ? (*prepared)->bytes : Result<std::size_t>(prepared.problems());
+}
+
+Result<std::size_t> Model::memory(const Engine& engine, std::size_t together) const {
+  const auto one = memory_of_one(engine, request_, setting_at(varied_, start_of(varied_)), *cancel_);
+  if (!one) return at_own_places(one.problems());
+  // The family is cut where it would be over the limit. A mesh is looked at by a tree of its own, one after another.
+  const std::size_t family = std::max(together, varied_.size() + 1) * *one;
+  return std::min(engine.limits().request_bytes, family + (mesh_ ? *one + mesh_->bytes() : 0));
 }
 
 Problems Model::at_own_places(Problems problems) const {
@@ -159,7 +172,7 @@ Problems Model::at_own_places(Problems problems) const {
     const auto index = static_cast<std::size_t>(std::stoul(problem.pointer->substr(measures.size())));
     problem.pointer = pointer_to(index);
   }
-  return problems;
+  return at_member(std::move(problems), "/measures", targets_.empty() ? "/minimize" : "/targets");
 }
 
 std::string Model::pointer_to(std::size_t place) const {
@@ -185,14 +198,14 @@ Result<Sample> Model::sample_of(const std::vector<Value>& values) const {
     const std::string& place = is_target ? targets_[k].place : minimized_[k - targets_.size()];
     const std::string pointer = pointer_to(k);
     auto found = numbers_of(values[k]);
-    if (!found) return wrong(pointer, "type-mismatch", place + " has no numbers; accepted are numbers, vectors, points");
+    if (!found) return request_problem(pointer, "type-mismatch", place + " has no numbers; accepted are numbers, vectors, points");
     const std::size_t wanted = is_target ? targets_[k].wanted.size() : 1;
     if (found->size() != wanted) {
-      return wrong(pointer, "axis-mismatch",
+      return request_problem(pointer, "axis-mismatch",
                    place + " has " + std::to_string(found->size()) + " numbers, " + std::to_string(wanted) +
                        (is_target ? " are given" : " can be minimized"));
     }
-    if (!all_finite(*found)) return wrong(pointer, "non-finite", place + " is not finite");
+    if (!all_finite(*found)) return request_problem(pointer, "non-finite", place + " is not finite");
     if (is_target) {
       for (std::size_t i = 0; i < wanted; ++i) {
         sample.conditions.push_back(((*found)[i] - targets_[k].wanted[i]) / targets_[k].size);
@@ -205,12 +218,12 @@ Result<Sample> Model::sample_of(const std::vector<Value>& values) const {
   if (!mesh_) return sample;
   const std::string& place = request_.places.back();
   if (values.back().type() != WireType::mesh) {
-    return wrong("/mesh", "type-mismatch", place + " is no mesh; name an output that is one");
+    return request_problem("/mesh", "type-mismatch", place + " is no mesh; name an output that is one");
   }
   sample.surface = surface_of(values.back());
-  if (sample.surface.triangles.empty()) return wrong("/mesh", "degenerate", place + " has no triangles");
+  if (sample.surface.triangles.empty()) return request_problem("/mesh", "degenerate", place + " has no triangles");
   if (!all_finite(sample.surface)) {
-    return wrong("/mesh", "non-finite", place + " is not finite");
+    return request_problem("/mesh", "non-finite", place + " is not finite");
   }
   sample.feet = mesh_->feet_of(sample.surface, *cancel_);
   sample.distances = mesh_->residuals(sample.feet);

@@ -41,11 +41,12 @@ class Model {
   /// the model.
   static Result<Model> read(const Engine& engine, const FitRequest& request, const Cancel& cancel);
 
-  /// Evaluates the first place, by which things to be minimized are weighed; to be done once. Its problems.
-  Problems begin();
+  /// Evaluates the first place, by which things to be minimized are weighed; to be done once.
+  Result<Sample> begin();
 
-  /// The memory that a family of as many evaluations takes as a derivative needs, or what the check of the graph says.
-  Result<std::size_t> memory(const Engine& engine) const;
+  /// The memory that so many evaluations take, or those of a derivative where these are more: of the graph as one
+  /// family, and of what is measured. Else what the check of the graph says.
+  Result<std::size_t> memory(const Engine& engine, std::size_t together) const;
 
   const std::vector<Varied>& varied() const { return varied_; }
   const std::vector<NumberGoal>& targets() const { return targets_; }
@@ -81,6 +82,10 @@ class Model {
   std::optional<MeshGoal> mesh_;
   std::int64_t evaluations_ = 0;
 };
+
+/// The predicted memory of one evaluation for these places, or what the check of the graph says of it.
+Result<std::size_t> memory_of_one(const Engine& engine, const ValuesRequest& request, const Json& setting,
+                                  const Cancel& cancel);
 
 /// The numbers of a value: those of numbers, and all components of vectors and points; nothing for another type.
 std::optional<std::vector<double>> numbers_of(const Value& value);

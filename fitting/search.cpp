@@ -11,7 +11,6 @@ namespace {
 
 /// So many places are looked at for each start but the first.
 constexpr std::size_t places_per_start = 16;
-constexpr std::size_t evaluated_together = 16;
 
 /// Conditions that are missed by no more count as kept. Less is still better, at this price.
 constexpr double kept = 1e-6;
@@ -41,6 +40,21 @@ std::vector<Place> spread(std::size_t dimensions, std::size_t count) {
   return places;
 }
 
+/// Slopes of a place of which none are known.
+Slopes flat(std::size_t parameters, const Sample& sample) {
+  return {std::vector<double>(parameters), {parameters, std::vector<double>(sample.conditions.size())},
+          {parameters, std::vector<double>(sample.distances.size())}};
+}
+
+/// Each of length 1; one that is zero stays.
+std::vector<std::vector<double>> directions(std::vector<std::vector<double>> slopes) {
+  for (std::vector<double>& slope : slopes) {
+    const double size = std::sqrt(dot_product(slope, slope));
+    if (size > 0) std::ranges::transform(slope, slope.begin(), [&](double each) { return each / size; });
+  }
+  return slopes;
+}
+
 /// What a graph that fails is worth: more than anything, and still a number to go back from.
 double beyond(double first) { return 1e6 * (1 + std::abs(first)); }
 
@@ -52,21 +66,27 @@ bool Merit::is_better_than(const Merit& other) const {
   return missing < other.missing;
 }
 
-Search::Search(Model& model, const FitRequest& request, const Job& job, const FitTerms& terms)
+Search::Search(Model& model, const FitRequest& request, Sample first, const Cancel& cancel, const Progress& progress,
+               const FitTerms& terms)
     : model_(model),
-      job_(job),
+      cancel_(cancel),
+      progress_(progress),
       terms_(terms),
       starts_(request.starts),
       most_evaluations_(request.evaluations),
+      last_place_(start_of(model.varied())),
+      last_sample_(std::move(first)),
       seen_(model.varied().size()) {
-  job_.progress.announce(static_cast<double>(most_evaluations_));
+  progress_.announce(static_cast<double>(most_evaluations_));
+  tell_progress();
+  consider(*last_place_, *last_sample_);
 }
 
-bool Search::ran_out_of_time() const {
-  return Cancel::Clock::now() >= terms_.deadline || job_.cancel.reason() == StopReason::deadline;
+bool Search::has_left(std::size_t evaluations) {
+  const bool has = model_.evaluations() + static_cast<std::int64_t>(evaluations) <= most_evaluations_;
+  ran_out_ = ran_out_ || !has;
+  return has;
 }
-
-bool Search::stopped() const { return job_.cancel.stopped() || ran_out_of_time() || ran_out_of_evaluations(); }
 
 Merit Search::merit_of(const Sample& sample) const {
   const double missing = dot_product(sample.conditions, sample.conditions);
@@ -89,12 +109,13 @@ void Search::consider(const Place& place, const Sample& sample) {
 
 void Search::tell_progress() {
   const std::int64_t now = std::min(model_.evaluations(), most_evaluations_);
-  job_.progress.add(static_cast<double>(now - told_));
+  progress_.add(static_cast<double>(now - told_));
   told_ = now;
 }
 
 const Sample* Search::sample_at(const Place& place) {
   if (last_place_ != place) {
+    if (!has_left(1)) return nullptr;
     Result<Sample> sample = std::move(model_.at({place}).front());
     last_place_ = place;
     last_sample_ = sample ? std::optional(*std::move(sample)) : std::nullopt;
@@ -106,6 +127,11 @@ const Sample* Search::sample_at(const Place& place) {
 
 const Slopes& Search::slopes_at(const Place& place, const Sample& sample) {
   if (slopes_place_ == place) return slopes_;
+  if (!has_left(place.size())) {
+    slopes_ = flat(place.size(), sample);
+    slopes_place_ = std::nullopt;
+    return slopes_;
+  }
   slopes_ = model_.slopes(place, sample);
   slopes_place_ = place;
   tell_progress();
@@ -124,8 +150,10 @@ std::vector<Place> Search::other_starts() {
   const std::size_t more = static_cast<std::size_t>(starts_ - 1);
   const std::vector<Place> places = spread(model_.varied().size(), places_per_start * more);
   std::vector<std::pair<Merit, Place>> looked;
-  for (std::size_t first = 0; first < places.size() && !stopped(); first += evaluated_together) {
-    const auto end = std::min(places.size(), first + evaluated_together);
+  for (std::size_t first = 0; first < places.size() && !stopped();) {
+    const auto left = static_cast<std::size_t>(std::max<std::int64_t>(0, most_evaluations_ - model_.evaluations()));
+    if (!has_left(1)) break;
+    const auto end = std::min({places.size(), first + evaluated_together, first + left});
     const std::vector<Place> some(places.begin() + static_cast<std::ptrdiff_t>(first),
                                   places.begin() + static_cast<std::ptrdiff_t>(end));
     const std::vector<Result<Sample>> samples = model_.at(some);
@@ -133,6 +161,7 @@ std::vector<Place> Search::other_starts() {
       if (samples[k]) looked.emplace_back(merit_of(*samples[k]), some[k]);
       if (samples[k]) consider(some[k], *samples[k]);
     }
+    first = end;
     tell_progress();
   }
   std::ranges::stable_sort(looked, [](const auto& a, const auto& b) { return a.first.is_better_than(b.first); });
@@ -165,18 +194,25 @@ Place Search::downhill(const Place& start) {
     }
     return scale * merit_of(*sample).objective;
   };
-  objective.conditions = has_conditions() ? first->conditions.size() : 0;
+  // No more conditions may be kept than there are parameters, so of more there are combinations: those by which the
+  // parameters rise at first.
+  std::vector<std::vector<double>> combinations;
+  if (has_conditions() && first->conditions.size() > count) combinations = directions(slopes_at(start, *first).conditions);
+  objective.conditions = !has_conditions() ? 0 : combinations.empty() ? first->conditions.size() : count;
+  const auto combined = [&](const std::vector<double>& conditions, std::size_t i) {
+    return combinations.empty() ? conditions[i] : dot_product(combinations[i], conditions);
+  };
   objective.missing = [&](const Place& place, std::span<double> values, std::span<double> wanted) {
     const Sample* sample = sample_at(place);
     if (sample == nullptr) {
       std::ranges::fill(values, 1.0);
       return;
     }
-    std::ranges::copy(sample->conditions, values.begin());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = combined(sample->conditions, i);
     if (wanted.empty()) return;
     const Slopes& slopes = slopes_at(place, *sample);
     for (std::size_t i = 0; i < values.size(); ++i) {
-      for (std::size_t k = 0; k < count; ++k) wanted[i * count + k] = slopes.conditions[k][i];
+      for (std::size_t k = 0; k < count; ++k) wanted[i * count + k] = combined(slopes.conditions[k], i);
     }
   };
   return minimize(objective, start);
@@ -217,7 +253,8 @@ std::optional<Found> Search::descend(const Place& start) {
 }
 
 SymmetricMatrix Search::rise() {
-  if (!model_.minimized().empty() || !best_) return seen_;
+  if (!model_.minimized().empty()) return seen_;
+  if (slopes_place_ != best_->place && !has_left(model_.varied().size())) return seen_;
   const Slopes slopes = slopes_place_ == best_->place ? slopes_ : model_.slopes(best_->place, best_->sample);
   SymmetricMatrix rise = normal_matrix(slopes.conditions);
   const SymmetricMatrix more = normal_matrix(slopes.distances);

@@ -27,7 +27,12 @@ struct Found {
 /// One fit as its optimizers see it: it knows what was asked last, the best of all, and when to stop.
 class Search {
  public:
-  Search(Model& model, const FitRequest& request, const Job& job, const FitTerms& terms);
+  /// So many places are evaluated at once where starts are looked for.
+  static constexpr std::size_t evaluated_together = 16;
+
+  /// `first` is what the model began with at its first place. `cancel` ends at the deadline of the terms as well.
+  Search(Model& model, const FitRequest& request, Sample first, const Cancel& cancel, const Progress& progress,
+         const FitTerms& terms);
 
   /// Whether conditions are kept beside something to minimize, instead of being part of the sum of squares.
   bool has_conditions() const { return !model_.minimized().empty() && !model_.targets().empty(); }
@@ -39,15 +44,18 @@ class Search {
   std::optional<Found> descend(const Place& start);
 
   /// Nothing more is evaluated: the deadline or the number of evaluations is reached, or somebody stopped it.
-  bool stopped() const;
-  bool ran_out_of_time() const;
-  bool ran_out_of_evaluations() const { return model_.evaluations() >= most_evaluations_; }
+  bool stopped() const { return cancel_.stopped() || ran_out_; }
+  bool ran_out_of_time() const { return cancel_.stopped() && cancel_.reason() == StopReason::deadline; }
+  /// More evaluations were wanted than are left.
+  bool ran_out_of_evaluations() const { return ran_out_; }
 
-  const std::optional<Found>& best() const { return best_; }
+  const Found& best() const { return *best_; }
   /// How sharply what is asked rises at the best place or, beside something to minimize, anywhere on the way.
   SymmetricMatrix rise();
 
  private:
+  /// Whether so many evaluations may still be made.
+  bool has_left(std::size_t evaluations);
   Merit merit_of(const Sample& sample) const;
   const Sample* sample_at(const Place& place);
   const Slopes& slopes_at(const Place& place, const Sample& sample);
@@ -57,10 +65,12 @@ class Search {
   Place to_the_end(const Place& start);
 
   Model& model_;
-  const Job& job_;
+  const Cancel& cancel_;
+  const Progress& progress_;
   const FitTerms& terms_;
   const std::int64_t starts_, most_evaluations_;
   std::int64_t told_ = 0;
+  bool ran_out_ = false;
   std::optional<Place> last_place_;
   std::optional<Sample> last_sample_;
   std::optional<Place> slopes_place_;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/bounding_box.h"
+
 namespace dini {
 
 double rounded_minimum(std::span<const double> numbers, double blend, std::vector<double>* shares) {
@@ -42,15 +44,13 @@ double rounded_minimum(std::span<const double> numbers, double blend, std::vecto
 }
 
 SolidBall ball_around(const std::vector<SolidBall>& balls) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Vector low{infinity, infinity, infinity}, high = -low;
+  BoundingBox bounds;
   for (const SolidBall& ball : balls) {
-    const Vector& c = ball.center;
-    const double r = ball.radius;
-    low = {std::min(low.x, c.x - r), std::min(low.y, c.y - r), std::min(low.z, c.z - r)};
-    high = {std::max(high.x, c.x + r), std::max(high.y, c.y + r), std::max(high.z, c.z + r)};
+    const Vector corner{ball.radius, ball.radius, ball.radius};
+    bounds.add(ball.center - corner);
+    bounds.add(ball.center + corner);
   }
-  SolidBall around{0.5 * low + 0.5 * high, 0};
+  SolidBall around{0.5 * bounds.low + 0.5 * bounds.high, 0};
   for (const SolidBall& ball : balls) {
     around.radius = std::max(around.radius, length(ball.center - around.center) + ball.radius);
   }
@@ -81,7 +81,7 @@ std::optional<Reach> reach_of_blend(const std::vector<SharedField>& fields, doub
 class BlendField : public ScalarField {
  public:
   BlendField(std::vector<SharedField> fields, double side, double blend, std::optional<Reach> reach)
-      : ScalarField(size_over(fields, sizeof(*this)), reach), fields_(std::move(fields)), side_(side), blend_(blend) {}
+      : ScalarField(size_over(fields, sizeof(*this) + fields.size() * sizeof(SharedField)), reach), fields_(std::move(fields)), side_(side), blend_(blend) {}
 
   void values(const Places& at, double* out) const override {
     const std::size_t count = fields_.size();
@@ -121,12 +121,14 @@ class BlendField : public ScalarField {
     std::vector<SharedField> all, kept;
     std::vector<double> lows, highs;
     bool changed = false;
+    std::size_t made = 0;
     for (const SharedField& field : fields_) {
       Narrowed one = field->narrowed(ball, field);
       changed = changed || one.field != field;
       lows.push_back(side_ > 0 ? one.values.low : -one.values.high);
       highs.push_back(side_ > 0 ? one.values.high : -one.values.low);
       all.push_back(std::move(one.field));
+      made += one.made;
     }
     const double low = rounded_minimum(lows, blend_), high = rounded_minimum(highs, blend_);
     const double needed = *std::min_element(highs.begin(), highs.end()) + blend_ + narrowing_slack * ball.radius;
@@ -134,9 +136,10 @@ class BlendField : public ScalarField {
       if (!(lows[k] >= needed)) kept.push_back(std::move(all[k]));
     }
     const Interval values = side_ > 0 ? Interval{low, high} : Interval{-high, -low};
-    if (kept.size() == 1) return {values, std::move(kept.front())};
+    if (kept.size() == 1) return {values, std::move(kept.front()), made};
     if (!changed && kept.size() == fields_.size()) return {values, self};
-    return {values, std::make_shared<BlendField>(std::move(kept), side_, blend_, reach())};
+    made += sizeof(*this) + kept.size() * sizeof(kept.front());
+    return {values, std::make_shared<BlendField>(std::move(kept), side_, blend_, reach()), made};
   }
 
   std::string formula() const override {
@@ -166,7 +169,7 @@ class ComplementField : public ScalarField {
     Narrowed one = field_->narrowed(ball, field_);
     const Interval values{-one.values.high, -one.values.low};
     if (one.field == field_) return {values, self};
-    return {values, std::make_shared<ComplementField>(std::move(one.field), reach())};
+    return {values, std::make_shared<ComplementField>(std::move(one.field), reach()), one.made + sizeof(*this)};
   }
   std::string formula() const override { return "complement(" + field_->formula() + ")"; }
 

@@ -27,7 +27,8 @@ class OffsetField : public ScalarField {
     Narrowed one = field_->narrowed(ball, field_);
     const Interval values{one.values.low - distance_, one.values.high - distance_};
     if (one.field == field_) return {values, self};
-    return {values, std::make_shared<OffsetField>(std::move(one.field), distance_, reach())};
+    return {values, std::make_shared<OffsetField>(std::move(one.field), distance_, reach()),
+            one.made + sizeof(*this)};
   }
   std::string formula() const override { return "offset(" + field_->formula() + ")"; }
 
@@ -54,7 +55,8 @@ class ShellField : public ScalarField {
     const double nearest = low > 0 ? low : high < 0 ? -high : 0;
     const Interval values{nearest - half_, std::max(-low, high) - half_};
     if (one.field == field_) return {values, self};
-    return {values, std::make_shared<ShellField>(std::move(one.field), middle_, half_, reach())};
+    return {values, std::make_shared<ShellField>(std::move(one.field), middle_, half_, reach()),
+            one.made + sizeof(*this)};
   }
   std::string formula() const override { return "shell(" + field_->formula() + ")"; }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "geometry/bounding_box.h"
 #include "geometry/field_blend.h"
 
 namespace dini {
@@ -112,13 +113,9 @@ class BoxField : public FormulaField<BoxField> {
 
 SolidBall ball_around(const Column<Point>& points, const Cancel& cancel) {
   CancelEvery steps(cancel);
-  Vector low = to_vector(points[0]), high = low;
-  for (std::size_t i = 1; i < points.size() && !steps.stopped(); ++i) {
-    const Point p = points[i];
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  SolidBall ball{0.5 * low + 0.5 * high, 0};
+  BoundingBox bounds;
+  for (std::size_t i = 0; i < points.size() && !steps.stopped(); ++i) bounds.add(to_vector(points[i]));
+  SolidBall ball{0.5 * bounds.low + 0.5 * bounds.high, 0};
   for (std::size_t i = 0; i < points.size() && !steps.stopped(); ++i) {
     ball.radius = std::max(ball.radius, length(to_vector(points[i]) - ball.center));
   }
@@ -168,7 +165,8 @@ class BallsField : public ScalarField {
     if (kept.size() == centers_.size()) return {values, self};
     Column<Point> few(kept.size());
     for (std::size_t k = 0; k < kept.size(); ++k) few.set(k, centers_[kept[k]]);
-    return {values, std::make_shared<BallsField>(std::move(few), radius_, blend_, around_)};
+    const std::size_t made = sizeof(*this) + few.bytes();
+    return {values, std::make_shared<BallsField>(std::move(few), radius_, blend_, around_), made};
   }
 
   std::string formula() const override { return "balls(" + std::to_string(centers_.size()) + ")"; }

@@ -8,6 +8,17 @@ namespace dini {
 
 namespace {
 
+/// The values at many places; between some the flag is looked at. Stopped early: some are not written.
+void measure(const ScalarField& field, const Places& at, double* out, const Cancel& cancel) {
+  constexpr std::size_t operations_between = std::size_t{1} << 17, bytes_of_operation = 32;
+  const std::size_t operations = field.size().operations + field.size().bytes / bytes_of_operation;
+  const std::size_t chunk = std::clamp<std::size_t>(operations_between / operations, 1, std::max<std::size_t>(1, at.count));
+  for (std::size_t begin = 0; begin < at.count && !cancel.stopped(); begin += chunk) {
+    const std::size_t count = std::min(chunk, at.count - begin);
+    field.values({at.x + begin, at.y + begin, at.z + begin, count}, out + begin);
+  }
+}
+
 /// The bracket of a zero along edges, all at once, made smaller by secants; the end that stays counts half from then on
 /// (the Illinois rule).
 class Secants {
@@ -15,17 +26,18 @@ class Secants {
   Secants(std::vector<Vector> from, std::vector<Vector> to, std::vector<double> low, std::vector<double> high)
       : from_(std::move(from)), to_(std::move(to)), low_(std::move(low)), high_(std::move(high)) {}
 
-  std::vector<Vector> zeros(const ScalarField& field) {
+  /// Stopped early: places that mean nothing.
+  std::vector<Vector> zeros(const ScalarField& field, const Cancel& cancel) {
     constexpr int steps = 5;
     const std::size_t count = from_.size();
     std::vector<double> begin(count, 0.0), end(count, 1.0), x(count), y(count), z(count), value(count);
     std::vector<int> moved(count, 0);
-    for (int step = 0; step < steps && count > 0; ++step) {
+    for (int step = 0; step < steps && count > 0 && !cancel.stopped(); ++step) {
       for (std::size_t i = 0; i < count; ++i) {
         const Vector place = at(i, between(i, begin[i], end[i]));
         x[i] = place.x, y[i] = place.y, z[i] = place.z;
       }
-      field.values({x.data(), y.data(), z.data(), count}, value.data());
+      measure(field, {x.data(), y.data(), z.data(), count}, value.data(), cancel);
       for (std::size_t i = 0; i < count; ++i) {
         const double middle = between(i, begin[i], end[i]);
         if ((value[i] < 0) == (low_[i] < 0)) {
@@ -65,17 +77,22 @@ std::size_t corner_index(std::uint32_t i, std::uint32_t j, std::uint32_t k) { re
 
 class BrickSampler {
  public:
-  BrickSampler(const Brick& brick, const ImplicitGrid& grid) : brick_(brick), grid_(grid) {}
+  BrickSampler(const Brick& brick, const ImplicitGrid& grid, const Cancel& cancel)
+      : brick_(brick), grid_(grid), cancel_(cancel) {}
 
   BrickSurface run() {
     sample();
+    if (cancel_.stopped()) return {};
     const bool inside = values_[0] < 0;
     if (std::all_of(values_.begin(), values_.end(), [&](double value) { return (value < 0) == inside; })) return {};
     find_crossings();
     surface_.cell_at.assign(BrickSurface::cells, BrickSurface::none);
     for (std::uint8_t k = 0; k < Brick::side; ++k) {
       for (std::uint8_t j = 0; j < Brick::side; ++j) {
-        for (std::uint8_t i = 0; i < Brick::side; ++i) add_cell({i, j, k});
+        for (std::uint8_t i = 0; i < Brick::side; ++i) {
+          if (cancel_.stopped()) return {};
+          add_cell({i, j, k});
+        }
       }
     }
     return std::move(surface_);
@@ -98,7 +115,7 @@ class BrickSampler {
       }
     }
     values_.resize(corner_count);
-    brick_.field->values({x.data(), y.data(), z.data(), corner_count}, values_.data());
+    measure(*brick_.field, {x.data(), y.data(), z.data(), corner_count}, values_.data(), cancel_);
   }
 
   void find_crossings() {
@@ -128,9 +145,9 @@ class BrickSampler {
     for (std::size_t i = 0; i < from.size(); ++i)
       outward[i] = normalized(low[i] < 0 ? to[i] - from[i] : from[i] - to[i]);
     const std::vector<Vector> places =
-        Secants(std::move(from), std::move(to), std::move(low), std::move(high)).zeros(*brick_.field);
+        Secants(std::move(from), std::move(to), std::move(low), std::move(high)).zeros(*brick_.field, cancel_);
     crossings_.reserve(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t i = 0; i < places.size() && !cancel_.stopped(); ++i) {
       crossings_.push_back({places[i], normal_at(*brick_.field, places[i], outward[i])});
     }
   }
@@ -183,6 +200,7 @@ class BrickSampler {
 
   const Brick& brick_;
   const ImplicitGrid& grid_;
+  const Cancel& cancel_;
   std::vector<double> values_;
   std::array<std::vector<std::int16_t>, 3> crossing_at_;  ///< by axis and lower corner
   std::vector<Crossing> crossings_;
@@ -191,10 +209,12 @@ class BrickSampler {
 
 }  // namespace
 
-BrickSurface surface_in(const Brick& brick, const ImplicitGrid& grid) { return BrickSampler(brick, grid).run(); }
+BrickSurface surface_in(const Brick& brick, const ImplicitGrid& grid, const Cancel& cancel) {
+  return BrickSampler(brick, grid, cancel).run();
+}
 
 Vector crossing_between(const ScalarField& field, const Vector& from, const Vector& to) {
-  return Secants({from}, {to}, {value_at(field, from)}, {value_at(field, to)}).zeros(field).front();
+  return Secants({from}, {to}, {value_at(field, from)}, {value_at(field, to)}).zeros(field, Cancel()).front();
 }
 
 Vector normal_at(const ScalarField& field, const Vector& place, const Vector& otherwise) {

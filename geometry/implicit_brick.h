@@ -36,8 +36,9 @@ struct BrickSurface {
   }
 };
 
-/// The part of the surface in a brick.
-BrickSurface surface_in(const Brick& brick, const ImplicitGrid& grid);
+/// The part of the surface in a brick. Looks at the flag often enough for a field that takes long. Stopped early:
+/// nothing.
+BrickSurface surface_in(const Brick& brick, const ImplicitGrid& grid, const Cancel& cancel);
 
 /// Where the field is zero between two places at which its values have different signs.
 Vector crossing_between(const ScalarField& field, const Vector& from, const Vector& to);

@@ -1,6 +1,7 @@
 #include "geometry/implicit_grid.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "geometry/chunks.h"
@@ -10,37 +11,55 @@ namespace dini {
 
 namespace {
 
-/// A cube of cells that is looked at as a whole.
-struct Block {
-  std::array<std::uint32_t, 3> cell;
-  SharedField field;
-};
+using Cell = std::array<std::uint32_t, 3>;
 
-/// What is left of the field in a cube of `size` cells and one cell around; null where it cannot be zero.
-SharedField field_in(const Block& block, std::uint32_t size, const ImplicitGrid& grid) {
-  const auto& [i, j, k] = block.cell;
-  const double half = 0.5 * size * grid.step;
-  const SolidBall ball{grid.corner(i, j, k) + Vector{half, half, half}, std::sqrt(3.0) * (half + grid.step)};
-  Narrowed narrowed = block.field->narrowed(ball, block.field);
-  const double slack = narrowing_slack * ball.radius;
-  if (narrowed.values.low > slack || narrowed.values.high < -slack) return nullptr;
-  return std::move(narrowed.field);
-}
+/// The way down the octree, many branches at once.
+class Descent {
+ public:
+  Descent(const ImplicitGrid& grid, std::size_t most_bytes, const Cancel& cancel,
+          const std::function<bool(const Brick&)>& visit)
+      : grid_(grid), most_bytes_(most_bytes), cancel_(cancel), visit_(visit) {}
 
-/// The eight halves of a cube, as far as they have cells of the grid.
-std::vector<Block> halves(const Block& block, std::uint32_t half, const ImplicitGrid& grid) {
-  std::vector<Block> parts;
-  for (std::uint32_t part = 0; part < 8; ++part) {
-    Block child = block;
-    bool within = true;
-    for (std::uint32_t axis = 0; axis < 3; ++axis) {
-      child.cell[axis] += (part >> axis & 1) * half;
-      within = within && child.cell[axis] < grid.cells[axis];
+  /// Into a cube of `size` cells, for which the field is what is left of it in the cube around.
+  void descend(const Cell& cell, std::uint32_t size, const SharedField& field) {
+    if (ended_.load(std::memory_order_relaxed) || cancel_.stopped()) return;
+    const double half = 0.5 * size * grid_.step;
+    const SolidBall ball{grid_.corner(cell[0], cell[1], cell[2]) + Vector{half, half, half},
+                         std::sqrt(3.0) * (half + grid_.step)};
+    Narrowed narrowed = field->narrowed(ball, field);
+    const double slack = narrowing_slack * ball.radius;
+    if (narrowed.values.low > slack || narrowed.values.high < -slack) return;
+    // Both fields have the same values here, so a bound for memory costs time only.
+    const bool fits = made_.fetch_add(narrowed.made) + narrowed.made <= most_bytes_;
+    if (!fits) narrowed.field = field;
+    if (size == Brick::side) {
+      if (!visit_({cell, narrowed.field})) ended_ = true;
+    } else {
+      descend_halves(cell, size / 2, narrowed.field);
     }
-    if (within) parts.push_back(std::move(child));
+    made_ -= narrowed.made;
   }
-  return parts;
-}
+
+ private:
+  void descend_halves(const Cell& cell, std::uint32_t half, const SharedField& field) {
+    for_chunks(cancel_, 8, 1, [&](std::size_t part, std::size_t) {
+      Cell first = cell;
+      bool within = true;
+      for (std::uint32_t axis = 0; axis < 3; ++axis) {
+        first[axis] += static_cast<std::uint32_t>(part >> axis & 1) * half;
+        within = within && first[axis] < grid_.cells[axis];
+      }
+      if (within) descend(first, half, field);
+    });
+  }
+
+  const ImplicitGrid& grid_;
+  const std::size_t most_bytes_;
+  const Cancel& cancel_;
+  const std::function<bool(const Brick&)>& visit_;
+  std::atomic<std::size_t> made_ = 0;
+  std::atomic<bool> ended_ = false;
+};
 
 }  // namespace
 
@@ -56,32 +75,21 @@ ImplicitGrid implicit_grid(const Vector& low, const Vector& high, std::size_t re
   return grid;
 }
 
-std::vector<Brick> find_bricks(const SharedField& field, const ImplicitGrid& grid, const Cancel& cancel) {
+std::uint64_t octree_order(const Brick& brick) {
+  std::uint64_t order = 0;
+  for (std::uint32_t bit = 0; bit < 16; ++bit) {
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+      order |= std::uint64_t{brick.cell[axis] / Brick::side >> bit & 1} << (3 * bit + axis);
+    }
+  }
+  return order;
+}
+
+void visit_bricks(const SharedField& field, const ImplicitGrid& grid, std::size_t most_bytes, const Cancel& cancel,
+                  const std::function<bool(const Brick&)>& visit) {
   std::uint32_t size = Brick::side;
   while (size < *std::max_element(grid.cells.begin(), grid.cells.end())) size *= 2;
-  std::vector<Block> blocks = {{{0, 0, 0}, field}};
-  for (;; size /= 2) {
-    std::vector<std::vector<Block>> found(blocks.size());
-    for_chunks(cancel, blocks.size(), 8, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t b = begin; b < end; ++b) {
-        blocks[b].field = field_in(blocks[b], size, grid);
-        if (!blocks[b].field) continue;
-        if (size == Brick::side) {
-          found[b].push_back(blocks[b]);
-        } else {
-          found[b] = halves(blocks[b], size / 2, grid);
-        }
-      }
-    });
-    std::vector<Block> next;
-    for (std::vector<Block>& part : found) std::move(part.begin(), part.end(), std::back_inserter(next));
-    blocks = std::move(next);
-    if (size == Brick::side || cancel.stopped()) break;
-  }
-  std::vector<Brick> bricks;
-  bricks.reserve(blocks.size());
-  for (Block& block : blocks) bricks.push_back({block.cell, std::move(block.field)});
-  return bricks;
+  Descent(grid, most_bytes, cancel, visit).descend({0, 0, 0}, size, field);
 }
 
 }  // namespace dini

@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
+#include <functional>
 
 #include "geometry/cancel.h"
 #include "geometry/scalar_field.h"
@@ -36,7 +36,13 @@ struct Brick {
   SharedField field;
 };
 
-/// All bricks where the bounds of the field allow zero, in the order of an octree. Stopped early: some of them.
-std::vector<Brick> find_bricks(const SharedField& field, const ImplicitGrid& grid, const Cancel& cancel);
+/// Where a brick stands among all others in the order of an octree.
+std::uint64_t octree_order(const Brick& brick);
+
+/// Calls `visit` with each brick where the bounds of the field allow zero, on all threads and in any order, until one
+/// call answers false. What is left of the field is made on the way down an octree and let go of on the way up: at any
+/// time there is about `most_bytes` of it, whatever the field is. Stopped early: some bricks are left out.
+void visit_bricks(const SharedField& field, const ImplicitGrid& grid, std::size_t most_bytes, const Cancel& cancel,
+                  const std::function<bool(const Brick&)>& visit);
 
 }  // namespace dini

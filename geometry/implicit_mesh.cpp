@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
 
 #include "geometry/chunks.h"
 #include "geometry/field_blend.h"
@@ -17,6 +18,7 @@ using Cell = std::array<std::uint32_t, 3>;
 using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr std::size_t most_in_tile = 20'000;
+constexpr std::size_t most_kept_field = 2048;  ///< bytes
 
 /// A cell around an edge of the grid, and the edge's number in it.
 struct CellAtEdge {
@@ -42,24 +44,41 @@ class Mesher {
 
   ImplicitSurface run() {
     find_surfaces();
-    std::size_t vertices = 0;
-    for (std::size_t b = 0; b < bricks_.size(); ++b) {
-      firsts_.push_back(static_cast<std::uint32_t>(vertices));
-      vertices += surfaces_[b].places.size();
-      if (vertices > options_.most_vertices) return {{}, true, false};
-    }
     if (cancel_.stopped()) return {};
+    if (found_vertices_ > options_.most_vertices) return {{}, true, false};
+    std::size_t vertices = 0;
+    for (const BrickSurface& surface : surfaces_) {
+      firsts_.push_back(static_cast<std::uint32_t>(vertices));
+      vertices += surface.places.size();
+    }
     split_double_edges(vertices);
+    if (cancel_.stopped()) return {};
+    if (vertices > options_.most_vertices) return {{}, true, false};
     return assemble(vertices);
   }
 
  private:
   void find_surfaces() {
-    bricks_ = find_bricks(field_, grid_, cancel_);
-    surfaces_.resize(bricks_.size());
-    for_chunks(cancel_, bricks_.size(), 4, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t b = begin; b < end; ++b) surfaces_[b] = surface_in(bricks_[b], grid_);
+    std::vector<std::pair<Brick, BrickSurface>> found;
+    std::mutex finding;
+    std::size_t kept_bytes = 0;
+    visit_bricks(field_, grid_, options_.most_field_bytes, cancel_, [&](const Brick& brick) {
+      BrickSurface surface = surface_in(brick, grid_, cancel_);
+      if (surface.crossed.empty()) return true;
+      const std::size_t bytes = brick.field->size().bytes;
+      const std::lock_guard lock(finding);
+      found_vertices_ += surface.places.size();
+      // Only a field that has become small is kept, as long as there is room; the whole one has the same values.
+      const bool is_kept = bytes <= most_kept_field && kept_bytes + bytes <= options_.most_field_bytes;
+      if (is_kept) kept_bytes += bytes;
+      found.emplace_back(Brick{brick.cell, is_kept ? brick.field : field_}, std::move(surface));
+      return found_vertices_ <= options_.most_vertices;
     });
+    std::ranges::sort(found, {}, [](const auto& each) { return octree_order(each.first); });
+    for (auto& [brick, surface] : found) {
+      bricks_.push_back(std::move(brick));
+      surfaces_.push_back(std::move(surface));
+    }
     for (std::size_t axis = 0; axis < 3; ++axis) sides_[axis] = (grid_.cells[axis] + Brick::side - 1) / Brick::side;
     brick_at_.assign(std::size_t{sides_[0]} * sides_[1] * sides_[2], none);
     for (std::uint32_t b = 0; b < bricks_.size(); ++b) brick_at_[brick_index(bricks_[b].cell)] = b;
@@ -91,9 +110,9 @@ class Mesher {
   /// Where one loop passes twice through a face and meets one loop on the other side, two edges of the mesh would join
   /// the same two vertices. Both get a vertex in the middle of their curve on the face.
   void split_double_edges(std::size_t& vertices) {
-    for (std::size_t b = 0; b < bricks_.size(); ++b) {
+    for (std::size_t b = 0; b < bricks_.size() && !cancel_.stopped(); ++b) {
       for (const CrossedCell& upper : surfaces_[b].crossed) {
-        if (upper.loops.doubled == 0) continue;
+        if (upper.loops.doubled == 0 || cancel_.stopped()) continue;
         for (int axis = 0; axis < 3; ++axis) {
           if (!upper.loops.is_doubled(2 * axis)) continue;
           const Cell place = place_of(b, upper);
@@ -147,6 +166,7 @@ class Mesher {
   std::vector<Triangle> triangles_of(std::size_t brick) const {
     std::vector<Triangle> triangles;
     for (const CrossedCell& cell : surfaces_[brick].crossed) {
+      if (cancel_.stopped()) break;
       const Cell place = place_of(brick, cell);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const int edge = 4 * static_cast<int>(axis);
@@ -239,7 +259,8 @@ class Mesher {
   ImplicitGrid grid_;
   SharedField box_, field_;
   std::vector<Brick> bricks_;
-  std::vector<BrickSurface> surfaces_;
+  std::vector<BrickSurface> surfaces_;  ///< all of them cross something
+  std::size_t found_vertices_ = 0;
   std::vector<std::uint32_t> firsts_;  ///< vertex of each brick
   std::array<std::uint32_t, 3> sides_{};
   std::vector<std::uint32_t> brick_at_;

@@ -11,11 +11,12 @@ struct ImplicitOptions {
   Vector low, high;             ///< low below high in every coordinate
   std::size_t resolution = 64;  ///< cells along the longest side
   std::size_t most_vertices = 0;
+  std::size_t most_field_bytes = 0;  ///< of what is left of the field in parts of the box: at any time, and kept
 };
 
 struct ImplicitSurface {
   Mesh mesh;
-  bool too_large = false;  ///< it would have more vertices than accepted; the mesh is empty
+  bool too_large = false;  ///< it would have more vertices than accepted, and none were made after those; it is empty
   bool capped = false;     ///< the solid reaches the border of the box, where it was closed
 };
 

@@ -29,10 +29,6 @@ MeshPlace nearest_on_segment(const std::array<Vector, 3>& corners, std::size_t f
 
 double coordinate(const Vector& vector, int axis) { return axis == 0 ? vector.x : axis == 1 ? vector.y : vector.z; }
 
-double outside(double value, double low, double high) {
-  return value < low ? low - value : std::max(value - high, 0.0);
-}
-
 }  // namespace
 
 MeshPlace nearest_on_triangle(const std::array<Vector, 3>& corners, const Vector& point) {
@@ -75,7 +71,7 @@ MeshTree::MeshTree(std::vector<Vector> positions, Triangles triangles, const Can
     if (now.is_right) boxes_[now.parent].right = index;
     boxes_.push_back(box_around(now.begin, now.end));
     if (now.end - now.begin <= triangles_in_leaf) continue;
-    const Vector size = boxes_[index].high - boxes_[index].low;
+    const Vector size = boxes_[index].bounds.high - boxes_[index].bounds.low;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const std::uint32_t middle = now.begin + (now.end - now.begin) / 2;
     std::nth_element(order_.begin() + now.begin, order_.begin() + middle, order_.begin() + now.end,
@@ -91,11 +87,7 @@ MeshTree::MeshTree(std::vector<Vector> positions, Triangles triangles, const Can
 MeshPlace MeshTree::nearest(const Vector& point) const {
   MeshPlace best;
   best.squared_distance = std::numeric_limits<double>::infinity();
-  const auto reach = [&](std::uint32_t index) {
-    const Box& box = boxes_[index];
-    return squared_length({outside(point.x, box.low.x, box.high.x), outside(point.y, box.low.y, box.high.y),
-                           outside(point.z, box.low.z, box.high.z)});
-  };
+  const auto reach = [&](std::uint32_t index) { return boxes_[index].bounds.squared_distance(point); };
   std::array<std::pair<std::uint32_t, double>, most_open> open;
   std::size_t count = 0;
   if (!boxes_.empty()) open[count++] = {0, 0};
@@ -119,6 +111,11 @@ MeshPlace MeshTree::nearest(const Vector& point) const {
   return best;
 }
 
+std::size_t MeshTree::bytes() const {
+  return sizeof(Vector) * positions_.size() + (sizeof(triangles_[0]) + sizeof(order_[0])) * triangles_.size() +
+         sizeof(Box) * boxes_.size();
+}
+
 Vector MeshTree::normal(std::size_t triangle) const {
   const auto [a, b, c] = corners(triangle);
   return normalized(cross(b - a, c - a));
@@ -130,13 +127,9 @@ std::array<Vector, 3> MeshTree::corners(std::size_t triangle) const {
 }
 
 MeshTree::Box MeshTree::box_around(std::uint32_t begin, std::uint32_t end) const {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Box box{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}, begin, end};
+  Box box{{}, begin, end};
   for (std::uint32_t i = begin; i < end; ++i) {
-    for (const Vector& point : corners(order_[i])) {
-      box.low = {std::min(box.low.x, point.x), std::min(box.low.y, point.y), std::min(box.low.z, point.z)};
-      box.high = {std::max(box.high.x, point.x), std::max(box.high.y, point.y), std::max(box.high.z, point.z)};
-    }
+    for (const Vector& point : corners(order_[i])) box.bounds.add(point);
   }
   return box;
 }

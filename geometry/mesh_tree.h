@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/cancel.h"
+#include "geometry/bounding_box.h"
 #include "geometry/mesh.h"
 
 namespace dini {
@@ -39,13 +40,15 @@ class MeshTree {
 
   const std::vector<Vector>& positions() const { return positions_; }
   const Triangles& triangles() const { return triangles_; }
+  /// About how much memory it holds.
+  std::size_t bytes() const;
   /// Of the front side of a triangle, of length 1; zero where it has no area.
   Vector normal(std::size_t triangle) const;
 
  private:
   /// A box around the triangles of `order_` in [begin, end). Its left child follows it; a leaf has none.
   struct Box {
-    Vector low, high;
+    BoundingBox bounds;
     std::uint32_t begin = 0, end = 0;
     std::uint32_t right = 0;  ///< 0 for a leaf
   };

@@ -43,6 +43,8 @@ NeighborTable::NeighborTable(std::size_t points, std::size_t neighbors)
 
 NeighborTable chain_of(std::size_t points, bool closed) {
   NeighborTable table(points, 2);
+  // Of two points each is before and behind the other, and beside it once.
+  if (points == 2) closed = false;
   for (std::size_t i = 0; i < points; ++i) {
     if (closed || i > 0) table.indices[i] = static_cast<std::uint32_t>((i + points - 1) % points);
     if (closed || i + 1 < points) table.indices[points + i] = static_cast<std::uint32_t>((i + 1) % points);

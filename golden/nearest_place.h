@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/bounding_box.h"
 #include "golden/samples.h"
 
 namespace dini {
@@ -23,12 +24,8 @@ class NearestPlaces {
   NearestPlace to(const Sample& sample, double tie) const;
 
  private:
-  struct Box {
-    Vector low, high;
-  };
-
   const Shape& shape_;
-  std::vector<Box> boxes_;  ///< around so many pieces each, in their order
+  std::vector<BoundingBox> boxes_;  ///< around so many pieces each, in their order
 };
 
 }  // namespace dini

@@ -9,6 +9,7 @@
 #include "graph/groups.h"
 #include "graph/infer.h"
 #include "graph/literal.h"
+#include "graph/names.h"
 #include "graph/nearest.h"
 #include "graph/order.h"
 #include "graph/origins.h"
@@ -18,14 +19,6 @@
 namespace dini {
 
 namespace {
-
-template <class Map>
-std::vector<std::string> keys_of(const Map& map) {
-  std::vector<std::string> keys;
-  keys.reserve(map.size());
-  for (const auto& [key, value] : map) keys.push_back(key);
-  return keys;
-}
 
 class Checker {
  public:
@@ -105,8 +98,7 @@ class Checker {
   }
 
   Problem unknown_port(const NodeType& type, const std::string& id, const std::string& port) const {
-    std::vector<std::string> known;
-    for (const InputPort& input : type.inputs) known.push_back(input.name);
+    const std::vector<std::string> known = all_names(type.inputs);
     Problem problem{"unknown-port", type.title + " has no input " + excerpt(port) + did_you_mean(port, known), id, port,
                     input_pointer(id, port)};
     const std::string near = nearest(port, known);
@@ -146,8 +138,7 @@ class Checker {
 
   Problem unknown_output(const std::string& id, const std::string& port, const InputEntry& input, std::size_t item,
                          const Link& link, const NodeType& type) const {
-    std::vector<std::string> known;
-    for (const OutputPort& output : type.outputs) known.push_back(output.name);
+    const std::vector<std::string> known = all_names(type.outputs);
     const std::string near = nearest(link.output, known);
     return {"dangling-link",
             "node " + link.node + " (" + type.title + ") has no output " + excerpt(link.output) +

@@ -3,6 +3,7 @@
 #include "graph/document.h"
 #include "graph/json_reader.h"
 #include "graph/literal.h"
+#include "graph/names.h"
 #include "graph/node_reader.h"
 #include "graph/parameters.h"
 
@@ -103,7 +104,7 @@ class DocumentReader {
     group.description = text_at(json, "description", pointer);
     each(json, "inputs", pointer, [&](const Json& input, const std::string& place) {
       if (!nodes_.object(input, place, {"name", "default", "label", "description"})) return;
-      GroupInput read{name_of(input, place, names_of(group.inputs)), std::nullopt, text_at(input, "label", place),
+      GroupInput read{name_of(input, place, group.inputs), std::nullopt, text_at(input, "label", place),
                       text_at(input, "description", place)};
       if (input.contains("default")) {
         read.default_value = input["default"];
@@ -116,7 +117,7 @@ class DocumentReader {
     });
     each(json, "outputs", pointer, [&](const Json& output, const std::string& place) {
       if (!nodes_.object(output, place, {"name", "from"})) return;
-      GroupOutput read{name_of(output, place, names_of(group.outputs)), {}};
+      GroupOutput read{name_of(output, place, group.outputs), {}};
       const std::optional<std::string> from = text_at(output, "from", place);
       if (!output.contains("from")) add("required-member-missing", place, "the output has no \"from\"");
       if (from) read.from = read_link(*from);
@@ -136,13 +137,6 @@ class DocumentReader {
            !(json.is_array() && std::any_of(json.begin(), json.end(), is_object));
   }
 
-  template <class Named>
-  static std::vector<std::string> names_of(const std::vector<Named>& all) {
-    std::vector<std::string> names;
-    for (const Named& one : all) names.push_back(one.name);
-    return names;
-  }
-
   /// Calls `read` with each item of a list and its pointer.
   template <class Read>
   void each(const Json& json, const char* member, const std::string& pointer, Read read) {
@@ -151,6 +145,12 @@ class DocumentReader {
     const std::string place = pointer + "/" + member;
     if (!list->is_array()) {
       add("type-mismatch", place, "got " + excerpt(*list) + ", expected a list, in the order of the sockets");
+      return;
+    }
+    if (list->size() > GroupEntry::most_sockets) {
+      add("limit-exceeded", place,
+          "the group has " + std::to_string(list->size()) + " " + member + ", at most " +
+              std::to_string(GroupEntry::most_sockets) + " are accepted");
       return;
     }
     for (std::size_t i = 0; i < list->size(); ++i) read((*list)[i], place + "/" + std::to_string(i));
@@ -164,11 +164,12 @@ class DocumentReader {
     return std::nullopt;
   }
 
-  std::string name_of(const Json& json, const std::string& pointer, const std::vector<std::string>& taken) {
+  template <class Named>
+  std::string name_of(const Json& json, const std::string& pointer, const std::vector<Named>& taken) {
     if (!json.contains("name")) add("required-member-missing", pointer, "it has no \"name\"");
     const std::string name = text_at(json, "name", pointer).value_or("");
     if (!json.contains("name") || !json["name"].is_string()) return name;
-    if (nodes_.identifier(name, pointer + "/name") && std::find(taken.begin(), taken.end(), name) != taken.end()) {
+    if (nodes_.identifier(name, pointer + "/name") && has_name(taken, name)) {
       add("invalid-id", pointer + "/name", "the name " + excerpt(name) + " is taken by another one before it");
     }
     return name;

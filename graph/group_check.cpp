@@ -3,6 +3,7 @@
 #include "graph/groups.h"
 #include "graph/json_reader.h"
 #include "graph/literal.h"
+#include "graph/names.h"
 #include "graph/nearest.h"
 #include "graph/registry.h"
 
@@ -20,24 +21,6 @@ struct Scope {
   const std::string* name = nullptr;  ///< of the group
   const GroupEntry* group = nullptr;
 };
-
-template <class Named>
-std::vector<std::string> names_of(const std::vector<Named>& all) {
-  std::vector<std::string> names;
-  for (const Named& one : all) names.push_back(one.name);
-  return names;
-}
-
-template <class Map>
-std::vector<std::string> keys_of(const Map& map) {
-  std::vector<std::string> keys;
-  for (const auto& [key, value] : map) keys.push_back(key);
-  return keys;
-}
-
-bool has(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 class GroupChecker {
  public:
@@ -72,10 +55,12 @@ class GroupChecker {
     }
   }
 
-  void add(const Scope& scope, std::string code, std::string detail, const std::string& node, const std::string& port,
-           std::string pointer) {
+  /// `detail` is called for problems that are listed only: to find the nearest of all names takes long.
+  template <class Detail>
+  void add(const Scope& scope, const char* code, const Detail& detail, const std::string& node,
+           const std::string& port, const std::string& pointer) {
     const bool inside = scope.group != nullptr;  // where a node has many places
-    problems_.add({std::move(code), std::move(detail), inside ? "" : node, inside ? "" : port, std::move(pointer)});
+    problems_.add([&] { return Problem{code, detail(), inside ? "" : node, inside ? "" : port, pointer}; });
   }
 
   void check_node(const Scope& scope, const std::string& id, const NodeEntry& node) {
@@ -84,25 +69,28 @@ class GroupChecker {
     const GroupEntry* const group = group_of(node);
     const NodeType* const type = registry_.find(node.type);
     if (is_instance && group == nullptr) {
-      std::vector<std::string> known;
-      for (const auto& [name, entry] : document_.groups) known.push_back("group/" + name);
-      add(scope, "unknown-node-type",
-          "the document has no group for the type " + excerpt(node.type) + did_you_mean(node.type, known), id, "",
-          pointer + "/type");
+      const auto detail = [&] {
+        std::vector<std::string> known;
+        for (const auto& [name, entry] : document_.groups) known.push_back("group/" + name);
+        return "the document has no group for the type " + excerpt(node.type) + did_you_mean(node.type, known);
+      };
+      add(scope, "unknown-node-type", detail, id, "", pointer + "/type");
     } else if (!is_instance && scope.group != nullptr && type == nullptr) {
-      add(scope, "unknown-node-type",
-          "there is no node type " + excerpt(node.type) + did_you_mean(node.type, keys_of(registry_.types())), id, "",
-          pointer + "/type");
+      const auto detail = [&] {
+        return "there is no node type " + excerpt(node.type) + did_you_mean(node.type, keys_of(registry_.types()));
+      };
+      add(scope, "unknown-node-type", detail, id, "", pointer + "/type");
     }
     for (const auto& [port, input] : node.inputs) {
       const std::string place = pointer + "/inputs/" + pointer_token(port);
-      if (group != nullptr || (scope.group != nullptr && type != nullptr)) {
-        const std::vector<std::string> known = group != nullptr ? names_of(group->inputs) : names_of(type->inputs);
-        if (!has(known, port)) {
+      const bool is_checked = group != nullptr || (scope.group != nullptr && type != nullptr);
+      if (is_checked && !(group != nullptr ? has_name(group->inputs, port) : type->find_input(port) != nullptr)) {
+        const auto detail = [&] {
           const std::string what = group != nullptr ? "the group " + std::string(group_named(node.type)) : type->title;
-          add(scope, "unknown-port", what + " has no input " + excerpt(port) + did_you_mean(port, known), id, port,
-              place);
-        }
+          const std::vector<std::string> known = group != nullptr ? all_names(group->inputs) : all_names(type->inputs);
+          return what + " has no input " + excerpt(port) + did_you_mean(port, known);
+        };
+        add(scope, "unknown-port", detail, id, port, place);
       }
       for (std::size_t item = 0; item < input.items.size(); ++item) {
         check_item(scope, id, port, input.items[item], place + (input.list ? "/" + std::to_string(item) : ""));
@@ -115,33 +103,39 @@ class GroupChecker {
     if (const auto* link = std::get_if<Link>(&item)) check_link(scope, *link, id, port, pointer);
     const auto* input = std::get_if<InputReference>(&item);
     if (input == nullptr) return;
-    const std::vector<std::string> known = names_of(scope.group->inputs);
-    if (has(known, input->name)) return;
-    add(scope, "unknown-port",
-        "the group " + *scope.name + " has no input " + excerpt(input->name) + did_you_mean(input->name, known), id,
-        port, pointer);
+    if (has_name(scope.group->inputs, input->name)) return;
+    const auto detail = [&] {
+      return "the group " + *scope.name + " has no input " + excerpt(input->name) +
+             did_you_mean(input->name, all_names(scope.group->inputs));
+    };
+    add(scope, "unknown-port", detail, id, port, pointer);
   }
 
   void check_link(const Scope& scope, const Link& link, const std::string& id, const std::string& port,
                   const std::string& pointer) {
     const auto source = scope.nodes.find(link.node);
     if (source == scope.nodes.end()) {
-      const std::string where =
-          scope.group != nullptr ? "the group " + *scope.name + " has no node " : "there is no node ";
-      add(scope, "dangling-link", where + excerpt(link.node) + did_you_mean(link.node, keys_of(scope.nodes)), id, port,
-          pointer);
-      return;
+      const auto detail = [&] {
+        const std::string where =
+            scope.group != nullptr ? "the group " + *scope.name + " has no node " : "there is no node ";
+        return where + excerpt(link.node) + did_you_mean(link.node, keys_of(scope.nodes));
+      };
+      return add(scope, "dangling-link", detail, id, port, pointer);
     }
     const GroupEntry* const group = group_of(source->second);
     const NodeType* const type = registry_.find(source->second.type);
     if (group == nullptr && (scope.group == nullptr || type == nullptr)) return;
-    const std::vector<std::string> known = group != nullptr ? names_of(group->outputs) : names_of(type->outputs);
-    if (link.output.empty() ? !known.empty() : has(known, link.output)) return;
-    const std::string title = group != nullptr ? source->second.type : type->title;
-    add(scope, "dangling-link",
-        "node " + link.node + " (" + title + ") has no output" +
-            (link.output.empty() ? "" : " " + excerpt(link.output) + did_you_mean(link.output, known)),
-        id, port, pointer);
+    const auto has_output = [&](const auto& outputs) {
+      return link.output.empty() ? !outputs.empty() : has_name(outputs, link.output);
+    };
+    if (group != nullptr ? has_output(group->outputs) : has_output(type->outputs)) return;
+    const auto detail = [&] {
+      const std::vector<std::string> known = group != nullptr ? all_names(group->outputs) : all_names(type->outputs);
+      const std::string title = group != nullptr ? source->second.type : type->title;
+      return "node " + link.node + " (" + title + ") has no output" +
+             (link.output.empty() ? "" : " " + excerpt(link.output) + did_you_mean(link.output, known));
+    };
+    add(scope, "dangling-link", detail, id, port, pointer);
   }
 
   /// Groups so that each stands after those that it contains.

@@ -4,6 +4,7 @@
 #include "graph/groups.h"
 #include "graph/json_reader.h"
 #include "graph/literal.h"
+#include "graph/names.h"
 #include "graph/registry.h"
 
 namespace dini {
@@ -28,7 +29,8 @@ struct Step {
   const Scope* scope = nullptr;
   const InputItem* item = nullptr;
   std::string pointer;
-  bool passed_in = false;  ///< through an input of a group
+  bool passed_in = false;    ///< through an input of a group
+  std::size_t bypassed = 0;  ///< so many bypassed instances passed it on
 };
 
 /// What an input is given in the end.
@@ -117,9 +119,11 @@ class Expander {
     const std::string path = scope.prefix + id;
     const Scope& inside = *by_path_.at(path);
     std::vector<GroupOutput>& outputs = flat.instances[path];
-    for (const GroupOutput& output : inside.group->outputs) {
+    for (std::size_t i = 0; i < inside.group->outputs.size() && problems_.empty(); ++i) {
+      const GroupOutput& output = inside.group->outputs[i];
       const InputItem item = output.from;
-      const Gathered gathered = gather(inside, {{item}, false}, inside.pointer + "/outputs", nullptr, path, "");
+      const std::string pointer = inside.pointer + "/outputs/" + std::to_string(i) + "/from";
+      const Gathered gathered = gather(inside, {{item}, false}, pointer, nullptr, path, "");
       const auto* link = gathered.entry.items.empty() ? nullptr : std::get_if<Link>(&gathered.entry.items.front());
       if (link != nullptr) outputs.push_back({output.name, *link});
     }
@@ -130,18 +134,19 @@ class Expander {
     Gathered gathered;
     gathered.entry.list = input.list;
     steps_.clear();
-    push(scope, input, pointer, false);
-    std::size_t bypassed = 0;
+    push({&scope, nullptr, pointer}, input);
     while (!steps_.empty() && problems_.empty()) {
       const Step step = std::move(steps_.back());
       steps_.pop_back();
-      if (const auto* link = std::get_if<Link>(step.item)) {
-        bypassed += follow(step, *link, gathered);
+      // Lists of inputs that pass on lists grow with every group around them, even where nothing is given in the end.
+      if (++steps_taken_ > limits_.json_values) {
+        report_limit(limits_.json_values, "values");
+      } else if (step.bypassed > bypasses_) {
         // Whoever meets more bypassed instances than there are meets one again.
-        if (bypassed > bypasses_ * (1 + input.items.size())) {
-          problems_.add(
-              {"graph-has-cycle", "bypassed groups pass on each other's values in a cycle", node, port, step.pointer});
-        }
+        problems_.add(
+            {"graph-has-cycle", "bypassed groups pass on each other's values in a cycle", node, port, step.pointer});
+      } else if (const auto* link = std::get_if<Link>(step.item)) {
+        follow(step, *link, gathered);
       } else if (const auto* reference = std::get_if<InputReference>(step.item)) {
         look_around(step, *reference, card, gathered);
       } else if (const auto* literal = std::get_if<WrittenLiteral>(step.item)) {
@@ -153,34 +158,28 @@ class Expander {
     return gathered;
   }
 
-  /// Items of an input, so that the first one is the next to be looked at.
-  void push(const Scope& scope, const InputEntry& input, const std::string& pointer, bool passed_in) {
+  /// Items of an input whose place is that of `at`, so that the first one is the next to be looked at.
+  void push(const Step& at, const InputEntry& input) {
     for (std::size_t k = input.items.size(); k-- > 0;) {
-      steps_.push_back({&scope, &input.items[k], pointer + (input.list ? "/" + std::to_string(k) : ""), passed_in});
+      Step& step = steps_.emplace_back(at);
+      step.item = &input.items[k];
+      if (input.list) step.pointer += "/" + std::to_string(k);
     }
   }
 
-  /// Takes the node that a link leads to in the end; answers how many bypassed instances it met.
-  std::size_t follow(const Step& step, Link link, Gathered& gathered) {
+  /// Takes the node that a link leads to in the end, or what the bypassed instance passes on that it meets before.
+  void follow(const Step& step, Link link, Gathered& gathered) {
     const Scope* scope = step.scope;
     for (;;) {
       const auto found = scope->nodes->find(link.node);
       if (found == scope->nodes->end() || group_named(found->second.type).empty()) {
-        take(step, Link{scope->prefix + link.node, link.output}, gathered);
-        return 0;
+        return take(step, Link{scope->prefix + link.node, link.output}, gathered);
       }
       const NodeEntry& instance = found->second;
-      if (instance.bypass) {
-        pass_on(step, *scope, link.node, instance);
-        return 1;
-      }
+      if (instance.bypass) return pass_on(step, *scope, link.node, instance);
       scope = by_path_.at(scope->prefix + link.node);
       const std::vector<GroupOutput>& outputs = scope->group->outputs;
-      const auto output =
-          link.output.empty() ? outputs.begin() : std::find_if(outputs.begin(), outputs.end(), [&](const auto& each) {
-            return each.name == link.output;
-          });
-      link = output->from;
+      link = (link.output.empty() ? outputs.begin() : find_named(outputs, link.output))->from;
     }
   }
 
@@ -192,7 +191,7 @@ class Expander {
                            !std::holds_alternative<WrittenLiteral>(input->second.items.front()) &&
                            !std::holds_alternative<ParameterReference>(input->second.items.front());
     if (is_linked) {
-      steps_.push_back({&scope, &input->second.items.front(), step.pointer, true});
+      steps_.push_back({&scope, &input->second.items.front(), step.pointer, true, step.bypassed + 1});
       return;
     }
     problems_.add({"required-input-missing", "a bypassed node needs a link at its first input", scope.prefix + id,
@@ -205,12 +204,11 @@ class Expander {
     gathered.passed_in = true;
     const auto given = scope.instance->inputs.find(reference.name);
     const std::vector<GroupInput>& inputs = scope.group->inputs;
-    const auto input =
-        std::find_if(inputs.begin(), inputs.end(), [&](const GroupInput& each) { return each.name == reference.name; });
+    const auto input = find_named(inputs, reference.name);
     const std::string pointer = scope.instance_pointer + "/inputs/" + pointer_token(reference.name);
     if (given != scope.instance->inputs.end()) {
       gathered.entry.list = gathered.entry.list || given->second.list;
-      push(*scope.around, given->second, pointer, true);
+      push({scope.around, nullptr, pointer, true, step.bypassed}, given->second);
     } else if (input->default_value) {
       Step usual = step;
       usual.pointer = scope.pointer + "/inputs/" + std::to_string(input - inputs.begin()) + "/default";
@@ -244,19 +242,28 @@ class Expander {
 
   void take(const Step& step, InputItem item, Gathered& gathered) {
     links_ += std::holds_alternative<Link>(item) ? 1 : 0;
-    ++items_;
-    const bool too_many_links = links_ > limits_.links;
-    if (too_many_links || items_ > limits_.json_values) {
-      problems_.add({.code = "limit-exceeded",
-                     .detail = "with those in its groups the graph has more than " +
-                               std::to_string(too_many_links ? limits_.links : limits_.json_values) +
-                               (too_many_links ? " links" : " values") + ", which is the most that is accepted",
-                     .pointer = "/nodes"});
-      return;
-    }
+    if (const auto* literal = std::get_if<WrittenLiteral>(&item)) count(literal->written);
+    if (links_ > limits_.links) return report_limit(limits_.links, "links");
+    if (values_ > limits_.json_values) return report_limit(limits_.json_values, "values");
+    if (text_bytes_ > limits_.body_bytes) return report_limit(limits_.body_bytes, "bytes of texts");
     gathered.passed_in = gathered.passed_in || step.passed_in;
     gathered.entry.items.push_back(std::move(item));
     gathered.pointers.push_back(step.pointer);
+  }
+
+  /// A literal is as large as it likes, and is copied for every place where its group stands.
+  void count(const Json& literal) {
+    ++values_;
+    if (literal.is_string()) text_bytes_ += literal.get_ref<const std::string&>().size();
+    if (!literal.is_array()) return;
+    for (const Json& item : literal) count(item);
+  }
+
+  void report_limit(std::size_t most, const std::string& what) {
+    problems_.add({.code = "limit-exceeded",
+                   .detail = "with those in its groups the graph has more than " + std::to_string(most) + " " + what +
+                             ", which is the most that is accepted",
+                   .pointer = "/nodes"});
   }
 
   /// Axes that are called after nodes follow them into their paths.
@@ -271,7 +278,7 @@ class Expander {
   const Registry& registry_;
   std::deque<Scope> scopes_;
   std::map<std::string, const Scope*> by_path_;
-  std::size_t bypasses_ = 0, links_ = 0, items_ = 0;
+  std::size_t bypasses_ = 0, links_ = 0, values_ = 0, text_bytes_ = 0, steps_taken_ = 0;
   std::vector<Step> steps_;
   ProblemCollector problems_;
 };

@@ -2,6 +2,7 @@
 #include <charconv>
 
 #include "graph/groups.h"
+#include "graph/names.h"
 
 namespace dini {
 
@@ -74,12 +75,12 @@ Problems placed(Problems problems, const Document& document) {
 }
 
 std::vector<std::string> places_behind(const Document& document, const std::string& place) {
-  const std::size_t period = place.find('.');
-  const auto instance = document.instances.find(place.substr(0, period));
+  const auto& [id, output_name, has_output] = place_name(place);
+  const auto instance = document.instances.find(id);
   if (instance == document.instances.end()) return {place};
   std::vector<std::string> places;
   for (const GroupOutput& output : instance->second) {
-    if (period != std::string::npos && output.name != place.substr(period + 1)) continue;
+    if (has_output && output.name != output_name) continue;
     places.push_back(output.from.node + (output.from.output.empty() ? "" : "." + output.from.output));
   }
   return places.empty() ? std::vector{place} : places;

@@ -4,6 +4,7 @@
 
 #include "graph/json_reader.h"
 #include "graph/literal.h"
+#include "graph/names.h"
 #include "graph/nearest.h"
 #include "graph/registry.h"
 
@@ -148,9 +149,8 @@ InputItem NodeReader::read_reference(const Place& place, const Json& json, const
 }
 
 Link read_link(const std::string& text) {
-  const std::size_t period = text.find('.');
-  if (period == std::string::npos) return {text, ""};
-  return {text.substr(0, period), text.substr(period + 1)};
+  PlaceName place = place_name(text);
+  return {std::move(place.node), std::move(place.output)};
 }
 
 }  // namespace dini

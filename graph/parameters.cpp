@@ -6,6 +6,7 @@
 #include "graph/fixes.h"
 #include "graph/json_reader.h"
 #include "graph/literal.h"
+#include "graph/names.h"
 #include "graph/nearest.h"
 
 namespace dini {
@@ -23,12 +24,6 @@ std::optional<WireType> parameter_type(const Json& json) {
   return std::nullopt;
 }
 
-std::vector<std::string> names_of(const std::map<std::string, Parameter>& parameters) {
-  std::vector<std::string> names;
-  for (const auto& [name, parameter] : parameters) names.push_back(name);
-  return names;
-}
-
 /// What a sentence calls a parameter: its name, and its label where it has one.
 std::string named(const std::string& name, const Parameter& parameter) {
   return parameter.label && *parameter.label != name ? name + " (" + *parameter.label + ")" : name;
@@ -36,7 +31,7 @@ std::string named(const std::string& name, const Parameter& parameter) {
 
 Problem unknown_parameter(const Document& document, const Json& given, const std::string& name) {
   const std::string pointer = "/parameters/" + pointer_token(name);
-  const std::vector<std::string> known = names_of(document.parameters);
+  const std::vector<std::string> known = keys_of(document.parameters);
   const std::string near = nearest(name, known);
   return {"unknown-parameter",
           "the graph has no parameter " + excerpt(name) + did_you_mean(name, known),

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fitting/fit.h"
+#include "jobs/kept_lines.h"
 #include "service/problem_json.h"
 
 namespace dini::jobs {
@@ -13,14 +14,6 @@ constexpr std::chrono::milliseconds busy_pause{50};
 constexpr std::chrono::milliseconds storage_pause{1000};
 /// How often old jobs are looked for, at the least.
 constexpr std::chrono::milliseconds expiry_pause{60'000};
-
-/// Lines are written together: as many as come in this time, or are so large.
-constexpr std::chrono::milliseconds line_time{200};
-constexpr std::size_t line_bytes = std::size_t{8} << 20;
-
-double progress_of(std::size_t done, std::size_t total) {
-  return total == 0 ? 1 : static_cast<double>(done) / static_cast<double>(total);
-}
 
 }  // namespace
 
@@ -39,58 +32,6 @@ struct JobRunner::Live {
   double progress = 0;
   Json best = nullptr;           ///< what a fit has found so far
   std::optional<Ending> ending;  ///< what could not be written yet
-};
-
-/// Keeps the lines of a sweep.
-class JobRunner::SweepTaker final : public LineTaker {
- public:
-  SweepTaker(JobRunner& runner, std::string id, SharedLive live, std::size_t first, std::size_t total)
-      : runner_(runner), id_(std::move(id)), live_(std::move(live)), told_(first), total_(total) {}
-
-  bool take(store::JobLine line) override {
-    bytes_ += line.text.size();
-    for (const SharedFile& file : line.files) bytes_ += file->bytes->size();
-    lines_.push_back(std::move(line));
-    ++told_;
-    if (bytes_ < line_bytes && Clock::now() < written_ + line_time) return true;
-    return write();
-  }
-
-  bool has_room(std::function<void()>) override { return true; }
-
-  void end(const Problems& reasons, std::size_t) override {
-    write();
-    if (!failure_.empty()) return runner_.end_with(id_, failure_);
-    if (!reasons.empty()) return runner_.end_with(id_, reasons);
-    runner_.end(id_, {.state = "succeeded"});
-  }
-
- private:
-  /// False when it cannot be: then there is no use in going on.
-  bool write() {
-    if (!lines_.empty()) {
-      const auto written = runner_.jobs_.add_lines(id_, lines_);
-      if (!written) failure_ = written.problems();
-    }
-    lines_.clear();
-    bytes_ = 0;
-    written_ = Clock::now();
-    {
-      const std::lock_guard lock(runner_.mutex_);
-      live_->progress = progress_of(told_, total_);
-    }
-    return failure_.empty();
-  }
-
-  JobRunner& runner_;
-  const std::string id_;
-  const SharedLive live_;
-  std::size_t told_;
-  const std::size_t total_;
-  std::vector<store::JobLine> lines_;
-  std::size_t bytes_ = 0;
-  Clock::time_point written_ = Clock::now();
-  Problems failure_;
 };
 
 JobRunner::JobRunner(const Engine& engine, Flights& flights, Sweeps& sweeps, store::JobStore jobs, const Terms& terms)
@@ -336,8 +277,17 @@ void JobRunner::sweep(const std::string& id, const SharedLive& live, SweepReques
   const auto predicted = [this, id, live, shared](const Result<std::shared_ptr<const SweepCost>>& cost,
                                                   Flights::Begun) {
     if (!cost) return end_with(id, cost.problems());
-    auto taker = std::make_unique<SweepTaker>(*this, id, live, shared->first, shared->variants.size());
-    const auto made = sweeps_.make(*shared, **cost, std::move(taker), Sweeps::Waiting::job);
+    KeptLines::Terms terms{.id = id, .first = shared->first, .total = shared->variants.size()};
+    terms.written = [this, live](double share) {
+      const std::lock_guard lock(mutex_);
+      live->progress = share;
+    };
+    terms.ended = [this, id](const Problems& reasons) {
+      if (!reasons.empty()) return end_with(id, reasons);
+      end(id, {.state = "succeeded"});
+    };
+    auto lines = std::make_unique<KeptLines>(jobs_, std::move(terms));
+    const auto made = sweeps_.make(*shared, **cost, std::move(lines), Sweeps::Waiting::job);
     if (!made) return end_with(id, made.problems());
     const std::shared_ptr<Sweep>& sweep = *made;
     bool canceled = false;
@@ -345,7 +295,7 @@ void JobRunner::sweep(const std::string& id, const SharedLive& live, SweepReques
       const std::lock_guard lock(mutex_);
       canceled = live->canceling;
       if (!canceled) live->sweep = sweep;
-      live->progress = progress_of(shared->first, shared->variants.size());
+      live->progress = share_done(shared->first, shared->variants.size());
     }
     if (canceled) return end(id, {.state = "canceled"});
     sweep->start();

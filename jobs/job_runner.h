@@ -86,7 +86,6 @@ class JobRunner {
 
  private:
   using Clock = Alarms::Clock;
-  class SweepTaker;
   struct Live;
   struct Ending;
   using SharedLive = std::shared_ptr<Live>;

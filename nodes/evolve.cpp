@@ -1,6 +1,8 @@
 // Networks of weighted points that carry one another.
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "geometry/network.h"
 #include "geometry/point_tree.h"
@@ -30,15 +32,34 @@ struct EvolveInputs : kernels::NetworkSettings {
   std::string links;
 };
 
+/// What links say, each pair once whichever way round and however often it is written. A point is no neighbor of itself.
+Links different_links(const std::string& text) {
+  Links different;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
+  for (const auto& [first, second] : read_links(text).value_or(Links{})) {
+    if (first != second && seen.insert(std::minmax({first, second})).second) different.push_back({first, second});
+  }
+  return different;
+}
+
+/// How many neighbors the point has that has most of them.
+std::size_t most_links(const std::string& text) {
+  std::map<std::uint32_t, std::size_t> counts;
+  std::size_t most = 0;
+  for (const auto& [first, second] : different_links(text)) most = std::max({most, ++counts[first], ++counts[second]});
+  return most;
+}
+
 Attempt<NeighborTable> table_of_links(const std::string& text, std::size_t size) {
   std::vector<std::vector<std::uint32_t>> found(size);
   for (const auto& [first, second] : read_links(text).value_or(Links{})) {
-    if (first >= size || second >= size) {
-      return Failure{"out-of-range",
-                     "the link " + std::to_string(first) + "-" + std::to_string(second) + " names a point of " +
-                         std::to_string(size) + ", which count from 0",
-                     "links"};
-    }
+    if (std::max(first, second) < size) continue;
+    return Failure{"out-of-range",
+                   "the link " + std::to_string(first) + "-" + std::to_string(second) + " names a point of " +
+                       std::to_string(size) + ", which count from 0",
+                   "links"};
+  }
+  for (const auto& [first, second] : different_links(text)) {
     found[first].push_back(second);
     found[second].push_back(first);
   }
@@ -99,9 +120,12 @@ RunCost cost_of_evolve(const RunSize& size) {
   const auto points = static_cast<double>(size.consumed.front().size);
   const std::string& kind = text_at(size.literals, "neighbors");
   const auto count = static_cast<double>(integer_at(size.literals, "count"));
-  const double neighbors = kind == "all" ? points : kind == "nearest" ? count : 8;
+  const auto linked = static_cast<double>(kind == "links" ? most_links(text_at(size.literals, "links")) : 0);
+  const double neighbors = kind == "all" ? points : kind == "nearest" ? count : kind == "links" ? linked : 2;
   const double search = kind == "nearest" ? 400 + 60 * count : 0;
-  return {size.values * (60 + search + 6 * neighbors), points * (120 + 4 * (kind == "all" ? 0 : neighbors))};
+  // All points have as much room in the table as the one that has most neighbors; links are lists of their own before.
+  const double table = kind == "all" ? 0 : 4 * neighbors + (kind == "links" ? 64 : 0);
+  return {size.values * (60 + search + 6 * neighbors), points * (120 + table)};
 }
 
 std::vector<Axes> axes_of_evolve(const Literals& literals, const std::string& id) {

@@ -114,19 +114,22 @@ struct FieldAtInputs {
   Point point;
 };
 
-std::tuple<double, Vector> looked_up(const SharedField& shape, const FieldAtInputs& in) {
+/// A field of many points takes milliseconds for one place, so each looks at the flag.
+std::tuple<double, Vector> looked_up(const Context& context, const SharedField& shape, const FieldAtInputs& in) {
   constexpr double farthest = 1e9;
+  if (context.cancel().stopped()) return {0, {}};
   if (!is_finite(in.point) || length(to_vector(in.point)) > farthest) return {0, {}};
   const Slope slope = shape->slope(to_vector(in.point));
   const bool finite = std::isfinite(slope.value) && is_finite(slope.gradient);
   return finite ? std::tuple(slope.value, slope.gradient) : std::tuple(0.0, Vector{});
 }
 
-/// A field is some hundred bytes more than its wire counts; of points it has a copy.
+/// A field is some hundred bytes more than its wire counts; of points it has a copy, and a mesher has eight more of what
+/// is left of them in parts of its box.
 RunCost cost_of_field(const RunSize& size) {
   double points = 0;
   for (const Axis& axis : size.consumed) points += static_cast<double>(axis.size);
-  return {20 * points, 64 * points, 240 + 64 * points};
+  return {20 * points, 64 * points, 240 + 240 * points};
 }
 
 }  // namespace

@@ -22,6 +22,12 @@ constexpr std::size_t vertices_per_cell_of_side = 16;
 
 std::size_t most_vertices(std::size_t resolution) { return vertices_per_cell_of_side * resolution * resolution; }
 
+/// What is left of a field in parts of the box is some times the field, where parts overlap.
+constexpr std::size_t least_field_bytes = std::size_t{4} << 20, field_bytes_of_vertex = 32;
+std::size_t most_field_bytes(const ScalarField& field, std::size_t resolution) {
+  return least_field_bytes + field_bytes_of_vertex * most_vertices(resolution) + 4 * field.size().bytes;
+}
+
 bool is_usable(double length) { return length >= least_size && length <= largest_size; }
 
 Attempt<SharedMesh> implicit_surface(const Context& context, const SharedField& field, const ImplicitInputs& in) {
@@ -41,9 +47,10 @@ Attempt<SharedMesh> implicit_surface(const Context& context, const SharedField& 
     resolution = std::clamp(static_cast<std::size_t>(coarse), std::size_t{least_resolution}, asked);
   }
   for (;;) {
-    ImplicitSurface surface =
-        implicit_mesh(field, {center - 0.5 * in.size, center + 0.5 * in.size, resolution, most_vertices(resolution)},
-                      context.cancel());
+    ImplicitSurface surface = implicit_mesh(field,
+                                            {center - 0.5 * in.size, center + 0.5 * in.size, resolution,
+                                             most_vertices(resolution), most_field_bytes(*field, resolution)},
+                                            context.cancel());
     if (surface.too_large) {
       return Failure{"limit-exceeded",
                      "the surface is so large or so folded that it would have more than " +
@@ -65,8 +72,11 @@ Attempt<SharedMesh> implicit_surface(const Context& context, const SharedField& 
   }
 }
 
-/// Sampling and vertices, for a field of some dozen operations.
-RunCost cost_of_implicit(const RunSize& size) { return {400 * size.vertices, 220 * size.vertices}; }
+/// Sampling and vertices, for a field of some dozen operations. Fields count themselves what is left of large ones.
+RunCost cost_of_implicit(const RunSize& size) {
+  const double field_bytes = 2 * (least_field_bytes + field_bytes_of_vertex * size.vertices);
+  return {400 * size.vertices, 220 * size.vertices + field_bytes};
+}
 
 }  // namespace
 

@@ -64,8 +64,10 @@ void gradient(const Context& context) {
   const auto deadline = deadline_of(context, body->deadline_milliseconds);
   context.call->note_graph(body->graph->hash);
   const auto request = std::make_shared<const GradientRequest>(*std::move(body));
+  const auto memory = fitting::check(context.engine(), *request, Cancel(deadline));
+  if (!memory) return reply_problems(context, memory.problems());
   compute<std::string>(
-      context, {.key = key_of(*request, *type), .deadline = deadline},
+      context, {.key = key_of(*request, *type), .bytes = *memory, .deadline = deadline},
       [&engine = context.engine(), request, as_colors = *type == colored_type](const Job& job) {
         return work(engine, *request, as_colors, job);
       },

@@ -92,10 +92,9 @@ InspectRequest behind_instances(InspectRequest request) {
   const Result<Document>& document = document_in(request);
   if (!document || !document->instances.contains(request.node)) return request;
   const std::string asked = request.node + (request.output.empty() ? "" : "." + request.output);
-  const std::string place = places_behind(*document, asked).front();
-  const std::size_t period = std::min(place.find('.'), place.size());
-  request.node = place.substr(0, period);
-  request.output = place.substr(std::min(period + 1, place.size()));
+  PlaceName place = place_name(places_behind(*document, asked).front());
+  request.node = std::move(place.node);
+  request.output = std::move(place.output);
   return request;
 }
 

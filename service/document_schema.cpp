@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 
+#include "graph/document.h"
+
 namespace dini {
 namespace {
 
@@ -235,6 +237,10 @@ void add_nodes(const Json& catalogue, Where where, Json& definitions) {
                        {"allOf", std::move(rules)}};
 }
 
+Json sockets(Json item) {
+  return {{"type", "array"}, {"items", std::move(item)}, {"maxItems", GroupEntry::most_sockets}};
+}
+
 Json group_schema() {
   const Json text = {{"type", "string"}};
   const Json name = {{"type", "string"}, {"pattern", "^" + std::string(identifier) + "$"}};
@@ -247,8 +253,8 @@ Json group_schema() {
   output["properties"]["from"]["description"] = "\"node\" or \"node.output\", of a node of the group.";
   Json schema = closed_object({{"label", text},
                                {"description", text},
-                               {"inputs", {{"type", "array"}, {"items", std::move(input)}}},
-                               {"outputs", {{"type", "array"}, {"items", std::move(output)}}},
+                               {"inputs", sockets(std::move(input))},
+                               {"outputs", sockets(std::move(output))},
                                {"nodes", keyed("The nodes, by id.", reference("group_node"))}},
                               {"nodes"});
   schema["description"] = "Nodes that stand together wherever a node of type \"group/<name>\" is.";

@@ -46,34 +46,39 @@ std::vector<std::size_t> targets_of(std::span<const SharedPlan> family) {
   return targets;
 }
 
-std::vector<Value> measured(const PreparedGraph& member, const Evaluation& evaluation) {
+/// A value for each of the places. One that is wanted twice is measured once.
+std::vector<Value> measured(const PreparedGraph& member, const std::vector<std::string>& places,
+                            const Evaluation& evaluation) {
   std::vector<Value> values;
-  for (const Measure& measure : member.measures) {
-    values.push_back(evaluation.value(member.plan, measure.node, measure.output));
+  for (const std::string& place : places) {
+    const auto measure = std::ranges::find(member.measures, place, &Measure::place);
+    values.push_back(evaluation.value(member.plan, measure->node, measure->output));
   }
   return values;
 }
 
 /// One setting by itself.
-SettingValues values_of(const SharedPlan& member, Cache& cache, const Cancel& cancel) {
+SettingValues values_of(const SharedPlan& member, const std::vector<std::string>& places, Cache& cache,
+                        const Cancel& cancel) {
   const Progress unseen;
   const Result<Evaluation> evaluation = evaluate(member->plan, member->targets, cache, cancel, unseen);
   if (!evaluation) return evaluation.problems();
-  return measured(*member, *evaluation);
+  return measured(*member, places, *evaluation);
 }
 
 /// All together. Where one fails they are evaluated one by one: what succeeded is in the cache by then.
-std::vector<SettingValues> values_of(std::span<const SharedPlan> family, Cache& cache, const Cancel& cancel) {
+std::vector<SettingValues> values_of(std::span<const SharedPlan> family, const std::vector<std::string>& places,
+                                     Cache& cache, const Cancel& cancel) {
   const Progress unseen;
   const Result<Evaluation> evaluation = evaluate(joined(family), targets_of(family), cache, cancel, unseen);
   std::vector<SettingValues> values;
   for (const SharedPlan& member : family) {
     if (evaluation) {
-      values.emplace_back(measured(*member, *evaluation));
+      values.emplace_back(measured(*member, places, *evaluation));
     } else if (cancel.stopped()) {
       values.emplace_back(stopped_problem(cancel.reason()));
     } else {
-      values.push_back(values_of(member, cache, cancel));
+      values.push_back(values_of(member, places, cache, cancel));
     }
   }
   return values;
@@ -96,7 +101,7 @@ Result<std::vector<SettingValues>> CatalogueEngine::values(const ValuesRequest& 
   std::size_t bytes = 0;
   const auto evaluate_family = [&] {
     if (family.empty()) return;
-    std::vector<SettingValues> values = values_of(family, cache_, cancel);
+    std::vector<SettingValues> values = values_of(family, request.places, cache_, cancel);
     for (std::size_t k = 0; k < places.size(); ++k) answers[places[k]] = std::move(values[k]);
     family.clear();
     places.clear();

@@ -12,14 +12,12 @@ namespace {
 
 Result<MeasureName> read_place(const Registry& registry, const Document& document, const std::string& place,
                                const std::string& pointer) {
-  const std::string behind = places_behind(document, place).front();
-  const std::size_t period = behind.find('.');
-  MeasureName name{place, behind.substr(0, period)};
-  const auto node = document.nodes.find(name.node);
-  if (node == document.nodes.end()) return unknown_node(document, name.node, pointer);
+  const auto& [id, output, has_output] = place_name(places_behind(document, place).front());
+  MeasureName name{place, id};
+  const auto node = document.nodes.find(id);
+  if (node == document.nodes.end()) return unknown_node(document, place_name(place), pointer);
   const NodeType* type = registry.find(node->second.type);
-  if (type == nullptr || period == std::string::npos) return name;  // the check of the graph reports an unknown type
-  const std::string output = behind.substr(period + 1);
+  if (type == nullptr || !has_output) return name;  // the check of the graph reports an unknown type
   if (type->find_output(output) == nullptr) return unknown_output(*type, name.node, output, pointer);
   name.output = type->output_index(output);
   if (node->second.bypass && name.output > 0) return bypassed_output(name.node, output, pointer);

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "graph/groups.h"
+#include "graph/literal.h"
+#include "graph/names.h"
 #include "graph/nearest.h"
 
 namespace dini {
@@ -29,20 +31,26 @@ Exports exports_of(const Registry& registry, const Document& document) {
 }
 
 Result<std::string> find_output(const Registry& registry, const Document& document, const std::string& named) {
-  const std::string behind = places_behind(document, named).front();
-  const std::string asked = behind.substr(0, behind.find('.'));
   const auto [exports, unknown] = exports_of(registry, document);
   std::string list;
   for (const std::string& id : exports) list += (list.empty() ? "" : ", ") + id;
-  if (asked.empty()) {
+  if (named.empty()) {
     if (exports.size() == 1) return exports.front();
     if (exports.empty() && !unknown.empty()) return unknown.front();
     return unknown_export(exports.empty() ? "the graph has no export node"
                                           : "the graph has several outputs, choose one of " + list);
   }
-  const auto is_asked = [&](const std::vector<std::string>& ids) { return std::ranges::find(ids, asked) != ids.end(); };
-  if (is_asked(exports) || is_asked(unknown)) return asked;
-  return unknown_export("\"" + asked + "\" is no export node of the graph" + did_you_mean(asked, exports) +
+  const auto is_export = [&](const std::string& id) {
+    return std::ranges::find(exports, id) != exports.end() || std::ranges::find(unknown, id) != unknown.end();
+  };
+  if (document.instances.contains(place_name(named).node)) {
+    for (const std::string& place : places_behind(document, named)) {
+      if (std::string id = place_name(place).node; is_export(id)) return id;
+    }
+  } else if (is_export(named)) {
+    return named;
+  }
+  return unknown_export(excerpt(named) + " is no export node of the graph" + did_you_mean(named, exports) +
                         (exports.empty() ? "" : "; there is " + list));
 }
 

@@ -5,9 +5,22 @@
 
 namespace dini {
 
-Problem unknown_node(const Document& document, const std::string& node, const std::string& pointer) {
-  std::vector<std::string> known;
-  for (const auto& [id, entry] : document.nodes) known.push_back(id);
+Problem unknown_node(const Document& document, const PlaceName& place, const std::string& pointer) {
+  const std::string& node = place.node;
+  if (const auto instance = document.instances.find(node); instance != document.instances.end()) {
+    const std::string what = node + ", an instance of a group, has no output";
+    return {"unknown-port",
+            place.has_output
+                ? what + " " + excerpt(place.output) + did_you_mean(place.output, all_names(instance->second))
+                : what,
+            node,
+            place.output.substr(0, 64),
+            pointer,
+            nullptr,
+            true};
+  }
+  std::vector<std::string> known = keys_of(document.nodes);
+  for (const auto& [id, outputs] : document.instances) known.push_back(id);
   return {"unknown-node",
           "the graph has no node " + excerpt(node) + did_you_mean(node, known),
           is_path(node) ? node : "",
@@ -19,10 +32,8 @@ Problem unknown_node(const Document& document, const std::string& node, const st
 
 Problem unknown_output(const NodeType& type, const std::string& node, const std::string& output,
                        const std::string& pointer) {
-  std::vector<std::string> known;
-  for (const OutputPort& port : type.outputs) known.push_back(port.name);
   return {"unknown-port",
-          type.title + " has no output " + excerpt(output) + did_you_mean(output, known),
+          type.title + " has no output " + excerpt(output) + did_you_mean(output, all_names(type.outputs)),
           node,
           output.substr(0, 64),
           pointer,

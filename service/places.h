@@ -6,11 +6,13 @@
 #include <string>
 
 #include "graph/document.h"
+#include "graph/names.h"
 #include "graph/node_type.h"
 
 namespace dini {
 
-Problem unknown_node(const Document& document, const std::string& node, const std::string& pointer);
+/// No node is called so, or it is an instance of a group that has no such output.
+Problem unknown_node(const Document& document, const PlaceName& place, const std::string& pointer);
 Problem unknown_output(const NodeType& type, const std::string& node, const std::string& output,
                        const std::string& pointer);
 

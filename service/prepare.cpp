@@ -278,7 +278,7 @@ Result<Plan> prepare_inspection(const Environment& environment, const InspectReq
   const Result<GivenGraph> given = with_parameters(request.graph, request.parameters);
   if (!given) return given.problems();
   if (!given->document.nodes.contains(request.node)) {
-    return unknown_node(given->document, request.node, "/node");
+    return unknown_node(given->document, {request.node, request.output, !request.output.empty()}, "/node");
   }
   CheckReport report = check(environment.registry, given->document, given->values, Quality::final, environment.limits,
                              environment.find_asset, {{request.node}, false, &cancel});

@@ -22,18 +22,17 @@ constexpr std::size_t most_line_points = 50'000;  ///< of one output
 /// Adds the outputs that one entry names.
 std::optional<Problem> read_entry(const Registry& registry, const Document& document, const std::string& entry,
                                   const std::string& pointer, PreviewNames& names) {
-  const std::size_t period = entry.find('.');
-  const std::string id = entry.substr(0, period);
+  const PlaceName place = place_name(entry);
+  const auto& [id, output, has_output] = place;
   const auto node = document.nodes.find(id);
-  if (node == document.nodes.end()) return unknown_node(document, id, pointer);
+  if (node == document.nodes.end()) return unknown_node(document, place, pointer);
   std::set<std::size_t>& outputs = names[id];
   const NodeType* type = registry.find(node->second.type);
   if (type == nullptr) return std::nullopt;  // the check of the graph reports it
-  if (period == std::string::npos) {
+  if (!has_output) {
     for (std::size_t k = 0; k < (node->second.bypass ? 1 : type->outputs.size()); ++k) outputs.insert(k);
     return std::nullopt;
   }
-  const std::string output = entry.substr(period + 1);
   const OutputPort* port = type->find_output(output);
   if (port == nullptr) return unknown_output(*type, id, output, pointer);
   const std::size_t index = type->output_index(output);

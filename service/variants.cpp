@@ -8,10 +8,6 @@ namespace dini {
 
 namespace {
 
-Problem problem_at(std::string pointer, std::string code, std::string detail) {
-  return {.code = std::move(code), .detail = std::move(detail), .pointer = std::move(pointer), .in_request = true};
-}
-
 std::string place_of(const std::string& member, const std::string& name) {
   return "/" + member + "/" + pointer_token(name);
 }
@@ -20,16 +16,16 @@ std::string place_of(const std::string& member, const std::string& name) {
 Problems faults_in_lists(const Json& lists, const std::string& member, const Json& fixed) {
   Problems problems;
   if (lists.empty()) {
-    problems.push_back(problem_at("/" + member, "required-input-missing", member + " names no parameter"));
+    problems.push_back(request_problem("/" + member, "required-input-missing", member + " names no parameter"));
   }
   for (const auto& [name, values] : lists.items()) {
     if (!values.is_array()) {
-      problems.push_back(problem_at(place_of(member, name), "type-mismatch", name + " must be a list of values"));
+      problems.push_back(request_problem(place_of(member, name), "type-mismatch", name + " must be a list of values"));
     } else if (values.empty()) {
-      problems.push_back(problem_at(place_of(member, name), "required-input-missing", name + " lists no value"));
+      problems.push_back(request_problem(place_of(member, name), "required-input-missing", name + " lists no value"));
     }
     if (fixed.contains(name)) {
-      problems.push_back(problem_at(place_of(member, name), "out-of-range",
+      problems.push_back(request_problem(place_of(member, name), "out-of-range",
                                     name + " is given by parameters as well; one of them goes"));
     }
   }
@@ -38,12 +34,12 @@ Problems faults_in_lists(const Json& lists, const std::string& member, const Jso
 
 Problems faults_in_settings(const Json& list, const Json& fixed) {
   Problems problems;
-  if (list.empty()) problems.push_back(problem_at("/list", "required-input-missing", "list has no entry"));
+  if (list.empty()) problems.push_back(request_problem("/list", "required-input-missing", "list has no entry"));
   for (std::size_t i = 0; i < list.size() && problems.size() < 100; ++i) {
     const std::string place = "/list/" + std::to_string(i);
     for (const auto& [name, value] : list[i].items()) {
       if (!fixed.contains(name)) continue;
-      problems.push_back(problem_at(place + "/" + pointer_token(name), "out-of-range",
+      problems.push_back(request_problem(place + "/" + pointer_token(name), "out-of-range",
                                     name + " is given by parameters as well; one of them goes"));
     }
   }
@@ -64,7 +60,7 @@ std::optional<std::size_t> combinations(const Json& grid) {
 Result<Variants> Variants::read(const SweepAxes& axes, const Json& fixed, std::size_t most) {
   const int given = (axes.grid.is_null() ? 0 : 1) + (axes.zip.is_null() ? 0 : 1) + (axes.list.is_null() ? 0 : 1);
   if (given != 1) {
-    return problem_at("", "required-input-missing",
+    return request_problem("", "required-input-missing",
                       given == 0 ? "a sweep needs a grid, a zip or a list of values for parameters"
                                  : "a sweep takes one of grid, zip and list, not several");
   }
@@ -84,14 +80,14 @@ Result<Variants> Variants::read(const SweepAxes& axes, const Json& fixed, std::s
     size = is_grid ? combinations(variants.values_) : variants.values_.begin()->size();
     for (const auto& [name, values] : variants.values_.items()) {
       if (is_grid || values.size() == *size) continue;
-      return problem_at(place_of(member, name), "axis-mismatch",
+      return request_problem(place_of(member, name), "axis-mismatch",
                         name + " lists " + std::to_string(values.size()) + " values but " +
                             variants.values_.begin().key() + " lists " + std::to_string(*size) +
                             "; the lists of a zip have one length");
     }
   }
   if (!size || *size > most) {
-    return problem_at("/" + member, "limit-exceeded",
+    return request_problem("/" + member, "limit-exceeded",
                       "there are " + (size ? std::to_string(*size) : "too many") + " variants, at most " +
                           std::to_string(most) + " are accepted");
   }

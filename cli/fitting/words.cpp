@@ -1,26 +1,19 @@
 #include "cli/fitting/words.h"
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
+
+#include "cli/number_in.h"
+#include "cli/problems.h"
 
 namespace dini::cli {
 namespace {
-
-Problem usage(std::string detail) { return {.code = "usage", .detail = std::move(detail)}; }
-
-std::optional<double> number_in(std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 /// `0.2:3`
 std::optional<Json> bounds_in(std::string_view text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos) return std::nullopt;
-  const auto low = number_in(text.substr(0, colon)), high = number_in(text.substr(colon + 1));
+  const auto low = number_in<double>(text.substr(0, colon)), high = number_in<double>(text.substr(colon + 1));
   if (!low || !high) return std::nullopt;
   return Json::array({*low, *high});
 }
@@ -54,9 +47,9 @@ Result<Json> FitWords::vary() const {
       std::optional<Json> bounds = Json::array();
       if (equals != std::string::npos) bounds = bounds_in(std::string_view(word).substr(equals + 1));
       if (name.empty() || !bounds) {
-        return usage("--vary takes NAME or NAME=LOWEST:HIGHEST, with commas between several, not '" + word + "'");
+        return usage_problem("--vary takes NAME or NAME=LOWEST:HIGHEST, with commas between several, not '" + word + "'");
       }
-      if (vary.contains(name)) return usage("--vary names '" + name + "' twice");
+      if (vary.contains(name)) return usage_problem("--vary names '" + name + "' twice");
       vary[name] = *std::move(bounds);
     }
   }
@@ -70,10 +63,10 @@ Result<Json> FitWords::targets(const Limits& limits) const {
     const bool is_pair = equals != std::string::npos && equals > 0 && equals + 1 < word.size();
     const auto value = is_pair ? parse_json(word.substr(equals + 1), limits) : Result<Json>(Json());
     if (!is_pair || !value || (!value->is_number() && !value->is_array())) {
-      return usage("--target takes NODE=NUMBER or NODE.OUTPUT=NUMBER, or a list in brackets, not '" + word + "'");
+      return usage_problem("--target takes NODE=NUMBER or NODE.OUTPUT=NUMBER, or a list in brackets, not '" + word + "'");
     }
     const std::string place = word.substr(0, equals);
-    if (targets.contains(place)) return usage("--target names '" + place + "' twice");
+    if (targets.contains(place)) return usage_problem("--target names '" + place + "' twice");
     targets[place] = *value;
   }
   return targets;

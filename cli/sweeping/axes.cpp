@@ -1,24 +1,16 @@
 #include "cli/sweeping/axes.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
+#include "cli/number_in.h"
 #include "cli/problems.h"
 
 namespace dini::cli {
 namespace {
 
 constexpr std::size_t most_values = 1'000'000;
-
-template <class Number>
-std::optional<Number> number_in(std::string_view text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
 
 /// Whole numbers as such: parameters that are integers take no others.
 Json as_json(double value) {
@@ -35,9 +27,8 @@ std::optional<Json> range_of(const std::string& text) {
   const auto from = number_in<double>(whole.substr(0, first));
   const auto to = number_in<double>(whole.substr(first + 1, second - first - 1));
   const auto count = number_in<std::size_t>(whole.substr(second + 1));
-  if (!from || !to || !count || !std::isfinite(*from) || !std::isfinite(*to) || *count == 0 || *count > most_values) {
-    return std::nullopt;
-  }
+  if (!from || !to || !std::isfinite(*to - *from)) return std::nullopt;
+  if (!count || *count == 0 || *count > most_values) return std::nullopt;
   Json values = Json::array();
   for (std::size_t i = 0; i < *count; ++i) {
     const double share = *count == 1 ? 0 : static_cast<double>(i) / static_cast<double>(*count - 1);

@@ -75,4 +75,54 @@ TEST_CASE("Words that are no fit are refused before anything is read") {
   CHECK(fits.fit({"--target", "mass.weight=2"}).code == 3);
   CHECK(fits.fit({"--target-mesh", fits.at("none.ply")}).code == 6);
   CHECK(fits.fit({}).code == 3);
+  for (const char* bounds : {"nan:2", "0.2:nan", "0.2:inf", "1e999:2", ":2", "0.2:", ":", "0.2:1:2", "0.2"}) {
+    CAPTURE(bounds);
+    CHECK(fits.run({"fit", fits.at("ball.json"), "--vary", std::string("radius=") + bounds, "--target", "mass.volume=2"})
+              .code == 2);
+  }
+  CHECK(fits.run({"fit", fits.at("ball.json"), "--vary", "radius=2:1", "--target", "mass.volume=2"}).code == 3);
+  CHECK(fits.fit({"--target", "mass.volume=nan"}).code == 2);
+  CHECK(fits.fit({"--target", "mass.volume=1e999"}).code == 2);
+  CHECK(fits.fit({"--target", "mass.volume=2", "--target", "mass.volume=3"}).code == 2);
+  CHECK(fits.fit({"--vary", "radius", "--target", "mass.volume=2"}).code == 2);
+  CHECK(fits.fit({"--target", "mass.volume=2", "-o", fits.at("none/best.json")}).code == 6);
+  CHECK(fits.fit({"--target", "mass.volume=2", "--set", "radius=9"}).code == 3);
+}
+
+TEST_CASE("A fit that cannot be done leaves a report that says why") {
+  const Fits fits;
+  const auto told = [&](std::vector<std::string> words) {
+    fits.write("fit.json", R"({"succeeded": true})");
+    words.insert(words.end(), {"--report", fits.at("fit.json")});
+    const Outcome outcome = fits.run(words);
+    CAPTURE(outcome.err);
+    CHECK(outcome.code != 0);
+    const Json report = fits.json("fit.json");
+    CHECK(report["succeeded"] == false);
+    return report["errors"][0]["code"].get<std::string>();
+  };
+  const std::string ball_file = fits.at("ball.json");
+  CHECK(told({"fit", ball_file, "--vary", "size", "--target", "mass.volume=2"}) == "unknown-parameter");
+  CHECK(told({"fit", ball_file, "--vary", "radius", "--target-mesh", fits.at("none.ply")}) == "io");
+  CHECK(told({"fit", fits.at("none.json"), "--vary", "radius", "--target", "mass.volume=2"}) == "io");
+  fits.write("points.obj", "v 0 0 0\nv 1 0 0\n");
+  fits.write("empty.obj", "");
+  fits.write("words.ply", "these are words\n");
+  for (const char* file : {"points.obj", "empty.obj", "words.ply"}) {
+    CAPTURE(file);
+    CHECK_FALSE(told({"fit", ball_file, "--vary", "radius", "--target-mesh", fits.at(file)}).empty());
+  }
+}
+
+TEST_CASE("The graph that a fit writes has the values that were given too") {
+  const Fits fits;
+  Json graph = ball();
+  graph["parameters"]["height"] = {{"type", "number"}, {"default", 1}};
+  graph["nodes"]["tall"] = make("vector", {{"z", {{"parameter", "height"}}}});
+  fits.write("tall.json", graph.dump());
+  const Outcome outcome = fits.run({"fit", fits.at("tall.json"), "--set", "height=3", "--vary", "radius", "--target",
+                                    "mass.volume=2", "-o", fits.at("best.json")});
+  CAPTURE(outcome.err);
+  CHECK(outcome.code == 0);
+  CHECK(fits.json("best.json")["parameters"]["height"]["default"] == 3);
 }

@@ -56,6 +56,24 @@ TEST_CASE("A document with nested groups evaluates to the file and the tag of it
   CHECK(tags(with) == tags(without));
 }
 
+TEST_CASE("A difference tells inputs of instances at the instance, whatever they are called") {
+  const GraphFolder files;
+  Json before = grouped(), after;
+  before["groups"]["shifted"]["inputs"][1]["name"] = "nodes";
+  before["groups"]["shifted"]["nodes"]["ball"]["inputs"]["radius"] = {{"input", "nodes"}};
+  before["nodes"]["b"]["inputs"] = {{"by", {-1, 0, 0}}, {"nodes", 1}};
+  after = before;
+  after["nodes"]["b"]["inputs"]["nodes"] = 3;
+  after["groups"]["shifted"]["nodes"]["ball"]["inputs"]["inputs"] = 4;
+  after["groups"]["shifted"]["nodes"]["more"] = make("circle");
+  const auto told = run({"diff", files.graph("before.json", before), files.graph("after.json", after)});
+  CHECK(told.code == 1);
+  CHECK(told.out ==
+        "+ group shifted/more\n"
+        "~ group shifted/ball.inputs: default -> 4\n"
+        "~ b.nodes: 1 -> 3\n");
+}
+
 TEST_CASE("Fmt gives each node of a group a line, and changes nothing else") {
   const GraphFolder files;
   const std::string file = files.graph("graph.json", grouped());

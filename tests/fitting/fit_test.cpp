@@ -122,14 +122,56 @@ TEST_CASE("Several starts find the valley that the first one is not in") {
   CHECK(found(request)["parameters"]["x"] < -0.5);
 }
 
-TEST_CASE("No more evaluations are made than are allowed, but for those of one family") {
+TEST_CASE("No more evaluations are made than are allowed, and the best of them is told") {
   FitRequest request = box_request();
   request.targets = {{"volume", 0.8}, {"area", 6}};
-  request.evaluations = 40;
+  for (const std::int64_t most : {1, 2, 4, 5, 17, 40}) {
+    request.evaluations = most;
+    const Json answer = found(request);
+    CAPTURE(most, answer.dump(1));
+    CHECK(answer["outcome"] == "evaluations");
+    CHECK(answer["evaluations"] <= most);
+    CHECK(answer["parameters"].size() == 3);
+    CHECK_FALSE(answer["starts"].empty());
+  }
+}
+
+TEST_CASE("A place may be wanted twice, as a target and as what is to be small") {
+  FitRequest request = box_request();
+  request.targets = {{"volume", 0.8}};
+  request.minimize = {"area", "volume", "area"};
   const Json answer = found(request);
-  CHECK(answer["outcome"] == "evaluations");
-  CHECK(answer["evaluations"] < 40 + 16 + 3);
-  CHECK(answer["parameters"].size() == 3);
+  for (const char* edge : {"a", "b", "c"}) CHECK(answer["parameters"][edge] == Approx(std::cbrt(0.8)).epsilon(1e-4));
+  CHECK(answer["minimized"]["volume"] == answer["targets"]["volume"]["found"]);
+}
+
+TEST_CASE("A default out of the bounds in which it varies begins at the nearest one") {
+  FitRequest request = box_request();
+  request.vary = {{"a", {2, 3}}};
+  request.targets = {{"volume", 1.5}};
+  const Json answer = found(request);
+  CHECK(answer["starts"][0]["from"]["a"] == 2);
+  CHECK(answer["parameters"]["a"] == Approx(1.5 / 0.66));
+}
+
+TEST_CASE("More conditions than parameters are kept beside what is to be small, where they can be") {
+  Json graph = document({{"line", make("range", {{"from", parameter("a")}, {"to", parameter("b")}, {"count", 100}})},
+                         {"size", make("expression", {{"formula", "x*x"}, {"x", parameter("c")}})}});
+  graph["parameters"] = {{"a", number(0.3, -1, 4)}, {"b", number(2, -1, 4)}, {"c", number(1, -3, 3)}};
+  Json wanted = Json::array();
+  for (int k = 0; k < 100; ++k) wanted.push_back(1 + 2 * k / 99.0);
+  FitRequest request{.graph = engine().read(graph),
+                     .vary = {{"a", Json::array()}, {"b", Json::array()}, {"c", Json::array()}},
+                     .targets = {{"line", wanted}},
+                     .minimize = {"size"}};
+  const Json answer = found(request);
+  CAPTURE(answer["outcome"], answer["parameters"].dump());
+  CHECK(answer["outcome"] == "converged");
+  CHECK(answer["parameters"]["a"] == Approx(1).epsilon(1e-5));
+  CHECK(answer["parameters"]["b"] == Approx(3).epsilon(1e-5));
+  CHECK(std::abs(answer["parameters"]["c"].get<double>()) < 1e-3);
+  request.targets["line"][50] = 7;
+  CHECK(found(request)["outcome"] == "conditions");
 }
 
 TEST_CASE("A deadline ends a fit with the best so far") {
@@ -178,10 +220,17 @@ TEST_CASE("What is wrong with a fit is told at its place") {
   CHECK(changed([](FitRequest& r) { r.vary["a"] = {0, 2}; }) == "out-of-range /vary/a");
   CHECK(changed([](FitRequest& r) { r.vary["a"] = {2, 1}; }) == "out-of-range /vary/a");
   CHECK(changed([](FitRequest& r) { r.vary["a"] = 3; }) == "type-mismatch /vary/a");
+  CHECK(changed([](FitRequest& r) { r.vary["free"] = {-1.7e308, 1.7e308}; }) == "out-of-range /vary/free");
+  CHECK(changed([](FitRequest& r) { r.parameters = {{"a", 5}}; }) == "out-of-range /parameters/a");
+  CHECK(changed([](FitRequest& r) { r.parameters = {{"a", "much"}}; }) == "type-mismatch /parameters/a");
+  CHECK(changed([](FitRequest& r) {
+          r.vary["a"] = {1, 2};
+          r.parameters = {{"a", 3}};
+        }) == "out-of-range /parameters/a");
   CHECK(changed([](FitRequest& r) { r.targets["volume"] = "big"; }) == "type-mismatch /targets/volume");
   CHECK(changed([](FitRequest& r) { r.targets["volume"] = {1, 2}; }) == "axis-mismatch /targets/volume");
   CHECK(changed([](FitRequest& r) { r.targets["weight"] = 1; }) == "unknown-node /targets/weight");
-  CHECK(changed([](FitRequest& r) { r.target_mesh = "none.ply"; }) == "unknown-output /output");
+  CHECK(changed([](FitRequest& r) { r.target_mesh = "none.ply"; }) == "unknown-output /mesh");
   CHECK(changed([](FitRequest& r) {
           r.target_mesh = "none.ply";
           r.mesh = "volume";

@@ -108,6 +108,42 @@ TEST_CASE("A model in the colors of its motion has a color at every vertex and s
   CHECK(fitting::colored(*two, Cancel()).problems().front().pointer == "/by");
 }
 
+TEST_CASE("Derivatives that do not fit into memory together are taken one parameter after the other, and are the same") {
+  const GradientRequest request{.graph = engine().read(graph()), .of = {"value", "ball", "value"}, .by = {"a", "b"}};
+  const auto bytes = fitting::check(engine(), request, Cancel());
+  REQUIRE(bytes);
+  Limits limits;
+  limits.request_bytes = *bytes / 2;
+  const std::unique_ptr<Engine> small = make_engine(limits);
+  GradientRequest same = request;
+  same.graph = small->read(graph());
+  const auto all = fitting::gradient(engine(), request, Cancel()), some = fitting::gradient(*small, same, Cancel());
+  REQUIRE(all);
+  REQUIRE(some);
+  CHECK(to_json(*all) == to_json(*some));
+  REQUIRE(all->outputs.size() == 3);
+  CHECK(all->outputs[2].by[0].slopes == all->outputs[0].by[0].slopes);
+}
+
+TEST_CASE("More derivatives than memory holds are refused") {
+  Limits limits;
+  const std::unique_ptr<Engine> first = make_engine(limits);
+  GradientRequest request{.graph = first->read(graph()), .of = {"value"}, .by = {"a"}};
+  const auto one = fitting::check(*first, request, Cancel());
+  REQUIRE(one);
+  limits.request_bytes = *one / 5;  // four values beside the one that is there
+  const std::unique_ptr<Engine> small = make_engine(limits);
+  request.graph = small->read(graph());
+  CHECK(fitting::gradient(*small, request, Cancel()));
+  Json large = graph();
+  large["nodes"]["line"]["inputs"]["count"] = 10'000;
+  request.of = {"line"};
+  request.graph = small->read(large);
+  const auto refused = fitting::gradient(*small, request, Cancel());
+  REQUIRE_FALSE(refused);
+  CHECK(refused.problems().front().code == "limit-exceeded");
+}
+
 TEST_CASE("What has no derivative is refused at its place") {
   CHECK(refusal({.of = {"value"}, .by = {"c"}}) == "unknown-parameter /by/0");
   CHECK(refusal({.of = {"value"}, .by = {"a", "name"}}) == "type-mismatch /by/1");

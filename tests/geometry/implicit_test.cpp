@@ -1,3 +1,5 @@
+#include <atomic>
+#include <functional>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
@@ -13,7 +15,7 @@ namespace {
 constexpr std::size_t any_number = 10'000'000;
 
 ImplicitOptions cube(double half, std::size_t resolution) {
-  return {{-half, -half, -half}, {half, half, half}, resolution, any_number};
+  return {{-half, -half, -half}, {half, half, half}, resolution, any_number, any_number};
 }
 
 ImplicitSurface surface_of_field(const SharedField& field, const ImplicitOptions& options) {
@@ -164,6 +166,82 @@ TEST_CASE("A mesh is the same on one thread and on two") {
   CHECK(*one.positions == *two.positions);
   CHECK(*one.normals == *two.normals);
   CHECK((one.triangles == two.triangles));
+}
+
+namespace {
+
+/// What was asked of a field that is folded everywhere, and how many parts of it there were at once.
+struct Asked {
+  std::atomic<std::size_t> values = 0, parts = 0, most_parts = 0;
+  std::function<void()> when_asked = [] {};
+};
+
+/// Of which nothing is known but its values; as heavy as it says.
+class FoldedField : public ScalarField {
+ public:
+  static constexpr std::size_t part_bytes = 1000;
+
+  FoldedField(Asked& asked, std::size_t operations)
+      : ScalarField({operations, 1, part_bytes}, std::nullopt), asked_(asked) {
+    std::size_t most = asked_.most_parts, parts = ++asked_.parts;
+    while (most < parts && !asked_.most_parts.compare_exchange_weak(most, parts)) {
+    }
+  }
+  ~FoldedField() override { --asked_.parts; }
+
+  void values(const Places& at, double* out) const override {
+    asked_.values += at.count;
+    asked_.when_asked();
+    for (std::size_t i = 0; i < at.count; ++i) {
+      out[i] = std::sin(50 * at.x[i]) * std::sin(50 * at.y[i]) * std::sin(50 * at.z[i]);
+    }
+  }
+  Slope slope(const Vector&) const override { return {0, {0, 0, 1}}; }
+  Narrowed narrowed(const SolidBall&, const SharedField&) const override {
+    return {{}, std::make_shared<FoldedField>(asked_, size().operations), part_bytes};
+  }
+  std::string formula() const override { return "folded"; }
+
+ private:
+  Asked& asked_;
+};
+
+}  // namespace
+
+TEST_CASE("A surface that is too large is left before all of it is made") {
+  Asked all, few;
+  ImplicitOptions options = cube(1, 64);
+  implicit_mesh(std::make_shared<FoldedField>(all, 1), options, never_stopped);
+  options.most_vertices = 100;
+  const ImplicitSurface surface = implicit_mesh(std::make_shared<FoldedField>(few, 1), options, never_stopped);
+  CHECK(surface.too_large);
+  CHECK(surface.mesh.positions.empty());
+  CHECK(few.values < all.values / 4);
+}
+
+TEST_CASE("What is left of a field in parts of the box takes so much memory and no more, and changes nothing") {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 2);
+  Asked wide, narrow;
+  ImplicitOptions options = cube(1, 64);
+  const Mesh free = implicit_mesh(std::make_shared<FoldedField>(wide, 1), options, never_stopped).mesh;
+  options.most_field_bytes = 3 * FoldedField::part_bytes;
+  const Mesh bounded = implicit_mesh(std::make_shared<FoldedField>(narrow, 1), options, never_stopped).mesh;
+  // The whole, three on the way and three that are kept, and one more on each thread, which is thrown away at once.
+  CHECK(narrow.most_parts <= 1 + 3 + 3 + 2);
+  CHECK(wide.most_parts > narrow.most_parts);
+  CHECK(*free.positions == *bounded.positions);
+  CHECK((free.triangles == bounded.triangles));
+}
+
+TEST_CASE("A mesh of a heavy field is stopped between places") {
+  const Cancel canceled;
+  Asked asked;
+  asked.when_asked = [&] {
+    if (asked.values > 5000) canceled.stop(StopReason::canceled);
+  };
+  implicit_mesh(std::make_shared<FoldedField>(asked, std::size_t{1} << 17), cube(1, 64), canceled);
+  CHECK(asked.values > 5000);
+  CHECK(asked.values < 5100);
 }
 
 TEST_CASE("An empty solid has no mesh, one that is too large is told, and a stopped one ends") {

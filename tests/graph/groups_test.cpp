@@ -254,6 +254,71 @@ TEST_CASE("Limits count the nodes of groups as often as they stand, before they 
         Found{"limit-exceeded /nodes"});
 }
 
+TEST_CASE("What groups pass on is counted where it arrives nowhere, and literals for every copy") {
+  Json groups = Json::object();
+  const std::vector<Json> ten(10, input("more"));
+  for (int k = 0; k < 16; ++k) {
+    const Json node = k == 0 ? make("list", {{"items", ten}}) : make("group/g" + std::to_string(k - 1), {{"more", ten}});
+    groups["g" + std::to_string(k)] = {{"inputs", {{{"name", "more"}}}}, {"nodes", {{"i", node}}}};
+  }
+  CHECK(problems(grouped(groups, {{"all", make("group/g15")}})) == Found{"limit-exceeded /nodes"});
+  CHECK(problems(grouped(groups, {{"all", make("group/g15", {{"more", Json::array()}})}})) ==
+        Found{"limit-exceeded /nodes"});
+  Json wide = {{"inputs", {{{"name", "a"}}}}, {"nodes", Json::object()}};
+  for (int k = 0; k < 1000; ++k) wide["nodes"]["s" + std::to_string(k)] = make("sum", {{"a", input("a")}, {"b", 1}});
+  const auto given = [&](const Json& a) { return grouped({{"wide", wide}}, {{"w", make("group/wide", {{"a", a}})}}); };
+  CHECK(problems(given(1)).empty());
+  CHECK(problems(given(std::vector<int>(500, 1))) == Found{"limit-exceeded /nodes"});
+  CHECK(problems(given(std::string(2000, 'x'))) == Found{"limit-exceeded /nodes"});
+  wide["nodes"]["s0"]["inputs"]["b"] = std::string(60'000, 'x');
+  Json often = Json::object();
+  for (int k = 0; k < 20; ++k) often["w" + std::to_string(k)] = make("group/wide", {{"a", 1}});
+  for (int k = 1; k < 1000; ++k) wide["nodes"].erase("s" + std::to_string(k));
+  CHECK(problems(grouped({{"wide", wide}}, often)) == Found{"limit-exceeded /nodes"});
+}
+
+TEST_CASE("A group has so many inputs and outputs and no more") {
+  Json group = weighted();
+  for (const char* const sockets : {"inputs", "outputs"}) {
+    const Json first = group[sockets][0];
+    group[sockets] = std::vector<Json>(256, first);
+    for (int k = 1; k < 256; ++k) group[sockets][k]["name"] = "s" + std::to_string(k);
+  }
+  group["nodes"]["twice"]["inputs"]["value"] = input("s7");
+  const Json nodes = {{"w", make("group/g", {{"a", 1}, {"s7", 2}})}};
+  CHECK(problems(grouped({{"g", group}}, nodes)).empty());
+  group["inputs"].push_back({{"name", "more"}});
+  CHECK(problems(grouped({{"g", group}}, nodes)) == Found{"limit-exceeded /groups/g/inputs"});
+  group["inputs"].erase(256);
+  group["outputs"].push_back({{"name", "more"}, {"from", "sum"}});
+  CHECK(problems(grouped({{"g", group}}, nodes)) == Found{"limit-exceeded /groups/g/outputs"});
+}
+
+TEST_CASE("A bypassed instance that many items of a list lead to is met many times, and in no cycle") {
+  const Json lists = {{"inputs", {{{"name", "more"}}}}, {"nodes", {{"l", make("list", {{"items", input("more")}})}}}};
+  Json bypassed = make("group/weighted", {{"a", from("n")}});
+  bypassed["bypass"] = true;
+  const Result<Document> document = read(grouped(
+      {{"weighted", weighted()}, {"lists", lists}},
+      {{"n", make("constant")}, {"w", bypassed}, {"i", make("group/lists", {{"more", std::vector<Json>(10, from("w"))}})}}));
+  REQUIRE(document);
+  CHECK(write_document(*document)["nodes"]["i/l"]["inputs"]["items"] == Json(std::vector<Json>(10, from("n"))));
+}
+
+TEST_CASE("One output of an instance may go into another input of it where that makes no cycle of nodes") {
+  const Json apart = {{"inputs", {{{"name", "a"}}, {{"name", "b"}}}},
+                      {"outputs", {{{"name", "x"}, {"from", "first"}}, {{"name", "y"}, {"from", "second"}}}},
+                      {"nodes",
+                       {{"first", make("doubled", {{"value", input("a")}})},
+                        {"second", make("doubled", {{"value", input("b")}})}}}};
+  const auto with = [&](const Json& inputs) {
+    return problems(grouped({{"g", apart}}, {{"n", make("constant")}, {"w", make("group/g", inputs)}}));
+  };
+  CHECK(with({{"a", from("n")}, {"b", from("w.x")}}).empty());
+  CHECK(with({{"a", from("w.y")}, {"b", from("w.x")}}).size() == 1);
+  CHECK(with({{"a", from("n")}, {"b", from("w.y")}}) == Found{"graph-has-cycle /nodes/w/inputs/b"});
+}
+
 TEST_CASE("Groups and paths are of format 2, and documents of format 1 say so") {
   Json json = grouped({{"weighted", weighted()}}, {{"w", make("group/weighted", {{"a", 1}})}});
   json["format"] = 1;

@@ -2,6 +2,7 @@
 
 #include <tbb/global_control.h>
 
+#include "graph/cost.h"
 #include "tests/support/catalogue.h"
 #include "tests/support/close.h"
 
@@ -63,6 +64,30 @@ TEST_CASE("A chain joins the points of an axis, around if it is closed, as links
   for (std::size_t i = 0; i < open.size(); ++i) require_close(open[i], linked[i], 1e-14);
   const std::vector<Point> none = last({{"neighbors", "links"}}, true);
   CHECK(none[12] == none[0]);
+}
+
+TEST_CASE("A pair of points that is named twice is joined once, in links and in a chain of two") {
+  const auto last = [](Json inputs, Json others) {
+    inputs.update({{"points", from("square")}, {"steps", 4}});
+    return evolved(inputs, std::move(others)).all<Point>("it");
+  };
+  const auto linked = [&](const char* links) {
+    return last({{"neighbors", "links"}, {"links", links}}, square(true));
+  };
+  CHECK(linked("0-1 1-0 0-1 2-2 1-2") == linked("0-1 1-2"));
+  Json two = square(true);
+  two["square"]["inputs"]["count"] = 2;
+  CHECK(last({{"neighbors", "chain"}}, two) == last({{"neighbors", "links"}, {"links", "0-1"}}, two));
+}
+
+TEST_CASE("The memory of links is that of a table with room for the point that has most of them") {
+  const auto bytes = [](const std::string& links) {
+    const Json others = {{"crowd", make("random", {{"count", 100'000}, {"axis", "body"}})}};
+    return cost_of(evolved({{"neighbors", "links"}, {"links", links}, {"steps", 1}}, others).planned("it")).run_bytes;
+  };
+  std::string star;
+  for (int k = 1; k <= 64; ++k) star += " 0-" + std::to_string(k);
+  CHECK(bytes(star) - bytes("0-1") >= 4 * 63 * 100'000.0);
 }
 
 TEST_CASE("Links that cannot be read, and points that are not there, are told") {

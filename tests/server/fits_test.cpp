@@ -65,6 +65,53 @@ TEST_CASE("A fit that cannot begin is refused before it becomes a job") {
   CHECK(refused({{"graph", example_graph()}}) == "required-input-missing /vary");
 }
 
+TEST_CASE("A wrong body of a fit or of derivatives is refused with the member that is wrong") {
+  const RunningReal server;
+  const auto refused = [&](const char* path, const Json& body) {
+    const auto answer = post(server.port(), path, body.dump());
+    REQUIRE(answer);
+    CAPTURE(body.dump(), answer->status, answer->body);
+    CHECK(answer->status >= 400);
+    CHECK(answer->status < 500);
+    const Json error = answer->json()["errors"][0];
+    return error.value("pointer", "none") + " " + error["code"].get<std::string>();
+  };
+  const auto fit = [&](const Json& more) { return refused("/v1/fit", fit_of(more)); };
+  const Json targets = {{"amounts", amounts()}};
+  CHECK(fit({{"targets", Json::array()}}) == "/targets type-mismatch");
+  CHECK(fit({{"targets", {{"amounts", nullptr}}}}) == "/targets/amounts type-mismatch");
+  CHECK(fit({{"targets", {{"amounts", {{1, 2, {3}}}}}}}) == "/targets/amounts type-mismatch");
+  CHECK(fit({{"targets", targets}, {"vary", Json::array()}}) == "/vary type-mismatch");
+  CHECK(fit({{"targets", targets}, {"vary", "reach"}}) == "/vary type-mismatch");
+  CHECK(fit({{"targets", targets}, {"vary", {{"reach", {1, 2, 3}}}}}) == "/vary/reach type-mismatch");
+  CHECK(fit({{"targets", targets}, {"vary", {{"reach", {"a", "b"}}}}}) == "/vary/reach type-mismatch");
+  CHECK(fit({{"targets", targets}, {"vary", {{"reach", {1, 1}}}}}) == "/vary/reach out-of-range");
+  CHECK(fit({{"targets", targets}, {"parameters", {{"reach", "x"}}}}) == "/parameters/reach type-mismatch");
+  CHECK(fit({{"targets", targets}, {"parameters", {{"reach", 1e9}}}}) == "/parameters/reach out-of-range");
+  CHECK(fit({{"targets", targets}, {"parameters", {{"rech", 1}}}}) == "/parameters/rech unknown-parameter");
+  CHECK(fit({{"targets", targets}, {"parameters", 3}}) == "/parameters type-mismatch");
+  CHECK(fit({{"minimize", {1}}}) == "/minimize type-mismatch");
+  CHECK(fit({{"minimize", {"skin"}}, {"starts", 0}}) == "/starts out-of-range");
+  CHECK(fit({{"minimize", {"skin"}}, {"evaluations", 1.5}}) == "/evaluations type-mismatch");
+  CHECK(fit({{"minimize", {"nothing"}}}) == "/minimize/0 unknown-node");
+  CHECK(fit({{"minimize", Json(std::vector<std::string>(300, "amounts"))}}) == "/minimize limit-exceeded");
+  CHECK(fit({{"target_mesh", 1}}) == "/target_mesh type-mismatch");
+  CHECK(fit({{"mesh", "skin"}, {"targets", targets}}) == "/mesh required-input-missing");
+  CHECK(refused("/v1/fit", Json::array()).ends_with("type-mismatch"));
+  CHECK(refused("/v1/fit", {{"vary", {{"reach", Json::array()}}}}) == "/graph required-member-missing");
+  const auto gradient = [&](Json body) {
+    body["graph"] = example_graph();
+    return refused("/v1/gradient", body);
+  };
+  CHECK(gradient({{"of", "skin"}}) == "/of type-mismatch");
+  CHECK(gradient({{"of", {1}}}) == "/of type-mismatch");
+  CHECK(gradient({{"of", {"skin.x"}}}) == "/of/0 unknown-port");
+  CHECK(gradient({{"of", Json(std::vector<std::string>(300, "skin"))}}) == "/of limit-exceeded");
+  CHECK(gradient({{"by", {"x"}}}) == "/by/0 unknown-parameter");
+  CHECK(gradient({{"by", {{"reach", 1}}}}) == "/by type-mismatch");
+  CHECK(gradient({{"parameters", {{"reach", 1e9}}}}) == "/parameters/reach out-of-range");
+}
+
 TEST_CASE("A fit that runs tells the best so far, and can be canceled") {
   const RunningReal server;
   // The best of nothing to choose from: it goes on for as many evaluations as it may.

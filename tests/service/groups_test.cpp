@@ -104,6 +104,29 @@ TEST_CASE("A group may make the file, which is asked for by the instance or by t
   CHECK(file_of(engine(), {.graph = graph, .output = "flower.file"}) == file);
 }
 
+TEST_CASE("A place that is not there is told by what was asked for") {
+  Json graph = nested();
+  graph["groups"]["flower"]["nodes"]["file"] = make("export", {{"model", from("one")}});
+  graph["groups"]["flower"]["outputs"].push_back({{"name", "file"}, {"from", "file.asset"}});
+  graph["nodes"].erase("out");
+  const auto told = [&](const Asked& asked) {
+    const auto refused = prepared_for(engine(), asked);
+    REQUIRE_FALSE(refused);
+    const Problem& problem = refused.problems().front();
+    return problem.code + " " + problem.pointer.value_or("") + ": " + problem.detail;
+  };
+  CHECK(told({.graph = graph, .measures = {"flower.hihg"}}) ==
+        "unknown-port /measures/0: flower, an instance of a group, has no output \"hihg\"; did you mean \"high\"?");
+  CHECK(told({.graph = graph, .preview = {"flower.x"}}).starts_with("unknown-port /preview/0: flower, an instance"));
+  CHECK(told({.graph = graph, .output = "flower.low"}) ==
+        "unknown-output /output: \"flower.low\" is no export node of the graph; there is flower/file");
+  CHECK(told({.graph = graph, .output = "flower/file.nonsense"}).starts_with("unknown-output /output"));
+  const std::string file = file_of(engine(), {.graph = graph});
+  // Named alone, an instance means that of its outputs which is a file.
+  CHECK(file_of(engine(), {.graph = graph, .output = "flower"}) == file);
+  CHECK(file_of(engine(), {.graph = graph, .output = "flower.file"}) == file);
+}
+
 TEST_CASE("A problem in a group is told with the id of its node and its place in the document") {
   Json graph = nested();
   graph["groups"]["petal"]["nodes"]["skin"]["inputs"]["segments"] = -3;
