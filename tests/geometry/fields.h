@@ -26,7 +26,7 @@ inline SharedField random_shape(RandomElements& random) {
   if (kind < 0.4) {
     Column<Point> centers(5);
     for (std::size_t i = 0; i < 5; ++i) centers.set(i, random.point());
-    return balls_field(std::move(centers), 0.5 * size, 0.2 * size);
+    return balls_field(std::move(centers), 0.5 * size, 0.2 * size, Cancel());
   }
   return sphere_field(random.vector(), size);
 }
