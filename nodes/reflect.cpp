@@ -48,8 +48,7 @@ Attempt<SharedMesh> reflect_mesh(const Context& context, const SharedMesh& shape
   const Cancel& cancel = context.cancel();
   Column<Point> positions(shape->positions.size());
   Column<Vector> normals(shape->normals.size());
-  // A vertex with its normal takes several times as long as what chunks usually have.
-  for_chunks(cancel, positions.size(), usual_chunk / 4, [&](std::size_t begin, std::size_t end) {
+  for_chunks(cancel, positions.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Point place = shape->positions[i];
       positions.set(i, reflect(in.mirror, place));
@@ -60,10 +59,14 @@ Attempt<SharedMesh> reflect_mesh(const Context& context, const SharedMesh& shape
   });
   const std::shared_ptr<Mesh> reflected = with_positions(context, *shape, std::move(positions), std::move(normals));
   // A reflection turns what runs counter-clockwise into what runs clockwise.
-  auto& triangles = reflected->triangles.edit();
-  for_chunks(cancel, triangles.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) std::swap(triangles[t][1], triangles[t][2]);
+  NumberList<std::array<std::uint32_t, 3>> turned(reflected->triangles.size());
+  for_chunks(cancel, turned.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto [a, b, c] = reflected->triangles[t];
+      turned[t] = {a, c, b};
+    }
   });
+  reflected->triangles = std::move(turned);
   return SharedMesh(reflected);
 }
 
