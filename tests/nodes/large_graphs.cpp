@@ -10,6 +10,9 @@ namespace {
 /// A mesh of a family, with its sources, is as much work as so many numbers.
 constexpr std::size_t numbers_per_mesh = 50;
 
+/// And so many for a field, which is an object of its own.
+constexpr std::size_t numbers_per_field = 2;
+
 bool is_count(const InputPort& port) {
   constexpr double large = 1000;
   return port.types.front() == WireType::integer && port.spec.maximum && *port.spec.maximum >= large &&
@@ -29,7 +32,10 @@ Json counts_for(const NodeType& type, std::size_t size) {
   const double each = std::pow(static_cast<double>(size), 1.0 / static_cast<double>(std::max<long>(1, number)));
   for (const InputPort& port : type.inputs) {
     if (is_count(port)) counts[port.name] = static_cast<std::int64_t>(std::min(each, *port.spec.maximum));
-    if (is_small_count(port)) counts[port.name] = static_cast<std::int64_t>(std::sqrt(static_cast<double>(size) / 6));
+    if (is_small_count(port)) {
+      const double edge = std::sqrt(static_cast<double>(size) / 6);
+      counts[port.name] = static_cast<std::int64_t>(std::max(edge, port.spec.minimum.value_or(1)));
+    }
   }
   return counts;
 }
@@ -64,6 +70,7 @@ std::vector<Json> large_graphs(const Subject& subject, std::size_t size) {
   if (!counts.empty()) graphs.push_back(wired_nodes(subject, {.literals = counts}));
   if (subject.overload->consumed_axes() > 0) graphs.push_back(wired_nodes(subject, {.consumed = size}));
   const bool makes_meshes = subject.overload->outputs.front().type == WireType::mesh;
+  const bool makes_fields = subject.overload->outputs.front().type == WireType::field;
   bool lifted = false;
   for (std::size_t port = 0; port < subject.type->inputs.size(); ++port) {
     const InputPort& card = subject.type->inputs[port];
@@ -74,7 +81,9 @@ std::vector<Json> large_graphs(const Subject& subject, std::size_t size) {
     }
     if (lifted || !can_be_lifted(subject, port) || subject.overload->inputs[port].optional) continue;
     lifted = true;
-    const std::size_t values = mesh || makes_meshes ? size / numbers_per_mesh : size;
+    const std::size_t values = mesh || makes_meshes ? size / numbers_per_mesh
+                               : makes_fields       ? size / numbers_per_field
+                                                    : size;
     Json literals = consumed_names(subject);
     if (makes_meshes) literals.update(counts_for(*subject.type, numbers_per_mesh));
     graphs.push_back(wired_nodes(subject, {.driven = card.name, .drive = {{"count", values}}, .literals = literals}));
