@@ -139,11 +139,7 @@ int run(FitOptions& options, const EngineMaker& make_engine) {
   };
   const auto request = request_of(options, *given);
   if (!request) return failed(request.problems(), nullptr);
-  fitting::FitTerms terms;
-  if (options.deadline_ms > 0) {
-    terms.deadline = Cancel::Clock::now() + std::chrono::milliseconds(options.deadline_ms);
-  }
-  const auto found = fitting::fit(*given->engine, *request, Job(), terms);
+  const auto found = fitting::fit(*given->engine, *request, job_within(options.deadline_ms));
   if (!found) return failed(found.problems(), &given->source);
   return write(options, *given, *found);
 }

@@ -5,6 +5,7 @@
 #include "fitting/gradient.h"
 #include "geometry/palette.h"
 #include "gltf/glb_groups.h"
+#include "graph/request_problem.h"
 #include "graph/stopped.h"
 #include "service/version.h"
 
@@ -41,8 +42,8 @@ void add_meshes(const Differentiated& output, double fastest, GlbGroup& group) {
 Result<std::string> colored(const Gradient& gradient, const Cancel& cancel) {
   if (gradient.parameters.size() != 1) {
     return request_problem("/by", "limit-exceeded",
-                 "colors show how a model moves with one parameter, and " +
-                     std::to_string(gradient.parameters.size()) + " are asked for; name one in `by`");
+                           "colors show how a model moves with one parameter, and " +
+                               std::to_string(gradient.parameters.size()) + " are asked for; name one in `by`");
   }
   double fastest = 0;
   bool has_mesh = false;
@@ -52,7 +53,8 @@ Result<std::string> colored(const Gradient& gradient, const Cancel& cancel) {
     const Derivative& derivative = output.by.front();
     for (std::size_t k = 0; 3 * k < derivative.slopes.size(); ++k) fastest = std::max(fastest, speed_at(derivative, k));
   }
-  if (!has_mesh) return request_problem("/of", "type-mismatch", "none of these outputs is a mesh, which alone can be colored");
+  if (!has_mesh)
+    return request_problem("/of", "type-mismatch", "none of these outputs is a mesh, which alone can be colored");
   // What is within the error is no motion.
   for (const Differentiated& output : gradient.outputs) {
     if (output.value.type() == WireType::mesh && fastest <= output.by.front().error) fastest = 0;
@@ -63,10 +65,11 @@ Result<std::string> colored(const Gradient& gradient, const Cancel& cancel) {
   }
   EncodeOptions options;
   options.extras = {{"engine", engine_version},
-                    {"gradient", {{"parameter", gradient.parameters.front()},
-                                  {"at", gradient.at.front()},
-                                  {"range", gradient.ranges.front()},
-                                  {"fastest", fastest}}}};
+                    {"gradient",
+                     {{"parameter", gradient.parameters.front()},
+                      {"at", gradient.at.front()},
+                      {"range", gradient.ranges.front()},
+                      {"fastest", fastest}}}};
   EncodeResult<std::string> encoded = encode_groups({group}, options, cancel);
   if (encoded) return *std::move(encoded);
   if (encoded.error().code == EncodeError::Code::canceled) return stopped_problem(cancel.reason());

@@ -69,13 +69,12 @@ Result<std::size_t> check(const Engine& engine, const FitRequest& request, const
 }
 
 Result<Json> fit(const Engine& engine, const FitRequest& request, const Job& job, const FitTerms& terms) {
-  const Cancel cancel(terms.deadline, job.cancel);
-  Result<Model> read = Model::read(engine, request, cancel);
+  Result<Model> read = Model::read(engine, request, job.cancel);
   if (!read) return read.problems();
   Model& model = *read;
   Result<Sample> first = model.begin();
   if (!first) return first.problems();
-  Search search(model, request, *std::move(first), cancel, job.progress, terms);
+  Search search(model, request, *std::move(first), job, terms);
   Json starts = Json::array();
   const auto is_met = [&] { return model.minimized().empty() && search.best().merit.objective < met; };
   const auto begin_at = [&](const Place& start) {
@@ -90,7 +89,7 @@ Result<Json> fit(const Engine& engine, const FitRequest& request, const Job& job
     }
   }
   const bool was_late = search.ran_out_of_time(), was_short = search.ran_out_of_evaluations();
-  if (cancel.stopped() && !was_late) return stopped_problem(cancel.reason());
+  if (job.cancel.stopped() && !was_late) return stopped_problem(job.cancel.reason());
   Json answer = best_json(model, search);
   answer["outcome"] = was_late ? "deadline" : was_short ? "evaluations" : outcome_of(search);
   answer["starts"] = std::move(starts);

@@ -9,7 +9,8 @@ namespace dini::fitting {
 
 /// Until when a fit goes on, and who is told of it.
 struct FitTerms {
-  /// When it ends with the best so far.
+  /// When it ends with the best so far, after the evaluation that runs then; a job that is stopped for its deadline
+  /// ends it within an evaluation.
   Cancel::Clock::time_point deadline = Cancel::Clock::time_point::max();
   /// Given the best so far whenever there is a better one: {"parameters": ..., "objective": ...}. May be empty.
   std::function<void(const Json& best)> improved = {};

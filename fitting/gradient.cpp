@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "fitting/model.h"
+#include "graph/request_problem.h"
 #include "graph/stopped.h"
 
 namespace dini::fitting {
@@ -163,15 +164,16 @@ std::optional<Problem> fault_in(const Asked& asked, const std::vector<Value>& va
   for (std::size_t place = 0; place < values.size(); ++place) {
     if (!is_differentiated(values[place].type())) {
       return request_problem("/of/" + std::to_string(place), "type-mismatch",
-                   asked.values.places[place] + " is of type " + std::string(name(values[place].type())) +
-                       "; accepted are numbers, vectors, points and meshes");
+                             asked.values.places[place] + " is of type " + std::string(name(values[place].type())) +
+                                 "; accepted are numbers, vectors, points and meshes");
     }
     slopes += all_numbers(values[place]).size() * asked.varied.size();
   }
   if (slopes <= limit / bytes_of_slope) return std::nullopt;
   return request_problem("/by", "limit-exceeded",
-               "there would be " + std::to_string(slopes) + " derivatives, at most " +
-                   std::to_string(limit / bytes_of_slope) + " are accepted; name fewer parameters, or smaller outputs");
+                         "there would be " + std::to_string(slopes) + " derivatives, at most " +
+                             std::to_string(limit / bytes_of_slope) +
+                             " are accepted; name fewer parameters, or smaller outputs");
 }
 
 /// Derivatives by the parameters [begin, end), whose evaluations are one family.
@@ -199,9 +201,10 @@ Problems add_derivatives(const Asked& asked, std::size_t begin, std::size_t end,
       }
       auto found = derivative(asked.stencils[k], numbers, moved);
       if (!found) {
-        return {request_problem("/of/" + std::to_string(place), "degenerate",
-                      output.place + " has no derivative by " + asked.varied[k].name +
-                          " here: within a small step it gets another number of values, or one that is not finite")};
+        return {request_problem(
+            "/of/" + std::to_string(place), "degenerate",
+            output.place + " has no derivative by " + asked.varied[k].name +
+                " here: within a small step it gets another number of values, or one that is not finite")};
       }
       output.by.push_back(*std::move(found));
     }

@@ -34,8 +34,8 @@ struct Gradient {
 Result<std::size_t> check(const Engine& engine, const GradientRequest& request, const Cancel& cancel);
 
 /// By differences over two steps, the shorter one half of the longer, from which the better value and its error follow
-/// (Richardson); on one side of a parameter that is at a bound. Evaluations are one family as far as the limit of memory
-/// lets them. Problems name the member of the request, or are those of the graph.
+/// (Richardson); on one side of a parameter that is at a bound. Evaluations are one family as far as the limit of
+/// memory lets them. Problems name the member of the request, or are those of the graph.
 Result<Gradient> gradient(const Engine& engine, const GradientRequest& request, const Cancel& cancel);
 
 /// The schema `Gradient`.

@@ -18,8 +18,8 @@ struct SquaresProblem {
   std::function<bool()> stopped;  ///< whether to give up; asked before each evaluation
 };
 
-/// Goes to the bottom of the valley that a place is in, within 0 and 1, by the steps of Levenberg and Marquardt: near the
-/// end each is as good as the square of the one before, where the numbers vanish.
+/// Goes to the bottom of the valley that a place is in, within 0 and 1, by the steps of Levenberg and Marquardt: near
+/// the end each is as good as the square of the one before, where the numbers vanish.
 Place least_squares(const SquaresProblem& problem, const Place& start);
 
 /// Products of the slopes with each other: how sharply the sum of squares rises in each direction.

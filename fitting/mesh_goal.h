@@ -43,7 +43,8 @@ class MeshGoal {
   std::vector<double> residuals(const std::vector<Foot>& feet) const;
 
   /// How fast these grow when the model with those feet moves to `moved`, whose vertices are the same ones, in a step
-  /// of that length: the nearest place itself may be taken as fixed, since moving it changes no distance to first order.
+  /// of that length: the nearest place itself may be taken as fixed, since moving it changes no distance to first
+  /// order.
   std::vector<double> slopes(const std::vector<Foot>& feet, const Surface& model, const Surface& moved,
                              double step) const;
 

@@ -67,8 +67,8 @@ Place minimize(const Objective& objective, const Place& start) {
   nlopt_set_min_objective(optimizer.get(), value_for_library, &run);
   if (objective.conditions > 0) {
     const std::vector<double> tolerances(objective.conditions, condition_tolerance);
-    nlopt_add_equality_mconstraint(optimizer.get(), static_cast<unsigned>(objective.conditions),
-                                   conditions_for_library, &run, tolerances.data());
+    nlopt_add_equality_mconstraint(optimizer.get(), static_cast<unsigned>(objective.conditions), conditions_for_library,
+                                   &run, tolerances.data());
   }
   nlopt_set_xtol_abs1(optimizer.get(), least_step);
   nlopt_set_ftol_rel(optimizer.get(), objective.least_gain);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "graph/json_reader.h"
+#include "graph/request_problem.h"
 #include "graph/stopped.h"
 
 namespace dini::fitting {
@@ -39,7 +40,7 @@ Result<std::vector<NumberGoal>> read_targets(const Json& targets) {
     NumberGoal goal{.place = place, .wanted = {}};
     if (!gather_numbers(wanted, goal.wanted) || goal.wanted.empty()) {
       problems.push_back(request_problem("/targets/" + pointer_token(place), "type-mismatch",
-                               place + " is to be a number, or a list of all numbers of that output"));
+                                         place + " is to be a number, or a list of all numbers of that output"));
       continue;
     }
     double largest = 0;
@@ -67,8 +68,9 @@ Result<std::string> place_of_mesh(const ValueSource& source, const FitRequest& r
   std::string list;
   for (const std::string& place : *exported) list += (list.empty() ? "" : ", ") + place;
   return request_problem("/mesh", "required-input-missing",
-               exported->empty() ? "nothing is exported, so `mesh` names the output that is to be like the mesh"
-                                 : "several outputs are exported, so `mesh` names one of " + list);
+                         exported->empty()
+                             ? "nothing is exported, so `mesh` names the output that is to be like the mesh"
+                             : "several outputs are exported, so `mesh` names one of " + list);
 }
 
 Result<MeshGoal> read_mesh(const ValueSource& source, const std::string& name, const Cancel& cancel) {
@@ -109,7 +111,8 @@ Result<Model> Model::read(const Engine& engine, const FitRequest& request, const
     return request_problem("", "required-input-missing", "a fit needs targets, a target_mesh or something to minimize");
   }
   if (!request.mesh.empty() && request.target_mesh.empty()) {
-    return request_problem("/mesh", "required-input-missing", "mesh goes with a target_mesh, the file that it is to be like");
+    return request_problem("/mesh", "required-input-missing",
+                           "mesh goes with a target_mesh, the file that it is to be like");
   }
   const Result<Json> interface = engine.interface(*request.graph);
   if (!interface) return interface.problems();
@@ -148,10 +151,8 @@ Result<Sample> Model::begin() {
 
 Result<std::size_t> memory_of_one(const Engine& engine, const ValuesRequest& request, const Json& setting,
                                   const Cancel& cancel) {
-  EvaluateRequest one{.graph = request.graph,
-                      .parameters = request.parameters,
-                      .measures = request.places,
-                      .without_output = true};
+  EvaluateRequest one{
+      .graph = request.graph, .parameters = request.parameters, .measures = request.places, .without_output = true};
   one.parameters.update(setting);
   const auto prepared = engine.prepare(one, cancel);
   return prepared ? (*prepared)->bytes : Result<std::size_t>(prepared.problems());
@@ -198,12 +199,14 @@ Result<Sample> Model::sample_of(const std::vector<Value>& values) const {
     const std::string& place = is_target ? targets_[k].place : minimized_[k - targets_.size()];
     const std::string pointer = pointer_to(k);
     auto found = numbers_of(values[k]);
-    if (!found) return request_problem(pointer, "type-mismatch", place + " has no numbers; accepted are numbers, vectors, points");
+    if (!found)
+      return request_problem(pointer, "type-mismatch",
+                             place + " has no numbers; accepted are numbers, vectors, points");
     const std::size_t wanted = is_target ? targets_[k].wanted.size() : 1;
     if (found->size() != wanted) {
       return request_problem(pointer, "axis-mismatch",
-                   place + " has " + std::to_string(found->size()) + " numbers, " + std::to_string(wanted) +
-                       (is_target ? " are given" : " can be minimized"));
+                             place + " has " + std::to_string(found->size()) + " numbers, " + std::to_string(wanted) +
+                                 (is_target ? " are given" : " can be minimized"));
     }
     if (!all_finite(*found)) return request_problem(pointer, "non-finite", place + " is not finite");
     if (is_target) {
@@ -268,8 +271,7 @@ Slopes Model::slopes(const Place& place, const Sample& sample) {
       }
       if (mesh_) {
         const Surface moved = surface_of(values[k]->back());
-        const bool is_same = moved.positions.size() == sample.surface.positions.size() &&
-                             all_finite(moved);
+        const bool is_same = moved.positions.size() == sample.surface.positions.size() && all_finite(moved);
         if (is_same) distances = mesh_->slopes(sample.feet, sample.surface, moved, steps[k]);
       }
     }

@@ -23,7 +23,7 @@ struct Sample {
   std::vector<std::vector<double>> numbers;  ///< at each target, then at each output to minimize
   Surface surface;                           ///< of the output that is to be like the mesh; else empty
   std::vector<Foot> feet;
-  double minimized = 0;           ///< sum of what is to be minimized, each in proportion to what it was at first
+  double minimized = 0;            ///< sum of what is to be minimized, each in proportion to what it was at first
   std::vector<double> conditions;  ///< what is missing at the targets
   std::vector<double> distances;   ///< residuals of the feet
 };

@@ -42,7 +42,8 @@ std::vector<Place> spread(std::size_t dimensions, std::size_t count) {
 
 /// Slopes of a place of which none are known.
 Slopes flat(std::size_t parameters, const Sample& sample) {
-  return {std::vector<double>(parameters), {parameters, std::vector<double>(sample.conditions.size())},
+  return {std::vector<double>(parameters),
+          {parameters, std::vector<double>(sample.conditions.size())},
           {parameters, std::vector<double>(sample.distances.size())}};
 }
 
@@ -66,21 +67,25 @@ bool Merit::is_better_than(const Merit& other) const {
   return missing < other.missing;
 }
 
-Search::Search(Model& model, const FitRequest& request, Sample first, const Cancel& cancel, const Progress& progress,
-               const FitTerms& terms)
+Search::Search(Model& model, const FitRequest& request, Sample first, const Job& job, const FitTerms& terms)
     : model_(model),
-      cancel_(cancel),
-      progress_(progress),
+      job_(job),
       terms_(terms),
       starts_(request.starts),
       most_evaluations_(request.evaluations),
       last_place_(start_of(model.varied())),
       last_sample_(std::move(first)),
       seen_(model.varied().size()) {
-  progress_.announce(static_cast<double>(most_evaluations_));
+  job_.progress.announce(static_cast<double>(most_evaluations_));
   tell_progress();
   consider(*last_place_, *last_sample_);
 }
+
+bool Search::ran_out_of_time() const {
+  return Cancel::Clock::now() >= terms_.deadline || job_.cancel.reason() == StopReason::deadline;
+}
+
+bool Search::stopped() const { return job_.cancel.stopped() || ran_out_of_time() || ran_out_; }
 
 bool Search::has_left(std::size_t evaluations) {
   const bool has = model_.evaluations() + static_cast<std::int64_t>(evaluations) <= most_evaluations_;
@@ -109,7 +114,7 @@ void Search::consider(const Place& place, const Sample& sample) {
 
 void Search::tell_progress() {
   const std::int64_t now = std::min(model_.evaluations(), most_evaluations_);
-  progress_.add(static_cast<double>(now - told_));
+  job_.progress.add(static_cast<double>(now - told_));
   told_ = now;
 }
 
@@ -197,7 +202,8 @@ Place Search::downhill(const Place& start) {
   // No more conditions may be kept than there are parameters, so of more there are combinations: those by which the
   // parameters rise at first.
   std::vector<std::vector<double>> combinations;
-  if (has_conditions() && first->conditions.size() > count) combinations = directions(slopes_at(start, *first).conditions);
+  if (has_conditions() && first->conditions.size() > count)
+    combinations = directions(slopes_at(start, *first).conditions);
   objective.conditions = !has_conditions() ? 0 : combinations.empty() ? first->conditions.size() : count;
   const auto combined = [&](const std::vector<double>& conditions, std::size_t i) {
     return combinations.empty() ? conditions[i] : dot_product(combinations[i], conditions);
@@ -223,23 +229,22 @@ Place Search::to_the_end(const Place& start) {
     a.insert(a.end(), b.begin(), b.end());
     return a;
   };
-  const SquaresProblem problem{
-      .values = [&](const Place& place) -> std::optional<std::vector<double>> {
-        const Sample* sample = sample_at(place);
-        if (sample == nullptr) return std::nullopt;
-        return together(sample->conditions, sample->distances);
-      },
-      .slopes =
-          [&](const Place& place) {
-            const Sample* sample = sample_at(place);
-            const Slopes& slopes = slopes_at(place, *sample);
-            std::vector<std::vector<double>> all;
-            for (std::size_t k = 0; k < place.size(); ++k) {
-              all.push_back(together(slopes.conditions[k], slopes.distances[k]));
-            }
-            return all;
-          },
-      .stopped = [this] { return stopped(); }};
+  const SquaresProblem problem{.values = [&](const Place& place) -> std::optional<std::vector<double>> {
+                                 const Sample* sample = sample_at(place);
+                                 if (sample == nullptr) return std::nullopt;
+                                 return together(sample->conditions, sample->distances);
+                               },
+                               .slopes =
+                                   [&](const Place& place) {
+                                     const Sample* sample = sample_at(place);
+                                     const Slopes& slopes = slopes_at(place, *sample);
+                                     std::vector<std::vector<double>> all;
+                                     for (std::size_t k = 0; k < place.size(); ++k) {
+                                       all.push_back(together(slopes.conditions[k], slopes.distances[k]));
+                                     }
+                                     return all;
+                                   },
+                               .stopped = [this] { return stopped(); }};
   return least_squares(problem, start);
 }
 

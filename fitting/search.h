@@ -30,9 +30,8 @@ class Search {
   /// So many places are evaluated at once where starts are looked for.
   static constexpr std::size_t evaluated_together = 16;
 
-  /// `first` is what the model began with at its first place. `cancel` ends at the deadline of the terms as well.
-  Search(Model& model, const FitRequest& request, Sample first, const Cancel& cancel, const Progress& progress,
-         const FitTerms& terms);
+  /// `first` is what the model began with at its first place.
+  Search(Model& model, const FitRequest& request, Sample first, const Job& job, const FitTerms& terms);
 
   /// Whether conditions are kept beside something to minimize, instead of being part of the sum of squares.
   bool has_conditions() const { return !model_.minimized().empty() && !model_.targets().empty(); }
@@ -44,8 +43,8 @@ class Search {
   std::optional<Found> descend(const Place& start);
 
   /// Nothing more is evaluated: the deadline or the number of evaluations is reached, or somebody stopped it.
-  bool stopped() const { return cancel_.stopped() || ran_out_; }
-  bool ran_out_of_time() const { return cancel_.stopped() && cancel_.reason() == StopReason::deadline; }
+  bool stopped() const;
+  bool ran_out_of_time() const;
   /// More evaluations were wanted than are left.
   bool ran_out_of_evaluations() const { return ran_out_; }
 
@@ -65,8 +64,7 @@ class Search {
   Place to_the_end(const Place& start);
 
   Model& model_;
-  const Cancel& cancel_;
-  const Progress& progress_;
+  const Job& job_;
   const FitTerms& terms_;
   const std::int64_t starts_, most_evaluations_;
   std::int64_t told_ = 0;

@@ -7,6 +7,7 @@
 
 #include "graph/json_reader.h"
 #include "graph/nearest.h"
+#include "graph/request_problem.h"
 
 namespace dini::fitting {
 namespace {
@@ -34,12 +35,13 @@ Problems faults_in_name(const std::string& name, const Json& interface, const st
   const auto schema = properties_of(interface).find(name);
   const std::vector<std::string> known = numbers_in(interface);
   if (schema == properties_of(interface).end()) {
-    return {request_problem(pointer, "unknown-parameter",
-                  "the graph has no parameter \"" + name + "\"" + did_you_mean(name, known) + "; " + list_of(known))};
+    return {request_problem(
+        pointer, "unknown-parameter",
+        "the graph has no parameter \"" + name + "\"" + did_you_mean(name, known) + "; " + list_of(known))};
   }
   if (schema->value("type", "") == "number") return {};
   return {request_problem(pointer, "type-mismatch",
-                name + " is no number, and only numbers change little by little; " + list_of(known))};
+                          name + " is no number, and only numbers change little by little; " + list_of(known))};
 }
 
 double value_of(const std::string& name, const Json& schema, const Json& parameters) {
@@ -54,12 +56,13 @@ std::optional<Problem> fault_in_start(const Varied& varied, const Json& paramete
   if (given == parameters.end()) return std::nullopt;
   const std::string pointer = "/parameters/" + pointer_token(varied.name);
   if (!given->is_number()) {
-    return request_problem(pointer, "type-mismatch", varied.name + " begins at " + given->dump() + ", which is no number");
+    return request_problem(pointer, "type-mismatch",
+                           varied.name + " begins at " + given->dump() + ", which is no number");
   }
   if (varied.start >= varied.lowest && varied.start <= varied.highest) return std::nullopt;
   return request_problem(pointer, "out-of-range",
-               varied.name + " begins at " + given->dump() + "; accepted is what it varies in, " +
-                   Json(varied.lowest).dump() + " to " + Json(varied.highest).dump());
+                         varied.name + " begins at " + given->dump() + "; accepted is what it varies in, " +
+                             Json(varied.lowest).dump() + " to " + Json(varied.highest).dump());
 }
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -74,26 +77,28 @@ Result<Varied> read_one(const std::string& name, const Json& bounds, const Json&
   Varied varied = own_bounds(name, schema, parameters);
   const bool are_two = bounds.is_array() && bounds.size() == 2 && bounds[0].is_number() && bounds[1].is_number();
   if (!are_two && !(bounds.is_array() && bounds.empty())) {
-    return request_problem(pointer, "type-mismatch", name + " takes [lowest, highest], or [] for the bounds of the parameter");
+    return request_problem(pointer, "type-mismatch",
+                           name + " takes [lowest, highest], or [] for the bounds of the parameter");
   }
   if (are_two) {
     const double low = bounds[0].get<double>(), high = bounds[1].get<double>();
     if (low < varied.lowest || high > varied.highest || !(low < high)) {
       return request_problem(pointer, "out-of-range",
-                   name + " is to vary from " + bounds[0].dump() + " to " + bounds[1].dump() +
-                       "; accepted is from a lower to a higher number within " +
-                       schema.value("minimum", Json("anything")).dump() + " to " +
-                       schema.value("maximum", Json("anything")).dump());
+                             name + " is to vary from " + bounds[0].dump() + " to " + bounds[1].dump() +
+                                 "; accepted is from a lower to a higher number within " +
+                                 schema.value("minimum", Json("anything")).dump() + " to " +
+                                 schema.value("maximum", Json("anything")).dump());
     }
     varied.lowest = low;
     varied.highest = high;
   } else if (varied.lowest == -unbounded || varied.highest == unbounded || !(varied.lowest < varied.highest)) {
     return request_problem(pointer, "required-input-missing",
-                 name + " has no two bounds of its own, so they are given here: [lowest, highest]");
+                           name + " has no two bounds of its own, so they are given here: [lowest, highest]");
   }
   if (!std::isfinite(varied.highest - varied.lowest)) {
-    return request_problem(pointer, "out-of-range",
-                 "the bounds of " + name + " are too far from each other; give nearer ones: [lowest, highest]");
+    return request_problem(
+        pointer, "out-of-range",
+        "the bounds of " + name + " are too far from each other; give nearer ones: [lowest, highest]");
   }
   if (auto fault = fault_in_start(varied, parameters)) return *std::move(fault);
   varied.start = std::clamp(varied.start, varied.lowest, varied.highest);
@@ -105,12 +110,12 @@ Result<Varied> read_one(const std::string& name, const Json& bounds, const Json&
 Result<std::vector<Varied>> read_varied(const Json& vary, const Json& interface, const Json& parameters) {
   if (vary.empty()) {
     return request_problem("/vary", "required-input-missing",
-                 "vary names no parameter that may change; " + list_of(numbers_in(interface)));
+                           "vary names no parameter that may change; " + list_of(numbers_in(interface)));
   }
   if (vary.size() > most_varied) {
     return request_problem("/vary", "limit-exceeded",
-                 std::to_string(vary.size()) + " parameters are to vary, at most " + std::to_string(most_varied) +
-                     " are accepted");
+                           std::to_string(vary.size()) + " parameters are to vary, at most " +
+                               std::to_string(most_varied) + " are accepted");
   }
   std::vector<Varied> varied;
   Problems problems;
@@ -137,8 +142,8 @@ Result<std::vector<Varied>> read_differentiated(const std::vector<std::string>& 
   if (wanted.empty()) return request_problem("/by", "required-input-missing", list_of(known));
   if (wanted.size() > most_varied) {
     return request_problem("/by", "limit-exceeded",
-                 std::to_string(wanted.size()) + " parameters are listed, at most " + std::to_string(most_varied) +
-                     " are accepted");
+                           std::to_string(wanted.size()) + " parameters are listed, at most " +
+                               std::to_string(most_varied) + " are accepted");
   }
   std::vector<Varied> varied;
   Problems problems;

@@ -20,8 +20,6 @@ class Cancel {
 
   Cancel() = default;
   explicit Cancel(Clock::time_point deadline) : deadline_(deadline) {}
-  /// Stopped with `outer` as well, which must outlive this one.
-  Cancel(Clock::time_point deadline, const Cancel& outer) : deadline_(deadline), outer_(&outer) {}
   Cancel(const Cancel&) = delete;
   Cancel& operator=(const Cancel&) = delete;
 
@@ -34,10 +32,6 @@ class Cancel {
   /// True once stopped or past the deadline.
   bool stopped() const {
     if (reason_.load(std::memory_order_relaxed) != StopReason::none) return true;
-    if (outer_ != nullptr && outer_->stopped()) {
-      stop(outer_->reason());
-      return true;
-    }
     if (deadline_ == Clock::time_point::max() || Clock::now() < deadline_) return false;
     stop(StopReason::deadline);
     return true;
@@ -52,7 +46,6 @@ class Cancel {
 
  private:
   Clock::time_point deadline_ = Clock::time_point::max();
-  const Cancel* outer_ = nullptr;
   mutable std::atomic<StopReason> reason_ = StopReason::none;
 };
 

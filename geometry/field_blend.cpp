@@ -81,7 +81,10 @@ std::optional<Reach> reach_of_blend(const std::vector<SharedField>& fields, doub
 class BlendField : public ScalarField {
  public:
   BlendField(std::vector<SharedField> fields, double side, double blend, std::optional<Reach> reach)
-      : ScalarField(size_over(fields, sizeof(*this) + fields.size() * sizeof(SharedField)), reach), fields_(std::move(fields)), side_(side), blend_(blend) {}
+      : ScalarField(size_over(fields, sizeof(*this) + fields.size() * sizeof(SharedField)), reach),
+        fields_(std::move(fields)),
+        side_(side),
+        blend_(blend) {}
 
   void values(const Places& at, double* out) const override {
     const std::size_t count = fields_.size();
@@ -121,14 +124,12 @@ class BlendField : public ScalarField {
     std::vector<SharedField> all, kept;
     std::vector<double> lows, highs;
     bool changed = false;
-    std::size_t made = 0;
     for (const SharedField& field : fields_) {
       Narrowed one = field->narrowed(ball, field);
       changed = changed || one.field != field;
       lows.push_back(side_ > 0 ? one.values.low : -one.values.high);
       highs.push_back(side_ > 0 ? one.values.high : -one.values.low);
       all.push_back(std::move(one.field));
-      made += one.made;
     }
     const double low = rounded_minimum(lows, blend_), high = rounded_minimum(highs, blend_);
     const double needed = *std::min_element(highs.begin(), highs.end()) + blend_ + narrowing_slack * ball.radius;
@@ -136,10 +137,9 @@ class BlendField : public ScalarField {
       if (!(lows[k] >= needed)) kept.push_back(std::move(all[k]));
     }
     const Interval values = side_ > 0 ? Interval{low, high} : Interval{-high, -low};
-    if (kept.size() == 1) return {values, std::move(kept.front()), made};
+    if (kept.size() == 1) return {values, std::move(kept.front())};
     if (!changed && kept.size() == fields_.size()) return {values, self};
-    made += sizeof(*this) + kept.size() * sizeof(kept.front());
-    return {values, std::make_shared<BlendField>(std::move(kept), side_, blend_, reach()), made};
+    return {values, std::make_shared<BlendField>(std::move(kept), side_, blend_, reach())};
   }
 
   std::string formula() const override {
@@ -169,7 +169,7 @@ class ComplementField : public ScalarField {
     Narrowed one = field_->narrowed(ball, field_);
     const Interval values{-one.values.high, -one.values.low};
     if (one.field == field_) return {values, self};
-    return {values, std::make_shared<ComplementField>(std::move(one.field), reach()), one.made + sizeof(*this)};
+    return {values, std::make_shared<ComplementField>(std::move(one.field), reach())};
   }
   std::string formula() const override { return "complement(" + field_->formula() + ")"; }
 

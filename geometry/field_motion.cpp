@@ -119,7 +119,7 @@ class MovedField : public ScalarField {
     const double high = scaled(one.values.high, one.values.high > 0 ? most : least);
     const Interval values = within_reach({low, high}, away, farthest);
     if (one.field == field_) return {values, self};
-    return {values, std::make_shared<MovedField>(std::move(one.field), motion_, reach()), one.made + sizeof(*this)};
+    return {values, std::make_shared<MovedField>(std::move(one.field), motion_, reach())};
   }
 
   std::string formula() const override { return "moved(" + field_->formula() + ")"; }

@@ -27,8 +27,7 @@ class OffsetField : public ScalarField {
     Narrowed one = field_->narrowed(ball, field_);
     const Interval values{one.values.low - distance_, one.values.high - distance_};
     if (one.field == field_) return {values, self};
-    return {values, std::make_shared<OffsetField>(std::move(one.field), distance_, reach()),
-            one.made + sizeof(*this)};
+    return {values, std::make_shared<OffsetField>(std::move(one.field), distance_, reach())};
   }
   std::string formula() const override { return "offset(" + field_->formula() + ")"; }
 
@@ -55,8 +54,7 @@ class ShellField : public ScalarField {
     const double nearest = low > 0 ? low : high < 0 ? -high : 0;
     const Interval values{nearest - half_, std::max(-low, high) - half_};
     if (one.field == field_) return {values, self};
-    return {values, std::make_shared<ShellField>(std::move(one.field), middle_, half_, reach()),
-            one.made + sizeof(*this)};
+    return {values, std::make_shared<ShellField>(std::move(one.field), middle_, half_, reach())};
   }
   std::string formula() const override { return "shell(" + field_->formula() + ")"; }
 

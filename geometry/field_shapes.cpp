@@ -165,8 +165,7 @@ class BallsField : public ScalarField {
     if (kept.size() == centers_.size()) return {values, self};
     Column<Point> few(kept.size());
     for (std::size_t k = 0; k < kept.size(); ++k) few.set(k, centers_[kept[k]]);
-    const std::size_t made = sizeof(*this) + few.bytes();
-    return {values, std::make_shared<BallsField>(std::move(few), radius_, blend_, around_), made};
+    return {values, std::make_shared<BallsField>(std::move(few), radius_, blend_, around_)};
   }
 
   std::string formula() const override { return "balls(" + std::to_string(centers_.size()) + ")"; }

@@ -79,8 +79,7 @@ class WarpedField : public ScalarField {
     const Interval values{low * (low > 0 ? least : most), high * (high > 0 ? most : least)};
     if (one.field == field_) return {values, self};
     FieldSize size = this->size();
-    return {values, std::make_shared<WarpedField>(std::move(one.field), pulls_, strength_, power_, softening_, size),
-            one.made + sizeof(*this)};
+    return {values, std::make_shared<WarpedField>(std::move(one.field), pulls_, strength_, power_, softening_, size)};
   }
 
   std::string formula() const override { return "warped(" + field_->formula() + ")"; }

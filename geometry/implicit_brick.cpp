@@ -12,7 +12,8 @@ namespace {
 void measure(const ScalarField& field, const Places& at, double* out, const Cancel& cancel) {
   constexpr std::size_t operations_between = std::size_t{1} << 17, bytes_of_operation = 32;
   const std::size_t operations = field.size().operations + field.size().bytes / bytes_of_operation;
-  const std::size_t chunk = std::clamp<std::size_t>(operations_between / operations, 1, std::max<std::size_t>(1, at.count));
+  const std::size_t chunk =
+      std::clamp<std::size_t>(operations_between / operations, 1, std::max<std::size_t>(1, at.count));
   for (std::size_t begin = 0; begin < at.count && !cancel.stopped(); begin += chunk) {
     const std::size_t count = std::min(chunk, at.count - begin);
     field.values({at.x + begin, at.y + begin, at.z + begin, count}, out + begin);

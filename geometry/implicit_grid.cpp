@@ -29,15 +29,15 @@ class Descent {
     Narrowed narrowed = field->narrowed(ball, field);
     const double slack = narrowing_slack * ball.radius;
     if (narrowed.values.low > slack || narrowed.values.high < -slack) return;
-    // Both fields have the same values here, so a bound for memory costs time only.
-    const bool fits = made_.fetch_add(narrowed.made) + narrowed.made <= most_bytes_;
-    if (!fits) narrowed.field = field;
+    // What they share is counted as well. Both have the same values here, so a bound for memory costs time only.
+    const std::size_t made = narrowed.field == field ? 0 : narrowed.field->size().bytes;
+    if (made_.fetch_add(made) + made > most_bytes_) narrowed.field = field;
     if (size == Brick::side) {
       if (!visit_({cell, narrowed.field})) ended_ = true;
     } else {
       descend_halves(cell, size / 2, narrowed.field);
     }
-    made_ -= narrowed.made;
+    made_ -= made;
   }
 
  private:

@@ -47,7 +47,6 @@ struct Interval {
 struct Narrowed {
   Interval values;
   SharedField field;
-  std::size_t made = 0;  ///< bytes of it that the field does not share with the one that was narrowed
 };
 
 /// A ball that holds the whole surface, and on which side the solid is: outside of it the field has one sign, and is at

@@ -98,8 +98,6 @@ struct GroupOutput {
 /// Nodes that stand together wherever a node of type "group/<name>" is. What they are given from outside comes through
 /// the inputs; they know no parameters.
 struct GroupEntry {
-  static constexpr std::size_t most_sockets = 256;  ///< inputs, and outputs; each instance has them
-
   std::optional<std::string> label, description;
   std::vector<GroupInput> inputs;
   std::vector<GroupOutput> outputs;

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "graph/document.h"
+#include "graph/groups.h"
 #include "graph/json_reader.h"
 #include "graph/literal.h"
 #include "graph/names.h"
@@ -147,10 +148,10 @@ class DocumentReader {
       add("type-mismatch", place, "got " + excerpt(*list) + ", expected a list, in the order of the sockets");
       return;
     }
-    if (list->size() > GroupEntry::most_sockets) {
+    if (list->size() > most_group_sockets) {
       add("limit-exceeded", place,
           "the group has " + std::to_string(list->size()) + " " + member + ", at most " +
-              std::to_string(GroupEntry::most_sockets) + " are accepted");
+              std::to_string(most_group_sockets) + " are accepted");
       return;
     }
     for (std::size_t i = 0; i < list->size(); ++i) read((*list)[i], place + "/" + std::to_string(i));

@@ -57,8 +57,8 @@ class GroupChecker {
 
   /// `detail` is called for problems that are listed only: to find the nearest of all names takes long.
   template <class Detail>
-  void add(const Scope& scope, const char* code, const Detail& detail, const std::string& node,
-           const std::string& port, const std::string& pointer) {
+  void add(const Scope& scope, const char* code, const Detail& detail, const std::string& node, const std::string& port,
+           const std::string& pointer) {
     const bool inside = scope.group != nullptr;  // where a node has many places
     problems_.add([&] { return Problem{code, detail(), inside ? "" : node, inside ? "" : port, pointer}; });
   }

@@ -10,6 +10,9 @@
 
 namespace dini {
 
+/// How many inputs a group has at most, and how many outputs: each of its instances has them.
+constexpr std::size_t most_group_sockets = 256;
+
 /// The group that a node type of the form "group/<name>" means; empty for any other type.
 std::string_view group_named(std::string_view type);
 

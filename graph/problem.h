@@ -28,11 +28,6 @@ struct Problem {
 
 using Problems = std::vector<Problem>;
 
-/// What is wrong with a member of the request around a document; `pointer` leads to the member.
-inline Problem request_problem(std::string pointer, std::string code, std::string detail) {
-  return {.code = std::move(code), .detail = std::move(detail), .pointer = std::move(pointer), .in_request = true};
-}
-
 /// Gathers problems: lists the first hundred and counts the others, so that no document can ask for an answer many
 /// times its own size. What a problem says may take long to find (the nearest of all names, say), so it is only made
 /// when it is listed.

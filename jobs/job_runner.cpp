@@ -2,37 +2,18 @@
 
 #include <algorithm>
 
-#include "fitting/fit.h"
-#include "jobs/kept_lines.h"
+#include "jobs/live_job.h"
 #include "service/problem_json.h"
 
 namespace dini::jobs {
 namespace {
 
-/// When work is asked for again that was not let in, and when the store is asked again that did not write.
-constexpr std::chrono::milliseconds busy_pause{50};
+/// When the store is asked again that did not write.
 constexpr std::chrono::milliseconds storage_pause{1000};
 /// How often old jobs are looked for, at the least.
 constexpr std::chrono::milliseconds expiry_pause{60'000};
 
 }  // namespace
-
-/// How a job ended.
-struct JobRunner::Ending {
-  std::string state;
-  std::string errors = "[]";
-  store::JobResult result = {};
-};
-
-/// A job that was begun and has not ended.
-struct JobRunner::Live {
-  std::shared_ptr<Flights::Interest> interest;
-  std::shared_ptr<Sweep> sweep;
-  bool canceling = false;
-  double progress = 0;
-  Json best = nullptr;           ///< what a fit has found so far
-  std::optional<Ending> ending;  ///< what could not be written yet
-};
 
 JobRunner::JobRunner(const Engine& engine, Flights& flights, Sweeps& sweeps, store::JobStore jobs, const Terms& terms)
     : engine_(engine), flights_(flights), sweeps_(sweeps), jobs_(std::move(jobs)), terms_(terms) {}
@@ -199,112 +180,6 @@ void JobRunner::begin(const std::string& id, const SharedLive& live) {
   asked.first = std::min(asked.variants.size(), asked.first + static_cast<std::size_t>((*record)->done));
   const auto limit = static_cast<std::int64_t>(engine_.limits().sweep_milliseconds);
   sweep(id, live, std::move(asked), within(std::chrono::milliseconds(limit)));
-}
-
-/// Asks for a place until there is one; `ask` gives null when there is none.
-template <class Ask>
-void JobRunner::ask_until_admitted(const std::string& id, const SharedLive& live, Ask ask) {
-  std::unique_lock lock(mutex_);
-  while (!stopped_ && !live->canceling) {
-    lock.unlock();
-    const std::shared_ptr<Flights::Interest> interest = ask();
-    lock.lock();
-    if (interest != nullptr) {
-      live->interest = interest;
-      break;
-    }
-    changed_.wait_for(lock, busy_pause, [this] { return stopped_; });
-  }
-  if (!live->canceling) return;
-  // Who canceled it came before there was anything to stop.
-  const auto interest = live->interest;
-  lock.unlock();
-  if (interest != nullptr) return interest->stop(StopReason::canceled);
-  end(id, {.state = "canceled"});
-}
-
-void JobRunner::evaluate(const std::string& id, const SharedLive& live, const EvaluateRequest& request,
-                         Clock::duration limit) {
-  const Clock::time_point deadline = Clock::now() + limit;
-  const auto prepared = engine_.prepare(request, Cancel(deadline));
-  if (!prepared) return end_with(id, prepared.problems());
-  const auto computed = [this, id, prepared = *prepared](const Result<SharedComputed>& outcome, Flights::Begun) {
-    if (!outcome) return end_with(id, outcome.problems());
-    const Computed& made = **outcome;
-    end(id, {.state = "succeeded",
-             .result = {dump(engine_.report(*prepared, made)), made.model ? made.model : made.preview}});
-  };
-  ask_until_admitted(id, live, [&, prepared = *prepared] {
-    return flights_.ask<Computed>(
-        {.key = prepared->content, .bytes = prepared->bytes, .work = prepared->work, .deadline = deadline},
-        [this, prepared](const Job& job) -> Result<SharedComputed> {
-          if (SharedComputed known = engine_.find(*prepared)) return known;
-          return engine_.compute(*prepared, job);
-        },
-        computed);
-  });
-}
-
-/// A fit ends by itself at its deadline, with the best so far.
-void JobRunner::fit(const std::string& id, const SharedLive& live, FitRequest asked, Clock::duration limit) {
-  const Clock::time_point deadline = Clock::now() + limit;
-  const auto request = std::make_shared<const FitRequest>(std::move(asked));
-  const auto bytes = fitting::check(engine_, *request, Cancel(deadline));
-  if (!bytes) return end_with(id, bytes.problems());
-  const auto improved = [this, weak = std::weak_ptr(live)](const Json& best) {
-    const std::lock_guard lock(mutex_);
-    if (const auto running = weak.lock()) running->best = best;
-  };
-  const auto computed = [this, id](const Result<std::shared_ptr<const Json>>& found, Flights::Begun) {
-    if (!found) return end_with(id, found.problems());
-    end(id, {.state = "succeeded", .result = {dump(**found), nullptr}});
-  };
-  ask_until_admitted(id, live, [&] {
-    return flights_.ask<Json>(
-        {.key = DigestBuilder().text("fit").text(id).finish(), .bytes = *bytes},
-        [this, request, deadline, improved](const Job& job) -> Result<std::shared_ptr<const Json>> {
-          auto found = fitting::fit(engine_, *request, job, {.deadline = deadline, .improved = improved});
-          if (!found) return found.problems();
-          return std::make_shared<const Json>(*std::move(found));
-        },
-        computed);
-  });
-}
-
-void JobRunner::sweep(const std::string& id, const SharedLive& live, SweepRequest request, Clock::duration limit) {
-  request.deadline = Clock::now() + limit;
-  const auto shared = std::make_shared<const SweepRequest>(std::move(request));
-  const auto predicted = [this, id, live, shared](const Result<std::shared_ptr<const SweepCost>>& cost,
-                                                  Flights::Begun) {
-    if (!cost) return end_with(id, cost.problems());
-    KeptLines::Terms terms{.id = id, .first = shared->first, .total = shared->variants.size()};
-    terms.written = [this, live](double share) {
-      const std::lock_guard lock(mutex_);
-      live->progress = share;
-    };
-    terms.ended = [this, id](const Problems& reasons) {
-      if (!reasons.empty()) return end_with(id, reasons);
-      end(id, {.state = "succeeded"});
-    };
-    auto lines = std::make_unique<KeptLines>(jobs_, std::move(terms));
-    const auto made = sweeps_.make(*shared, **cost, std::move(lines), Sweeps::Waiting::job);
-    if (!made) return end_with(id, made.problems());
-    const std::shared_ptr<Sweep>& sweep = *made;
-    bool canceled = false;
-    {
-      const std::lock_guard lock(mutex_);
-      canceled = live->canceling;
-      if (!canceled) live->sweep = sweep;
-      live->progress = share_done(shared->first, shared->variants.size());
-    }
-    if (canceled) return end(id, {.state = "canceled"});
-    sweep->start();
-  };
-  ask_until_admitted(id, live, [&] {
-    return flights_.ask<SweepCost>(
-        {.key = DigestBuilder().text("job").text(id).finish(), .deadline = shared->deadline},
-        [this, shared](const Job& job) { return predict(engine_, *shared, job); }, predicted);
-  });
 }
 
 /// A job that did not come to its end. One that the shutdown stopped is left as it is, for the next process.

@@ -86,6 +86,7 @@ class JobRunner {
 
  private:
   using Clock = Alarms::Clock;
+  class SweepTaker;
   struct Live;
   struct Ending;
   using SharedLive = std::shared_ptr<Live>;

@@ -32,7 +32,8 @@ struct EvolveInputs : kernels::NetworkSettings {
   std::string links;
 };
 
-/// What links say, each pair once whichever way round and however often it is written. A point is no neighbor of itself.
+/// What links say, each pair once whichever way round and however often it is written. A point is no neighbor of
+/// itself.
 Links different_links(const std::string& text) {
   Links different;
   std::set<std::pair<std::uint32_t, std::uint32_t>> seen;

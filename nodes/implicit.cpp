@@ -124,8 +124,8 @@ std::tuple<double, Vector> looked_up(const Context& context, const SharedField& 
   return finite ? std::tuple(slope.value, slope.gradient) : std::tuple(0.0, Vector{});
 }
 
-/// A field is some hundred bytes more than its wire counts; of points it has a copy, and a mesher has eight more of what
-/// is left of them in parts of its box.
+/// A field is some hundred bytes more than its wire counts; of points it has a copy, and a mesher has eight more of
+/// what is left of them in parts of its box.
 RunCost cost_of_field(const RunSize& size) {
   double points = 0;
   for (const Axis& axis : size.consumed) points += static_cast<double>(axis.size);

@@ -25,7 +25,7 @@ std::size_t most_vertices(std::size_t resolution) { return vertices_per_cell_of_
 /// What is left of a field in parts of the box is some times the field, where parts overlap.
 constexpr std::size_t least_field_bytes = std::size_t{4} << 20, field_bytes_of_vertex = 32;
 std::size_t most_field_bytes(const ScalarField& field, std::size_t resolution) {
-  return least_field_bytes + field_bytes_of_vertex * most_vertices(resolution) + 4 * field.size().bytes;
+  return least_field_bytes + field_bytes_of_vertex * most_vertices(resolution) + 8 * field.size().bytes;
 }
 
 bool is_usable(double length) { return length >= least_size && length <= largest_size; }

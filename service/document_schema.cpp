@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "graph/document.h"
+#include "graph/groups.h"
 
 namespace dini {
 namespace {
@@ -237,9 +237,7 @@ void add_nodes(const Json& catalogue, Where where, Json& definitions) {
                        {"allOf", std::move(rules)}};
 }
 
-Json sockets(Json item) {
-  return {{"type", "array"}, {"items", std::move(item)}, {"maxItems", GroupEntry::most_sockets}};
-}
+Json sockets(Json item) { return {{"type", "array"}, {"items", std::move(item)}, {"maxItems", most_group_sockets}}; }
 
 Json group_schema() {
   const Json text = {{"type", "string"}};

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "graph/json_reader.h"
+#include "graph/request_problem.h"
 
 namespace dini {
 
@@ -26,7 +27,7 @@ Problems faults_in_lists(const Json& lists, const std::string& member, const Jso
     }
     if (fixed.contains(name)) {
       problems.push_back(request_problem(place_of(member, name), "out-of-range",
-                                    name + " is given by parameters as well; one of them goes"));
+                                         name + " is given by parameters as well; one of them goes"));
     }
   }
   return problems;
@@ -40,7 +41,7 @@ Problems faults_in_settings(const Json& list, const Json& fixed) {
     for (const auto& [name, value] : list[i].items()) {
       if (!fixed.contains(name)) continue;
       problems.push_back(request_problem(place + "/" + pointer_token(name), "out-of-range",
-                                    name + " is given by parameters as well; one of them goes"));
+                                         name + " is given by parameters as well; one of them goes"));
     }
   }
   return problems;
@@ -61,8 +62,8 @@ Result<Variants> Variants::read(const SweepAxes& axes, const Json& fixed, std::s
   const int given = (axes.grid.is_null() ? 0 : 1) + (axes.zip.is_null() ? 0 : 1) + (axes.list.is_null() ? 0 : 1);
   if (given != 1) {
     return request_problem("", "required-input-missing",
-                      given == 0 ? "a sweep needs a grid, a zip or a list of values for parameters"
-                                 : "a sweep takes one of grid, zip and list, not several");
+                           given == 0 ? "a sweep needs a grid, a zip or a list of values for parameters"
+                                      : "a sweep takes one of grid, zip and list, not several");
   }
   Variants variants;
   std::string member = "list";
@@ -81,15 +82,15 @@ Result<Variants> Variants::read(const SweepAxes& axes, const Json& fixed, std::s
     for (const auto& [name, values] : variants.values_.items()) {
       if (is_grid || values.size() == *size) continue;
       return request_problem(place_of(member, name), "axis-mismatch",
-                        name + " lists " + std::to_string(values.size()) + " values but " +
-                            variants.values_.begin().key() + " lists " + std::to_string(*size) +
-                            "; the lists of a zip have one length");
+                             name + " lists " + std::to_string(values.size()) + " values but " +
+                                 variants.values_.begin().key() + " lists " + std::to_string(*size) +
+                                 "; the lists of a zip have one length");
     }
   }
   if (!size || *size > most) {
     return request_problem("/" + member, "limit-exceeded",
-                      "there are " + (size ? std::to_string(*size) : "too many") + " variants, at most " +
-                          std::to_string(most) + " are accepted");
+                           "there are " + (size ? std::to_string(*size) : "too many") + " variants, at most " +
+                               std::to_string(most) + " are accepted");
   }
   variants.size_ = *size;
   return variants;

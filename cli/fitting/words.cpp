@@ -47,7 +47,8 @@ Result<Json> FitWords::vary() const {
       std::optional<Json> bounds = Json::array();
       if (equals != std::string::npos) bounds = bounds_in(std::string_view(word).substr(equals + 1));
       if (name.empty() || !bounds) {
-        return usage_problem("--vary takes NAME or NAME=LOWEST:HIGHEST, with commas between several, not '" + word + "'");
+        return usage_problem("--vary takes NAME or NAME=LOWEST:HIGHEST, with commas between several, not '" + word +
+                             "'");
       }
       if (vary.contains(name)) return usage_problem("--vary names '" + name + "' twice");
       vary[name] = *std::move(bounds);
@@ -63,7 +64,8 @@ Result<Json> FitWords::targets(const Limits& limits) const {
     const bool is_pair = equals != std::string::npos && equals > 0 && equals + 1 < word.size();
     const auto value = is_pair ? parse_json(word.substr(equals + 1), limits) : Result<Json>(Json());
     if (!is_pair || !value || (!value->is_number() && !value->is_array())) {
-      return usage_problem("--target takes NODE=NUMBER or NODE.OUTPUT=NUMBER, or a list in brackets, not '" + word + "'");
+      return usage_problem("--target takes NODE=NUMBER or NODE.OUTPUT=NUMBER, or a list in brackets, not '" + word +
+                           "'");
     }
     const std::string place = word.substr(0, equals);
     if (targets.contains(place)) return usage_problem("--target names '" + place + "' twice");

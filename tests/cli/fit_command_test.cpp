@@ -77,8 +77,9 @@ TEST_CASE("Words that are no fit are refused before anything is read") {
   CHECK(fits.fit({}).code == 3);
   for (const char* bounds : {"nan:2", "0.2:nan", "0.2:inf", "1e999:2", ":2", "0.2:", ":", "0.2:1:2", "0.2"}) {
     CAPTURE(bounds);
-    CHECK(fits.run({"fit", fits.at("ball.json"), "--vary", std::string("radius=") + bounds, "--target", "mass.volume=2"})
-              .code == 2);
+    CHECK(
+        fits.run({"fit", fits.at("ball.json"), "--vary", std::string("radius=") + bounds, "--target", "mass.volume=2"})
+            .code == 2);
   }
   CHECK(fits.run({"fit", fits.at("ball.json"), "--vary", "radius=2:1", "--target", "mass.volume=2"}).code == 3);
   CHECK(fits.fit({"--target", "mass.volume=nan"}).code == 2);

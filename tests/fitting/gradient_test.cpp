@@ -108,7 +108,8 @@ TEST_CASE("A model in the colors of its motion has a color at every vertex and s
   CHECK(fitting::colored(*two, Cancel()).problems().front().pointer == "/by");
 }
 
-TEST_CASE("Derivatives that do not fit into memory together are taken one parameter after the other, and are the same") {
+TEST_CASE(
+    "Derivatives that do not fit into memory together are taken one parameter after the other, and are the same") {
   const GradientRequest request{.graph = engine().read(graph()), .of = {"value", "ball", "value"}, .by = {"a", "b"}};
   const auto bytes = fitting::check(engine(), request, Cancel());
   REQUIRE(bytes);

@@ -198,7 +198,7 @@ class FoldedField : public ScalarField {
   }
   Slope slope(const Vector&) const override { return {0, {0, 0, 1}}; }
   Narrowed narrowed(const SolidBall&, const SharedField&) const override {
-    return {{}, std::make_shared<FoldedField>(asked_, size().operations), part_bytes};
+    return {{}, std::make_shared<FoldedField>(asked_, size().operations)};
   }
   std::string formula() const override { return "folded"; }
 

@@ -258,7 +258,8 @@ TEST_CASE("What groups pass on is counted where it arrives nowhere, and literals
   Json groups = Json::object();
   const std::vector<Json> ten(10, input("more"));
   for (int k = 0; k < 16; ++k) {
-    const Json node = k == 0 ? make("list", {{"items", ten}}) : make("group/g" + std::to_string(k - 1), {{"more", ten}});
+    const Json node =
+        k == 0 ? make("list", {{"items", ten}}) : make("group/g" + std::to_string(k - 1), {{"more", ten}});
     groups["g" + std::to_string(k)] = {{"inputs", {{{"name", "more"}}}}, {"nodes", {{"i", node}}}};
   }
   CHECK(problems(grouped(groups, {{"all", make("group/g15")}})) == Found{"limit-exceeded /nodes"});
@@ -298,19 +299,21 @@ TEST_CASE("A bypassed instance that many items of a list lead to is met many tim
   const Json lists = {{"inputs", {{{"name", "more"}}}}, {"nodes", {{"l", make("list", {{"items", input("more")}})}}}};
   Json bypassed = make("group/weighted", {{"a", from("n")}});
   bypassed["bypass"] = true;
-  const Result<Document> document = read(grouped(
-      {{"weighted", weighted()}, {"lists", lists}},
-      {{"n", make("constant")}, {"w", bypassed}, {"i", make("group/lists", {{"more", std::vector<Json>(10, from("w"))}})}}));
+  const Result<Document> document =
+      read(grouped({{"weighted", weighted()}, {"lists", lists}},
+                   {{"n", make("constant")},
+                    {"w", bypassed},
+                    {"i", make("group/lists", {{"more", std::vector<Json>(10, from("w"))}})}}));
   REQUIRE(document);
   CHECK(write_document(*document)["nodes"]["i/l"]["inputs"]["items"] == Json(std::vector<Json>(10, from("n"))));
 }
 
 TEST_CASE("One output of an instance may go into another input of it where that makes no cycle of nodes") {
-  const Json apart = {{"inputs", {{{"name", "a"}}, {{"name", "b"}}}},
-                      {"outputs", {{{"name", "x"}, {"from", "first"}}, {{"name", "y"}, {"from", "second"}}}},
-                      {"nodes",
-                       {{"first", make("doubled", {{"value", input("a")}})},
-                        {"second", make("doubled", {{"value", input("b")}})}}}};
+  const Json apart = {
+      {"inputs", {{{"name", "a"}}, {{"name", "b"}}}},
+      {"outputs", {{{"name", "x"}, {"from", "first"}}, {{"name", "y"}, {"from", "second"}}}},
+      {"nodes",
+       {{"first", make("doubled", {{"value", input("a")}})}, {"second", make("doubled", {{"value", input("b")}})}}}};
   const auto with = [&](const Json& inputs) {
     return problems(grouped({{"g", apart}}, {{"n", make("constant")}, {"w", make("group/g", inputs)}}));
   };

@@ -71,9 +71,7 @@ TEST_CASE("A pair of points that is named twice is joined once, in links and in 
     inputs.update({{"points", from("square")}, {"steps", 4}});
     return evolved(inputs, std::move(others)).all<Point>("it");
   };
-  const auto linked = [&](const char* links) {
-    return last({{"neighbors", "links"}, {"links", links}}, square(true));
-  };
+  const auto linked = [&](const char* links) { return last({{"neighbors", "links"}, {"links", links}}, square(true)); };
   CHECK(linked("0-1 1-0 0-1 2-2 1-2") == linked("0-1 1-2"));
   Json two = square(true);
   two["square"]["inputs"]["count"] = 2;
