@@ -31,6 +31,7 @@ void add_all_nodes(Registry& registry) {
   add_meshes(registry);
   add_mesh_tools(registry);
   add_smooth(registry);
+  add_slice(registry);
   add_import(registry);
   add_answers(registry);
   add_export(registry);

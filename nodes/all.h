@@ -35,6 +35,7 @@ void add_surfaces(Registry& registry);
 void add_meshes(Registry& registry);
 void add_mesh_tools(Registry& registry);
 void add_smooth(Registry& registry);
+void add_slice(Registry& registry);
 void add_import(Registry& registry);
 void add_answers(Registry& registry);
 void add_export(Registry& registry);

@@ -260,7 +260,8 @@ TEST_CASE("Singular inputs: a zero radius") {
 TEST_CASE("Singular inputs: a zero direction") {
   const Json zero = {0, 0, 0};
   const Json others = {
-      {"spot", spot}, {"none", make("point_pair", {{"direction", zero}})}, {"tau", make("point_pair")}};
+      {"spot", spot}, {"none", make("point_pair", {{"direction", zero}})}, {"tau", make("point_pair")},
+      {"ball", make("sphere_mesh", {{"segments", 6}, {"rings", 4}})}};
   const auto refused = [&](const char* type, const char* port, Json inputs = Json::object()) {
     return [=] {
       Json given = inputs;
@@ -297,6 +298,7 @@ TEST_CASE("Singular inputs: a zero direction") {
          }},
         {"osculating_sphere", refused("osculating_sphere", "normal")},
         {"helix", refused("helix", "direction")},
+        {"slice", refused("slice", "normal", {{"shape", from("ball")}})},
         {"array",
          [&] {
            const Json nodes = with("array", {{"shape", from("spot")}, {"step", zero}}, others);
