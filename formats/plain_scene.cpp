@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/length_unit.h"
 #include "gltf/file_error.h"
 #include "gltf/tiles.h"
 
@@ -85,10 +86,11 @@ class Builder {
   /// From the unit of the document to that of the file, and what is lost by rounding.
   void scale_to_file() {
     scene_.position_error = root_of_three * std::ldexp(largest_, -24);
-    if (!options_.unit) return;
-    const double meters = meters_of(*options_.unit);
+    const std::optional<LengthUnit> unit = unit_of(options_.about);
+    if (!unit) return;
+    const double meters = meters_of(*unit);
     scene_.in_millimeters = carried_.millimeters;
-    const double factor = carried_.millimeters ? millimeters_of(*options_.unit) : meters;
+    const double factor = carried_.millimeters ? millimeters_of(*unit) : meters;
     scene_.position_error *= meters * (factor == 1 ? 1 : 2);
     if (factor == 1) return;
     const auto scale = [&](FloatPoints& points) {

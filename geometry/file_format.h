@@ -10,7 +10,6 @@
 #include "geometry/cancel.h"
 #include "geometry/expected.h"
 #include "geometry/json.h"
-#include "geometry/length_unit.h"
 #include "geometry/scene.h"
 
 namespace dini {
@@ -25,7 +24,6 @@ struct FileOptions {
   int speed = 7;           ///< 0 smallest file .. 10 quickest
   bool draco = true;       ///< whether a format that can compresses meshes with Draco
   bool normals = true;
-  std::optional<LengthUnit> unit = {};  ///< of the scene's coordinates, where the document says one; else meters
   Json about = nullptr;                 ///< what the file says about itself
   TopologyCache* topologies = nullptr;  ///< what is known of tiles from other files, if anything; no byte depends on it
 };

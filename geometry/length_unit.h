@@ -4,7 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+
+#include "geometry/json.h"
 
 namespace dini {
 
@@ -29,6 +32,12 @@ inline std::optional<LengthUnit> length_unit_named(std::string_view word) {
     if (length_unit_names[i] == word) return static_cast<LengthUnit>(i);
   }
   return std::nullopt;
+}
+
+/// The unit that a file says about itself in its member `unit`; nothing where it says none.
+inline std::optional<LengthUnit> unit_of(const Json& about) {
+  if (!about.is_object() || !about.contains("unit") || !about["unit"].is_string()) return std::nullopt;
+  return length_unit_named(about["unit"].get_ref<const std::string&>());
 }
 
 }  // namespace dini

@@ -19,7 +19,6 @@ struct EncodeOptions {
   int uv_bits = 12;        ///< 8..20 bits per texture coordinate over the range of its part
   int speed = 7;           ///< Draco effort: 0 smallest .. 9 fast; 10 stores the triangles nearly uncompressed
   bool draco = true;       ///< false: meshes as plain floats, and none of the four above counts
-  double meters_per_unit = 1;  ///< of the scene's coordinates: the root node scales by it
   bool normals = true;
   bool uvs = true;
   bool colors = true;

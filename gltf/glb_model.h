@@ -22,7 +22,7 @@ namespace dini {
 class GlbModel {
  public:
   /// `extras` is what the file says about itself, or null.
-  GlbModel(const std::string& generator, const Json& extras, double meters_per_unit = 1);
+  GlbModel(const std::string& generator, const Json& extras);
 
   /// Starts a node without a mesh; parts belong to it until `end_group`. One without parts gets the extra
   /// "drawable": false.
@@ -92,7 +92,6 @@ class GlbModel {
   Json asset_;
   std::string binary_;
   ObjectList accessors_, views_, materials_, meshes_;
-  double meters_per_unit_;
   std::vector<std::string> nodes_;  ///< the root last of all, but first in the file
   std::vector<std::size_t> below_root_;
   std::optional<Group> group_;

@@ -12,7 +12,7 @@ EncodeResult<EncodedScene> encode_unguarded(const Scene& scene, const EncodeOpti
                                             const MeshEncoder& encoder) {
   SceneEncoding encoding(scene, options, cancel, encoder);
   if (auto error = encoding.prepare()) return std::move(*error);
-  GlbModel model(options.generator, options.extras, options.meters_per_unit);
+  GlbModel model(options.generator, options.extras);
   for (const Part& part : scene.parts) {
     model.begin_part({part.name, part.name, part.material});
     if (auto error = encoding.write_next(model)) return std::move(*error);

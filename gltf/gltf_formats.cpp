@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "geometry/length_unit.h"
 #include "gltf/file_error.h"
 #include "gltf/glb_writer.h"
 
@@ -38,14 +39,14 @@ Expected<WrittenFile, FileError> write(const Scene& scene, const FileOptions& op
   encode.draco = options.draco;
   encode.normals = options.normals;
   encode.extras = options.about;
-  if (options.unit) encode.meters_per_unit = meters_of(*options.unit);
   encode.container = container;
   encode.topologies = options.topologies;
   EncodeResult<EncodedScene> encoded = encode_scene(scene, encode, cancel);
   if (!encoded) return file_error(encoded.error());
   EncodedScene& written = *encoded;
   WrittenFile file{std::move(written.file), written.vertices, written.triangles,
-                   root_of_three * encode.meters_per_unit * written.position_error};
+                   root_of_three * meters_of(unit_of(options.about).value_or(LengthUnit::meter)) *
+                       written.position_error};
   file.attribute_errors = written.attribute_errors;
   if (!written.rough_uvs.empty()) file.notes.push_back(note_of(written.rough_uvs));
   for (const std::string& part : written.empty_parts)

@@ -8,7 +8,6 @@
 #include <variant>
 #include <vector>
 
-#include "geometry/length_unit.h"
 #include "graph/limits.h"
 #include "graph/problem.h"
 #include "graph/reading.h"
@@ -119,8 +118,7 @@ struct NodePlace {
 struct Document {
   int format = 1;
   std::optional<std::string> schema;  ///< "$schema": where its schema is, for editors; never influences evaluation
-  Json meta = nullptr;                ///< free, but for `unit`; never influences evaluation
-  std::optional<LengthUnit> unit;     ///< what `meta` says that coordinates count; files are written by it
+  Json meta = nullptr;                ///< free; never influences evaluation
   Json ui = nullptr;                  ///< free; never influences evaluation
   std::map<std::string, Parameter> parameters;
   std::map<std::string, NodeEntry> nodes;

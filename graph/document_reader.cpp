@@ -22,7 +22,7 @@ class DocumentReader {
       return std::move(nodes_.problems).take();
     read_format(json, document);
     read_schema(json, document);
-    read_meta(json, document);
+    if (json.contains("meta")) document.meta = json["meta"];
     if (json.contains("ui")) document.ui = json["ui"];
     if (json.contains("parameters")) read_parameters(json["parameters"], document);
     if (json.contains("groups")) read_groups(json["groups"], document);
@@ -58,17 +58,6 @@ class DocumentReader {
       document.schema = schema.get<std::string>();
     } else {
       add("type-mismatch", "/$schema", "got " + excerpt(schema) + ", expected the address of a schema");
-    }
-  }
-
-  void read_meta(const Json& json, Document& document) {
-    if (!json.contains("meta")) return;
-    document.meta = json["meta"];
-    if (!document.meta.is_object() || !document.meta.contains("unit")) return;
-    const Json& unit = document.meta["unit"];
-    if (unit.is_string()) document.unit = length_unit_named(unit.get_ref<const std::string&>());
-    if (!document.unit) {
-      add("not-in-choices", "/meta/unit", "got " + excerpt(unit) + ", accepted are \"m\", \"cm\", \"mm\" and \"in\"");
     }
   }
 

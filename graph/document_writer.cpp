@@ -69,11 +69,7 @@ Json write_group(const GroupEntry& group) {
 Json write_document(const Document& document) {
   Json json = {{"format", document.format}, {"nodes", Json::object()}};
   write_optional(json, "$schema", document.schema);
-  if (!document.meta.is_null()) {
-    json["meta"] = document.meta;
-  } else if (document.unit) {
-    json["meta"]["unit"] = name(*document.unit);
-  }
+  if (!document.meta.is_null()) json["meta"] = document.meta;
   if (!document.ui.is_null()) json["ui"] = document.ui;
   for (const auto& [id, node] : document.nodes) json["nodes"][id] = write_node(node);
   for (const auto& [name, group] : document.groups) json["groups"][name] = write_group(group);

@@ -33,7 +33,6 @@ using SharedFile = std::shared_ptr<const File>;
 struct WantedFile {
   const FileFormat* format = nullptr;   ///< of the engine's, which outlives every plan
   Json about = nullptr;                 ///< what the file says about itself
-  std::optional<LengthUnit> unit = {};  ///< of the document, if it says one
   bool draco = true;                    ///< false: meshes are not compressed, whatever the node says
   TopologyCache* topologies = nullptr;  ///< the engine's, which outlives every plan too
 };

@@ -1,4 +1,5 @@
 #include "nodes/all.h"
+#include "nodes/more.h"
 
 namespace dini {
 

@@ -1,6 +1,7 @@
 // Copies in a row, and around an axis.
 
 #include "nodes/all.h"
+#include "nodes/more.h"
 #include "nodes/copies.h"
 
 namespace dini {

@@ -3,6 +3,7 @@
 #include "geometry/curve_frames.h"
 #include "geometry/validate.h"
 #include "nodes/all.h"
+#include "nodes/more.h"
 #include "nodes/copies.h"
 
 #include "graph/kept_axes.h"

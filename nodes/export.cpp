@@ -78,7 +78,6 @@ Attempt<SharedFile> export_file(const Context& context,
   const WantedFile* const wanted = context.file();
   options.draco = in.draco && (wanted == nullptr || wanted->draco);
   if (wanted != nullptr) options.about = wanted->about;
-  if (wanted != nullptr) options.unit = wanted->unit;
   if (wanted != nullptr) options.topologies = wanted->topologies;
   const FileFormat& format = wanted != nullptr ? *wanted->format : all_formats().front();
   auto outcome = format.write(scene_of(model, context.cancel()), options, context.cancel());

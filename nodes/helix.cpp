@@ -1,7 +1,9 @@
+#include "geometry/angle.h"
 #include "geometry/chunks.h"
 #include "geometry/sampling.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
+#include "nodes/more.h"
 
 namespace dini {
 

@@ -4,6 +4,7 @@
 
 #include "graph/node_builder.h"
 #include "nodes/all.h"
+#include "nodes/more.h"
 
 namespace dini {
 

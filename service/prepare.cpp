@@ -108,7 +108,7 @@ Json about_file(const PreparedGraph& prepared, const EvaluateRequest& request) {
   }
   Json about = {
       {"engine", engine_version}, {"fingerprint", to_hex(prepared.fingerprint)}, {"parameters", std::move(parameters)}};
-  if (const auto unit = prepared.graph->document->unit) about["unit"] = name(*unit);
+  if (prepared.graph->unit) about["unit"] = name(*prepared.graph->unit);
   if (request.embed_graph) {
     about["document"] =
         write_document(prepared.graph->with_groups ? *prepared.graph->with_groups : *prepared.graph->document);
@@ -133,7 +133,7 @@ void want_file(PreparedGraph& prepared, const FileFormat& format, const Evaluate
   PlannedNode& node = prepared.plan.nodes[*prepared.export_node];
   prepared.fingerprint = node.fingerprint;
   const auto wanted = std::make_shared<const WantedFile>(
-      WantedFile{&format, about_file(prepared, request), prepared.graph->document->unit, request.draco, &topologies});
+      WantedFile{&format, about_file(prepared, request), request.draco, &topologies});
   const std::string about = wanted->about.dump();
   DigestBuilder digest;
   digest.text("file").digest(node.fingerprint).text(format.name).text(about).integer(request.draco ? 1 : 0);
