@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/length_unit.h"
 #include "gltf/file_error.h"
 #include "gltf/tiles.h"
 
@@ -58,11 +59,17 @@ class Builder {
   Expected<PlainScene, FileError> finish() && {
     const std::string format(carried_.format);
     if (scene_.parts.empty()) {
-      if (curves_.empty() && points_.empty()) return FileError{"nothing-to-export", ""};
+      if (meshes_.empty() && curves_.empty() && points_.empty()) return FileError{"nothing-to-export", ""};
+      if (!carried_.meshes) {
+        return FileError{"nothing-to-export",
+                         format + " holds only curves, and there is nothing else to write; choose another format, or "
+                                  "give the export curves or circles"};
+      }
       return FileError{"nothing-to-export",
                        format + " holds " + (points_.empty() || carried_.points ? "no curves" : "only meshes") +
                            ", and there is nothing else to write; choose another format, or give the export a mesh"};
     }
+    tell(meshes_, format + " holds no meshes; not in the file: ");
     tell(curves_, format + " holds no curves; not in the file: ");
     tell(points_, format + " holds no points; not in the file: ");
     tell(colors_, format + " holds no colors; without theirs in the file: ");
@@ -71,13 +78,37 @@ class Builder {
     if (!carried_.graph && options_.about.is_object() && options_.about.contains("document")) {
       scene_.notes.push_back({"left-out", format + " has no room for the graph; it is not in the file"});
     }
-    scene_.position_error = root_of_three * std::ldexp(largest_, -24);
+    scale_to_file();
     return std::move(scene_);
   }
 
  private:
+  /// From the unit of the document to that of the file, and what is lost by rounding.
+  void scale_to_file() {
+    scene_.position_error = root_of_three * std::ldexp(largest_, -24);
+    const std::optional<LengthUnit> unit = unit_of(options_.about);
+    if (!unit) return;
+    const double meters = meters_of(*unit);
+    scene_.in_millimeters = carried_.millimeters;
+    const double factor = carried_.millimeters ? millimeters_of(*unit) : meters;
+    scene_.position_error *= meters * (factor == 1 ? 1 : 2);
+    if (factor == 1) return;
+    const auto scale = [&](FloatPoints& points) {
+      for (auto& point : points) {
+        for (float& value : point) value = static_cast<float>(factor * static_cast<double>(value));
+      }
+    };
+    for (PlainPart& part : scene_.parts) {
+      if (cancel_.stopped()) return;
+      scale(part.mesh.positions);
+      scale(part.curves.points);
+      scale(part.points);
+    }
+  }
+
   std::optional<EncodeError> take(const SharedMesh& mesh, PlainPart& plain) {
-    left_out_ = false;
+    left_out_ = !carried_.meshes;
+    if (left_out_) return leave(plain, meshes_);
     if (mesh == nullptr) return std::nullopt;
     plain.color = mesh->color;
     if (auto error = check_mesh(*mesh)) return error;
@@ -149,7 +180,7 @@ class Builder {
   const Cancel& cancel_;
   PlainScene scene_;
   bool left_out_ = false;  ///< the part at hand
-  NameList curves_, points_, colors_, opacity_, finish_;
+  NameList meshes_, curves_, points_, colors_, opacity_, finish_;
   double largest_ = 0;
 };
 

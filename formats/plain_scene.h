@@ -26,11 +26,13 @@ struct PlainPart {
 /// What a format has room for besides triangles.
 struct Carried {
   std::string_view format;  ///< as people write it: "STL"
+  bool meshes = true;
   bool curves = false;
   bool points = false;
   bool colors = false;
   bool opacity = false;
   bool graph = false;  ///< the document that `about` may have
+  bool millimeters = false;  ///< coordinates are millimeters where the document says a unit
 };
 
 struct PlainScene {
@@ -38,6 +40,7 @@ struct PlainScene {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   double position_error = 0;  ///< meters, of a point
+  bool in_millimeters = false;  ///< else meters
   bool colored = false;       ///< a mesh has another color than meshes have by themselves
   std::vector<FileNote> notes;
 

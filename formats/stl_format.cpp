@@ -23,19 +23,19 @@ std::array<float, 3> normal_of(const FloatPoints& places, const std::array<std::
 }
 
 /// Readers tell binary files from others by the first word, so the header must not begin with "solid".
-std::string header_of(const FileOptions& options) {
-  std::string header = program_of(options) + ", unit: meter, z up";
+std::string header_of(const FileOptions& options, bool in_millimeters) {
+  std::string header = program_of(options) + (in_millimeters ? ", unit: millimeter, z up" : ", unit: meter, z up");
   header.resize(header_bytes, ' ');
   return header;
 }
 
 Expected<WrittenFile, FileError> write(const Scene& scene, const FileOptions& options, const Cancel& cancel) {
-  auto plain = plain_scene(scene, options, {.format = "STL"}, cancel);
+  auto plain = plain_scene(scene, options, {.format = "STL", .millimeters = true}, cancel);
   if (!plain) return plain.error();
   if (plain->triangles > std::numeric_limits<std::uint32_t>::max()) {
     return FileError{"limit-exceeded", "an STL holds at most 4294967295 triangles"};
   }
-  std::string bytes = header_of(options);
+  std::string bytes = header_of(options, plain->in_millimeters);
   bytes.reserve(header_bytes + sizeof(std::uint32_t) + triangle_bytes * plain->triangles);
   append_bytes(bytes, static_cast<std::uint32_t>(plain->triangles));
   CancelEvery steps(cancel);
@@ -56,7 +56,8 @@ FileFormat stl_format() {
   return {.name = "stl",
           .media_types = {"model/stl"},
           .extension = ".stl",
-          .doc = "Binary STL in meters: the triangles of all meshes, without names, colors and texture coordinates.",
+          .doc = "Binary STL in meters, or in millimeters where the document says a unit: the triangles of all meshes, "
+                 "without names, colors and texture coordinates.",
           .write = write,
           .vertex_bytes = 128};
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "geometry/length_unit.h"
 #include "gltf/base64.h"
 #include "gltf/glb_container.h"
 
@@ -217,6 +218,9 @@ std::string GlbModel::write(GltfContainer container) {
   finish_mesh();
   const double half_turn = std::sqrt(0.5);
   Json root = {{"name", "Z up to Y up"}, {"rotation", {-half_turn, 0, 0, half_turn}}};
+  // Where the scene counts in another unit than meters, the file says so about itself.
+  const double meters = meters_of(unit_of(asset_.value("extras", Json())).value_or(LengthUnit::meter));
+  if (meters != 1) root["scale"] = {meters, meters, meters};
   if (!below_root_.empty()) root["children"] = below_root_;
   // What a file says about itself comes first, where people look.
   std::string json = "{\"asset\":" + asset_.dump(-1, ' ', false, Json::error_handler_t::replace) +

@@ -1,4 +1,5 @@
 #include "nodes/all.h"
+#include "nodes/more.h"
 
 namespace dini {
 
@@ -13,6 +14,9 @@ void add_all_nodes(Registry& registry) {
   add_transforms(registry);
   add_operators(registry);
   add_reflect(registry);
+  add_mirror(registry);
+  add_array(registry);
+  add_array_along(registry);
   add_between(registry);
   add_flow(registry);
   add_evolve(registry);
@@ -20,10 +24,15 @@ void add_all_nodes(Registry& registry) {
   add_implicit(registry);
   add_implicit_surface(registry);
   add_curves(registry);
+  add_noise(registry);
   add_sampling(registry);
+  add_helix(registry);
+  add_curve_through(registry);
   add_surfaces(registry);
   add_meshes(registry);
   add_mesh_tools(registry);
+  add_smooth(registry);
+  add_slice(registry);
   add_import(registry);
   add_answers(registry);
   add_export(registry);

@@ -108,7 +108,8 @@ void add_export(Registry& registry) {
           .details("Everything shares one quantization grid, so seams never crack. Circles and points travel "
                    "uncompressed; of more than 15 625 circles each has fewer than the usual 256 segments. "
                    "Parts and materials have the ids of the nodes that made them. Graphs are Z up; the root node of a "
-                   "glTF turns to Y up, other formats stay Z up. All are in meters.")
+                   "glTF turns to Y up, other formats stay Z up. All are in meters; where the document says a unit, "
+                   "STL, 3MF and SVG are in millimeters.")
           .input("model", "Meshes, circles or points, over any axes.", required().several())
           .input("position_bits", &ExportInputs::position_bits, "Bits per coordinate over the largest extent.",
                  defaults(14).hard(8, 20).unit("bit").title("Position precision"))

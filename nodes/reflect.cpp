@@ -3,9 +3,11 @@
 #include "algebra/construct.h"
 #include "algebra/reflection.h"
 #include "geometry/chunks.h"
+#include "geometry/mirror.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 #include "nodes/costs.h"
+#include "nodes/mirrors.h"
 #include "nodes/shapes.h"
 
 namespace dini {
@@ -26,25 +28,20 @@ struct ReflectInputs {
   Sphere mirror;
 };
 
-std::optional<Failure> fault_of(const Sphere& mirror) {
-  if (is_mirror(mirror)) return std::nullopt;
-  return Failure{"degenerate", "the mirror must be a plane, or a sphere with a radius", "mirror"};
-}
-
 std::optional<Failure> reflect_points(const Batch<Point>& shape, const ReflectInputs& in, BatchOut<Point> out) {
-  if (std::optional<Failure> fault = fault_of(in.mirror)) return fault;
+  if (std::optional<Failure> fault = fault_of_mirror(in.mirror)) return fault;
   for (std::size_t i = 0; i < out.size; ++i) out.set(i, reflect(in.mirror, shape[i]));
   return std::nullopt;
 }
 
 template <class Element>
 Attempt<Element> reflect_element(const Element& shape, const ReflectInputs& in) {
-  if (std::optional<Failure> fault = fault_of(in.mirror)) return *fault;
+  if (std::optional<Failure> fault = fault_of_mirror(in.mirror)) return *fault;
   return reflect(in.mirror, shape);
 }
 
 Attempt<SharedMesh> reflect_mesh(const Context& context, const SharedMesh& shape, const ReflectInputs& in) {
-  if (std::optional<Failure> fault = fault_of(in.mirror)) return *fault;
+  if (std::optional<Failure> fault = fault_of_mirror(in.mirror)) return *fault;
   const Cancel& cancel = context.cancel();
   Column<Point> positions(shape->positions.size());
   Column<Vector> normals(shape->normals.size());
@@ -53,8 +50,7 @@ Attempt<SharedMesh> reflect_mesh(const Context& context, const SharedMesh& shape
       const Point place = shape->positions[i];
       positions.set(i, reflect(in.mirror, place));
       if (normals.empty()) continue;
-      const Vector normal = normalized(reflect_at(in.mirror, place, shape->normals[i]));
-      normals.set(i, normal != Vector{} ? normal : shape->normals[i]);
+      normals.set(i, reflected_normal(in.mirror, shape->normals[i], place));
     }
   });
   const std::shared_ptr<Mesh> reflected = with_positions(context, *shape, std::move(positions), std::move(normals));

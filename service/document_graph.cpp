@@ -1,10 +1,21 @@
 #include "service/document_graph.h"
 
 #include "graph/groups.h"
+#include "graph/literal.h"
 
 namespace dini {
 
 namespace {
+
+/// The unit that the notes of a document say is one, or they say none.
+Result<Document> with_right_unit(Result<Document> document) {
+  if (!document || !document->meta.is_object() || !document->meta.contains("unit")) return document;
+  if (unit_of(document->meta)) return document;
+  return Problem{.code = "not-in-choices",
+                 .detail = "got " + excerpt(document->meta["unit"]) +
+                           ", accepted are \"m\", \"cm\", \"mm\" and \"in\": what coordinates count",
+                 .pointer = "/meta/unit"};
+}
 
 Result<Document> without_notes(Result<Document> document) {
   if (document) {
@@ -52,12 +63,14 @@ std::size_t memory_of(const Document& document) {
 }  // namespace
 
 DocumentGraph::DocumentGraph(const Json& json, const Digest& known_hash, const Limits& limits, const Registry& registry)
-    : DocumentGraph(without_notes(read_document(json, limits, registry)), known_hash, limits, registry) {}
+    : DocumentGraph(without_notes(with_right_unit(read_document(json, limits, registry))),
+                    unit_of(json.is_object() ? json.value("meta", Json()) : Json()), known_hash, limits, registry) {}
 
-DocumentGraph::DocumentGraph(Result<Document> read, const Digest& known_hash, const Limits& limits,
-                             const Registry& registry)
+DocumentGraph::DocumentGraph(Result<Document> read, std::optional<LengthUnit> known_unit, const Digest& known_hash,
+                             const Limits& limits, const Registry& registry)
     : with_groups(read && !read->groups.empty() ? std::optional(*read) : std::nullopt),
-      document(without_groups(std::move(read), limits, registry)) {
+      document(without_groups(std::move(read), limits, registry)),
+      unit(known_unit) {
   hash = known_hash;
   held = sizeof(DocumentGraph) + (document ? memory_of(*document) : 0) + (with_groups ? memory_of(*with_groups) : 0);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "geometry/length_unit.h"
 #include "graph/document.h"
 #include "graph/limits.h"
 #include "service/graph.h"
@@ -14,9 +15,10 @@ class DocumentGraph final : public Graph {
 
   const std::optional<Document> with_groups;  ///< as it was written, where it has any
   const Result<Document> document;
+  const std::optional<LengthUnit> unit;  ///< of its coordinates, if its notes say one
 
  private:
-  DocumentGraph(Result<Document> read, const Digest& known_hash, const Limits& limits, const Registry& registry);
+  DocumentGraph(Result<Document> read, std::optional<LengthUnit> unit, const Digest& known_hash, const Limits& limits, const Registry& registry);
 };
 
 }  // namespace dini

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "geometry/length_unit.h"
 #include "graph/groups.h"
 
 namespace dini {
@@ -269,7 +270,13 @@ Json document_schema(const Json& catalogue) {
   Json schema = closed_object(
       {{"$schema", {{"type", "string"}, {"description", "Where this schema is, for editors; nothing else reads it."}}},
        {"format", {{"enum", {1, 2}}, {"description", "The version of the format; groups and paths as ids need 2."}}},
-       {"meta", {{"description", "Anything about the graph, such as its title; never part of an evaluation."}}},
+       {"meta",
+        {{"description",
+          "Anything about the graph, such as its title; never part of an evaluation, but for the unit of files."},
+         {"properties",
+          {{"unit",
+            {{"enum", Json(length_unit_names)},
+             {"description", "What coordinates count; without it they are meters."}}}}}}},
        {"parameters", keyed("What a form shows and a request may set, by name.", reference("parameter"))},
        {"groups", keyed("Nodes that stand together at several places, by name.", reference("group"))},
        {"nodes", keyed("The nodes, by id.", reference("node"), true)},

@@ -17,7 +17,15 @@ bool is_graph_id(std::string_view text) { return is_identifier(text); }
 
 bool is_node_id(std::string_view text) { return is_path(text); }
 
-Digest graph_hash(const Json& document) { return sha256(canonical_json(document, notes)); }
+Digest graph_hash(const Json& document) {
+  const auto meta = document.find("meta");
+  if (meta == document.end() || !meta->is_object() || !meta->contains("unit")) {
+    return sha256(canonical_json(document, notes));
+  }
+  Json with_unit = document;
+  with_unit["meta"] = {{"unit", (*meta)["unit"]}};
+  return sha256(canonical_json(with_unit, std::array<std::string_view, 2>{notes[0], notes[2]}));
+}
 
 Json notes_of(const Json& document) {
   Json found = Json::object();

@@ -27,7 +27,7 @@ bool is_graph_id(std::string_view text);
 bool is_node_id(std::string_view text);
 
 /// SHA-256 of the canonical form (RFC 8785) of a document without `$schema`, `meta` and `ui`, which never influence
-/// anything.
+/// anything, but for the `unit` in `meta`.
 Digest graph_hash(const Json& document);
 
 /// These three, where a document has them: what a file that carries the document has besides the graph.

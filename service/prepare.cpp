@@ -108,6 +108,7 @@ Json about_file(const PreparedGraph& prepared, const EvaluateRequest& request) {
   }
   Json about = {
       {"engine", engine_version}, {"fingerprint", to_hex(prepared.fingerprint)}, {"parameters", std::move(parameters)}};
+  if (prepared.graph->unit) about["unit"] = name(*prepared.graph->unit);
   if (request.embed_graph) {
     about["document"] =
         write_document(prepared.graph->with_groups ? *prepared.graph->with_groups : *prepared.graph->document);

@@ -72,11 +72,26 @@ TEST_CASE("What a format cannot hold is told once for each kind, with the names 
   CHECK(notes_of("3mf") == std::vector<std::string>{empty, "left-out: 3MF holds no curves; not in the file: ring",
                                                     "left-out: 3MF holds no points; not in the file: dot",
                                                     "left-out: 3MF" + finish});
+  CHECK(notes_of("svg") ==
+        std::vector<std::string>{
+            "left-out: SVG holds no meshes; not in the file: red[0], red[1], red[2] and 4 more",
+            "left-out: SVG holds no points; not in the file: dot",
+            "left-out: SVG has no room for the graph; it is not in the file"});
+}
+
+TEST_CASE("Meshes alone are nothing to export for a format of curves, which says so") {
+  Scene scene;
+  scene.parts.push_back(part_of("box", box()));
+  const auto file = format_named(all_formats(), "svg")->write(scene, {}, Cancel());
+  REQUIRE_FALSE(file);
+  CHECK(file.error().code == "nothing-to-export");
+  CHECK(file.error().detail.find("give the export curves or circles") != std::string::npos);
 }
 
 TEST_CASE("No format writes a number that is none, and each names the part") {
   for (const double wrong : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
     for (const FileFormat& format : all_formats()) {
+      if (format.name == "svg") continue;  // it holds no meshes
       CAPTURE(format.name, wrong);
       Mesh torn = box();
       torn.positions.set(torn.triangles[3][1], {0, wrong, 0});
@@ -97,7 +112,8 @@ TEST_CASE("Curves alone are nothing to export for a format of meshes, which says
   for (const FileFormat& format : all_formats()) {
     CAPTURE(format.name);
     const auto file = format.write(scene, {}, Cancel());
-    if (format.name == "glb" || format.name == "gltf" || format.name == "obj") {
+    if (format.name == "glb" || format.name == "gltf" || format.name == "obj" ||
+        format.name == "svg") {
       CHECK(file);
       continue;
     }

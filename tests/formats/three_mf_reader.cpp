@@ -109,6 +109,7 @@ ThreeMfFile read_three_mf(const std::string& path) {
   }
   need(NMR::lib3mf_model_getunit(model, &unit));
   file.in_meters = unit == NMR::MODELUNIT_METER;
+  file.in_millimeters = unit == NMR::MODELUNIT_MILLIMETER;
   NMR::PLib3MFModelResourceIterator* objects = nullptr;
   need(NMR::lib3mf_model_getmeshobjects(model, &objects));
   for (BOOL more = 0; NMR::lib3mf_resourceiterator_movenext(objects, &more) == 0 && more != 0;) {

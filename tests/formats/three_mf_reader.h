@@ -20,6 +20,7 @@ struct ThreeMfObject {
 
 struct ThreeMfFile {
   bool in_meters = false;
+  bool in_millimeters = false;
   std::vector<std::string> warnings;
   std::vector<ThreeMfObject> objects;
 };

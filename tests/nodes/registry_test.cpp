@@ -129,7 +129,8 @@ TEST_CASE("A card tells which text names an axis that the node makes, and what a
     const Json shown = card(type);
     std::size_t made = 0;
     for (const Json& one : shown["inputs"]) made += one.contains("makes_axis") ? 1 : 0;
-    if (type.axes) CHECK(made > 0);
+    // Copies along a curve run over the axis of the curve, which somebody else has named.
+    if (type.axes && id != "array_along") CHECK(made > 0);
   }
 }
 

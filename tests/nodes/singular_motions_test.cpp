@@ -99,6 +99,17 @@ TEST_CASE("Singular inputs: coincident points") {
            require_degenerate(with("sphere_through", {{"a", at}, {"b", at}}), "d");
            require_degenerate(with("sphere_through", {{"d", {0, -1, 0}}}), "d");
          }},
+        {"array_along",
+         [&] {
+           const Json nodes = with("array_along", {{"shape", from("spot")}, {"curve", from("same")}}, others);
+           for (const Point& p : graph_of(nodes).all<Point>("n")) require_close(p, {2, 2.5, 3.25});
+         }},
+        {"curve",
+         [&] {
+           for (const Point& p : graph_of(with("curve", {{"points", from("same")}}, others)).all<Point>("n")) {
+             CHECK(p == Point{1, 2, 3});
+           }
+         }},
         {"evolve",
          [&] {
            for (const Point& p :

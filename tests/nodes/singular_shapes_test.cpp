@@ -56,6 +56,13 @@ TEST_CASE("Singular inputs: a circle becomes a line") {
         {"twist", needs_line("twist", "axis", {{"shape", from("spot")}})},
         {"rotate", needs_line("rotate", "axis", {{"shape", from("spot")}})},
         {"rotation", needs_line("rotation", "axis", Json::object())},
+        {"array_around", needs_line("array_around", "axis_line", {{"shape", from("spot")}})},
+        {"mirror",
+         [] {
+           const Json ball = plus(opened, {{"ball", make("sphere", {{"center", {-1, 0, 0}}})}});
+           const Json both = graph_of(with("mirror", {{"shape", from("unit")}, {"mirror", from("ball")}}, ball)).json("n");
+           require_line(both["values"][1], {-0.5, 0, 0}, {0, 1, 0});
+         }},
         {"twist_between", needs_line("twist_between", "from", {{"shape", from("spot")}, {"to", from("other")}})},
         {"axis_of", refuses("axis_of")},
         {"poles_of", refuses("poles_of")},
@@ -161,6 +168,16 @@ TEST_CASE("Singular inputs: a zero radius") {
          [&] {
            require_degenerate(with("reflect", {{"shape", from("c")}, {"mirror", from("s")}}, c), "mirror");
          }},
+        {"mirror",
+         [&] {
+           require_degenerate(with("mirror", {{"shape", from("c")}, {"mirror", from("s")}}, c), "mirror");
+         }},
+        {"helix",
+         [] {
+           for (const Point& p : graph_of(with("helix", {{"radius", 0}, {"count", 5}})).all<Point>("n")) {
+             CHECK((p.x == 0 && p.y == 0));
+           }
+         }},
         {"meet",
          [&] {
            const Json through = plus(c, {{"plane", make("plane", {{"point", {0, 0, 3}}})}, {"other", make("plane")}});
@@ -243,7 +260,8 @@ TEST_CASE("Singular inputs: a zero radius") {
 TEST_CASE("Singular inputs: a zero direction") {
   const Json zero = {0, 0, 0};
   const Json others = {
-      {"spot", spot}, {"none", make("point_pair", {{"direction", zero}})}, {"tau", make("point_pair")}};
+      {"spot", spot}, {"none", make("point_pair", {{"direction", zero}})}, {"tau", make("point_pair")},
+      {"ball", make("sphere_mesh", {{"segments", 6}, {"rings", 4}})}};
   const auto refused = [&](const char* type, const char* port, Json inputs = Json::object()) {
     return [=] {
       Json given = inputs;
@@ -279,6 +297,22 @@ TEST_CASE("Singular inputs: a zero direction") {
            CHECK(value(nodes, "n.torsion") == 0);
          }},
         {"osculating_sphere", refused("osculating_sphere", "normal")},
+        {"helix", refused("helix", "direction")},
+        {"slice", refused("slice", "normal", {{"shape", from("ball")}})},
+        {"array",
+         [&] {
+           const Json nodes = with("array", {{"shape", from("spot")}, {"step", zero}}, others);
+           for (const Point& p : graph_of(nodes).all<Point>("n")) CHECK(p == Point{1, 0.5, 0.25});
+         }},
+        {"array_along",
+         [&] {
+           const Json curve = plus(others, {{"way", make("helix", {{"count", 6}})}});
+           const auto along = [&](const Json& up) {
+             return graph_of(with("array_along", {{"shape", from("spot")}, {"curve", from("way")}, {"up", up}}, curve))
+                 .all<Point>("n");
+           };
+           CHECK(along(zero) == along({0, 0, 2}));
+         }},
         {"torus_mesh", refused("torus_mesh", "axis")},
         {"contour", refused("contour", "normal", {{"generators", {from("tau")}}})},
         {"point_pair", is_zero("point_pair")},

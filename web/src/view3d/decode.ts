@@ -36,6 +36,8 @@ export class Decoder {
   async decode(bytes: Uint8Array<ArrayBuffer>): Promise<DecodedModel> {
     const started = performance.now();
     const { scene } = await inTime(this.loader.parseAsync(bytes.slice().buffer, ""));
+    // The root of a file scales from the unit of the document to meters; the view counts as the document does.
+    for (const root of scene.children) root.scale.setScalar(1);
     const model = { scene, meshes: [] as Mesh[], triangles: 0, vertices: 0, dispose: () => freeGeometries(scene) };
     scene.traverse((object) => {
       if (!isDrawn(object)) return;
