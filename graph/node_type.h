@@ -104,6 +104,7 @@ struct NodeType {
   VertexRule vertices;
   VertexRule most_vertices;    ///< where `vertices` is no bound; absent where it is
   VertexFactor vertex_factor;  ///< where there is no rule; 1 when absent
+  VertexFactor most_vertex_factor;  ///< where `vertex_factor` is no bound; absent where it is
   CostRule cost;               ///< nothing beyond the usual when absent
   bool depends_on_quality = false;
   FewestRule fewest_triangles;    ///< of each mesh that a draft thins; absent for nodes that make none

@@ -24,8 +24,12 @@ void add_all_nodes(Registry& registry) {
   add_surfaces(registry);
   add_meshes(registry);
   add_mesh_tools(registry);
+  add_thicken(registry);
+  add_offset(registry);
+  add_cap(registry);
   add_import(registry);
   add_answers(registry);
+  add_printability(registry);
   add_export(registry);
 }
 
