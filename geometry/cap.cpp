@@ -51,8 +51,7 @@ class Caps {
     for (std::size_t i = 0; i < count; ++i) {
       // In the order of the rim the side that begins at corner i is number count - 1 - i of the loop.
       const std::uint32_t side = loop[count - 1 - i], before = loop[(2 * count - 2 - i) % count];
-      const Vector along =
-          normalized(border.rim.places[(i + count - 1) % count] - border.rim.places[(i + 1) % count]);
+      const Vector along = normalized(border.rim.places[(i + count - 1) % count] - border.rim.places[(i + 1) % count]);
       const Vector normal = normal_at(side, before);
       const Vector tangent = normalized(cross(along, normal));
       border.normals.push_back(normal);
@@ -174,7 +173,8 @@ CappedMesh capped(const Mesh& mesh, const CapOptions& options, const Cancel& can
   for (const std::vector<std::uint32_t>& loop : borders.loops) {
     if (cancel.stopped()) return {};
     const Border border = caps.border(loop);
-    parts.push_back(finished_cap(options.kind == CapKind::dome ? dome_cap(border, rings) : flat_cap(border), mesh, cancel));
+    parts.push_back(
+        finished_cap(options.kind == CapKind::dome ? dome_cap(border, rings) : flat_cap(border), mesh, cancel));
   }
   result.mesh = merge(parts, cancel);
   return result;

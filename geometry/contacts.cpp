@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t triangles_at_once = 256;
 
-/// The positions in units of a power of two that makes the largest coordinate about 1; what is then below 1e-60 is zero.
+/// The positions in units of a power of two that makes the largest coordinate about 1; what is then below 1e-60 is
+/// zero.
 std::vector<Vector> unit_scaled(const std::vector<Vector>& positions, CancelEvery& steps) {
   double largest = 0;
   for (const Vector& p : positions) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});

@@ -37,12 +37,12 @@ std::vector<Around> look_around(const WeldedMesh& welded, const Cancel& cancel) 
   return around;
 }
 
-/// The normals of the mesh by position; nothing where two at one position differ, or one does not fit its triangles.
+/// The normals of the mesh by position; nothing where two at one position differ, or one does not face as its
+/// triangles.
 std::vector<Vector> agreed_normals(const Mesh& mesh, const WeldedMesh& welded, const std::vector<Around>& around,
                                    CancelEvery& steps) {
   if (mesh.normals.empty()) return {};
-  constexpr double alike = 1e-6;
-  constexpr double fits = 0.5;
+  constexpr double alike = 1e-6, faces = 0.2;
   std::vector<Vector> normals(welded.positions.size());
   for (std::size_t i = 0; i < welded.vertex_of.size(); ++i) {
     if (steps.stopped()) return {};
@@ -53,16 +53,26 @@ std::vector<Vector> agreed_normals(const Mesh& mesh, const WeldedMesh& welded, c
     if (squared_length(known - normal) > alike * alike) return {};
   }
   for (std::size_t i = 0; i < normals.size(); ++i) {
-    if (steps.stopped() || dot(normals[i], around[i].sum) < fits * around[i].angles) return {};
+    if (steps.stopped() || dot(normals[i], around[i].sum) < faces * around[i].angles) return {};
   }
   return normals;
 }
 
-/// Where planes with these normals meet that moved by 1, as far as one direction can say it.
-Vector mitered(const Around& around) {
+/// The mean direction of the triangles at a position.
+Vector mean_normal(const Around& around) {
   const double sum = std::sqrt(squared_length(around.sum));
-  if (!(sum > 1e-9 * around.angles)) return around.first == Vector{} ? Vector{0, 0, 1} : around.first;
-  return std::min(around.angles / sum, longest_miter) * (around.sum / sum);
+  if (sum > 1e-9 * around.angles) return around.sum / sum;
+  return around.first == Vector{} ? Vector{0, 0, 1} : around.first;
+}
+
+/// How far along a normal planes meet that move by 1; on a smooth surface 1 where the triangles make
+/// less of a corner than `even_fit` says, and towards `corner_fit` more and more of that.
+double reach_along(const Vector& normal, const Around& around, bool smooth) {
+  constexpr double corner_fit = 0.9, even_fit = 0.95;
+  const double fit = around.angles > 0 ? dot(normal, around.sum) / around.angles : 1;
+  const double reach = fit * longest_miter > 1 ? 1 / fit : longest_miter;
+  if (!smooth) return reach;
+  return 1 + (reach - 1) * std::clamp((even_fit - fit) / (even_fit - corner_fit), 0.0, 1.0);
 }
 
 }  // namespace
@@ -72,9 +82,11 @@ Displacements displacements(const Mesh& mesh, const WeldedMesh& welded, const Ca
   CancelEvery steps(cancel);
   Displacements result{agreed_normals(mesh, welded, around, steps)};
   result.smooth = !result.directions.empty();
-  if (result.smooth) return result;
   result.directions.resize(around.size());
-  for (std::size_t i = 0; i < around.size() && !steps.stopped(); ++i) result.directions[i] = mitered(around[i]);
+  for (std::size_t i = 0; i < around.size() && !steps.stopped(); ++i) {
+    const Vector normal = result.smooth ? result.directions[i] : mean_normal(around[i]);
+    result.directions[i] = reach_along(normal, around[i], result.smooth) * normal;
+  }
   return result;
 }
 

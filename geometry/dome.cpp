@@ -9,7 +9,7 @@ namespace dini {
 
 namespace {
 
-constexpr double steepest = 4;             ///< height of an apex in radii
+constexpr double steepest = 4;               ///< height of an apex in radii
 constexpr double widest_angle = 5 * pi / 6;  ///< between a tangent and the way to the apex
 
 /// Twice the area of a loop, along its normal.

@@ -24,8 +24,8 @@ struct DomeShape {
 DomeShape dome_shape(const Rim& rim);
 
 /// The places at `share` of the way from the rim (0) to the apex (1), each on the circle through the apex that is
-/// tangent to the surface at its place on the rim. Where the tangent points away from the apex by more than 150 degrees,
-/// the circle leaves at that angle.
+/// tangent to the surface at its place on the rim. Where the tangent points away from the apex by more than 150
+/// degrees, the circle leaves at that angle.
 std::vector<Vector> dome_ring(const Rim& rim, const Vector& apex, double share);
 
 }  // namespace dini

@@ -82,7 +82,8 @@ ExactVector exact_difference(const Vector& a, const Vector& b) {
   return {exact_difference(a.x, b.x), exact_difference(a.y, b.y), exact_difference(a.z, b.z)};
 }
 
-ExactMinor minor_of(const ExactDifference& a, const ExactDifference& b, const ExactDifference& c, const ExactDifference& d) {
+ExactMinor minor_of(const ExactDifference& a, const ExactDifference& b, const ExactDifference& c,
+                    const ExactDifference& d) {
   ExactMinor result;
   add_exact_product(result, a, d, 1);
   add_exact_product(result, b, c, -1);
@@ -104,7 +105,8 @@ int side_of_plane(const Vector& a, const Vector& b, const Vector& c, const Vecto
                       std::abs(u.z) * (std::abs(v.x * w.y) + std::abs(v.y * w.x));
   // The determinant of a, b, c seen from d is below zero where d is in front.
   if (std::abs(value) > uncertain * size) return value > 0 ? -1 : 1;
-  const ExactVector exact_u = exact_difference(a, d), exact_v = exact_difference(b, d), exact_w = exact_difference(c, d);
+  const ExactVector exact_u = exact_difference(a, d), exact_v = exact_difference(b, d),
+                    exact_w = exact_difference(c, d);
   ExactDeterminant sum;
   add_exact_product(sum, exact_u.x, minor_of(exact_v.y, exact_v.z, exact_w.y, exact_w.z), 1);
   add_exact_product(sum, exact_u.y, minor_of(exact_v.z, exact_v.x, exact_w.z, exact_w.x), 1);
@@ -119,8 +121,8 @@ int turn_seen_along(int axis, const Vector& a, const Vector& b, const Vector& c)
   const double right = (along(a) - along(c)) * (across(b) - across(c));
   const double value = left - right;
   if (std::abs(value) > uncertain * (std::abs(left) + std::abs(right))) return value > 0 ? 1 : -1;
-  return minor_of(exact_difference(across(a), across(c)), exact_difference(along(a), along(c)), exact_difference(across(b), across(c)),
-               exact_difference(along(b), along(c)))
+  return minor_of(exact_difference(across(a), across(c)), exact_difference(along(a), along(c)),
+                  exact_difference(across(b), across(c)), exact_difference(along(b), along(c)))
       .sign();
 }
 

@@ -11,9 +11,9 @@
 namespace dini {
 
 /// Cuts the polygons of one file into triangles. A convex polygon becomes a fan about its first corner. A concave one
-/// of up to 128 corners, or as many as are asked for, is cut by ear clipping (Meisters, Polygons have ears, 1975), seen along its mean normal; a
-/// larger one, one that crosses itself so that no ear is left, and what comes after the work allowed for a file has
-/// been spent becomes a fan. A polygon of n corners always gives n - 2 triangles.
+/// of up to 128 corners, or as many as are asked for, is cut by ear clipping (Meisters, Polygons have ears, 1975), seen
+/// along its mean normal; a larger one, one that crosses itself so that no ear is left, and what comes after the work
+/// allowed for a file has been spent becomes a fan. A polygon of n corners always gives n - 2 triangles.
 class PolygonCutter {
  public:
   /// Cuts concave polygons of up to so many corners by ear clipping.

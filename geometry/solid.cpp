@@ -68,8 +68,8 @@ Moments moments_of(const Vector& a, const Vector& b, const Vector& c) {
           second(&Vector::x, &Vector::y)};
 }
 
-/// How many times its direction a ray goes until it leaves through a triangle; infinite where it does not. A hair beside
-/// the triangle counts, so that no ray slips through between two.
+/// How many times its direction a ray goes until it leaves through a triangle; infinite where it does not. A hair
+/// beside the triangle counts, so that no ray slips through between two.
 double way_out(const std::array<Vector, 3>& corners, const Vector& origin, const Vector& direction) {
   constexpr double hair = 1e-9;
   const Vector u = corners[1] - corners[0], v = corners[2] - corners[0];

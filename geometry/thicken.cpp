@@ -99,19 +99,28 @@ WeldedMesh bare_wall(const WallSurface& surface, std::vector<Vector> front, cons
   return wall;
 }
 
+/// Whether a triangle went beyond the center of a bend: it shows its back, or one of its sides runs the other way.
+/// Beyond the center of a ball, where both ways around bend, only the sides tell.
+bool is_turned(const std::vector<Vector>& before, const std::vector<Vector>& after, const Corners& corners) {
+  std::array<Vector, 3> old_sides, new_sides;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t from = corners[k], to = corners[(k + 1) % 3];
+    old_sides[k] = before[to] - before[from];
+    new_sides[k] = after[to] - after[from];
+    if (dot(old_sides[k], new_sides[k]) < 0) return true;
+  }
+  return dot(cross(old_sides[0], old_sides[1]), cross(new_sides[0], new_sides[1])) < 0;
+}
+
 std::optional<Vector> place_of_contact(const WallSurface& surface, const Wall& wall, double share,
                                        const Cancel& cancel) {
   const std::vector<Vector> front = sheet_at(surface, wall, share * wall.front),
                             back = sheet_at(surface, wall, -share * wall.back);
-  const auto normal = [](const std::vector<Vector>& at, const Corners& corners) {
-    return cross(at[corners[1]] - at[corners[0]], at[corners[2]] - at[corners[0]]);
-  };
   CancelEvery steps(cancel);
   for (const Corners& corners : surface.welded.triangles) {
     if (steps.stopped()) return std::nullopt;
-    const Vector before = normal(surface.welded.positions, corners);
     for (const std::vector<Vector>* sheet : {&front, &back}) {
-      if (dot(before, normal(*sheet, corners)) < 0) {
+      if (is_turned(surface.welded.positions, *sheet, corners)) {
         return ((*sheet)[corners[0]] + (*sheet)[corners[1]] + (*sheet)[corners[2]]) / 3;
       }
     }

@@ -27,8 +27,8 @@ struct WallSurface {
   MeshSides sides;
   BorderLoops borders;
   Displacements moves;
-  /// What makes a wall impossible, in words: an edge with more than two triangles, or with two that run the same way, or
-  /// borders that meet in one vertex. Nothing where it is possible.
+  /// What makes a wall impossible, in words: an edge with more than two triangles, or with two that run the same way,
+  /// or borders that meet in one vertex. Nothing where it is possible.
   std::optional<std::string> fault;
 };
 WallSurface wall_surface(const Mesh& mesh, const Cancel& cancel);

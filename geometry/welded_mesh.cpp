@@ -55,9 +55,8 @@ MeshSides sides_of(const std::vector<Corners>& triangles, std::size_t vertices, 
   for (std::size_t vertex = 0; vertex < vertices && !steps.stopped(); ++vertex) {
     std::size_t begin = vertex == 0 ? 0 : ends[vertex - 1];
     std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(begin),
-              sorted.begin() + static_cast<std::ptrdiff_t>(ends[vertex]), [&](std::uint32_t a, std::uint32_t b) {
-                return higher(a) != higher(b) ? higher(a) < higher(b) : a < b;
-              });
+              sorted.begin() + static_cast<std::ptrdiff_t>(ends[vertex]),
+              [&](std::uint32_t a, std::uint32_t b) { return higher(a) != higher(b) ? higher(a) < higher(b) : a < b; });
     while (begin < ends[vertex] && !steps.stopped()) {
       const std::size_t first = begin;
       while (begin < ends[vertex] && higher(sorted[begin]) == higher(sorted[first])) ++begin;

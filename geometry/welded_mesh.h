@@ -1,7 +1,7 @@
 #pragma once
 
-// A mesh as its surface is: vertices at exactly equal positions are one, and every side of a triangle knows the one that
-// lies against it.
+// A mesh as its surface is: vertices at exactly equal positions are one, and every side of a triangle knows the one
+// that lies against it.
 
 #include <array>
 #include <cstdint>

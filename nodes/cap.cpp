@@ -38,8 +38,7 @@ Attempt<std::tuple<SharedMesh, double>> closed_by_caps(const Context& context, c
   if (!is_mesh_within_reach(result.mesh)) {
     return Failure{"out-of-range", "a cap would reach beyond 1e18 m", "shape"};
   }
-  return std::tuple(SharedMesh(std::make_shared<const Mesh>(std::move(result.mesh))),
-                    static_cast<double>(result.caps));
+  return std::tuple(SharedMesh(std::make_shared<const Mesh>(std::move(result.mesh))), static_cast<double>(result.caps));
 }
 
 RunCost cost_of_cap(const RunSize& size) {
@@ -68,10 +67,9 @@ void add_cap(Registry& registry) {
           .input("kind", &CapInputs::kind, "What closes a border.", defaults("flat"))
           .input("rings", &CapInputs::rings, "Rings of triangles from the border to the apex of a dome.",
                  defaults(8).hard(1, 256).soft(2, 32))
-          .vertex_factor([](const Literals&) { return std::size_t{1}; },
-                         [](const Literals& literals) {
-                           return static_cast<std::size_t>(3 + integer_at(literals, "rings"));
-                         })
+          .vertex_factor(
+              [](const Literals&) { return std::size_t{1}; },
+              [](const Literals& literals) { return static_cast<std::size_t>(3 + integer_at(literals, "rings")); })
           .cost(cost_of_cap)
           .output("shape", "The mesh with its caps.")
           .output("caps", "How many borders were closed."));

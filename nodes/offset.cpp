@@ -30,9 +30,10 @@ void add_offset(Registry& registry) {
           .family("meshes")
           .synonyms({"parallel surface", "inflate", "grow", "shrink", "push"})
           .doc("A mesh moved along its normals.")
-          .details("Vertices at one position move as one, so that nothing opens. A smooth surface becomes its parallel "
-                   "one; flat faces stay flat, at the distance, and their edges stay sharp. Beyond the center of a bend "
-                   "the surface passes through itself: an offset of a field does not.")
+          .details(
+              "Vertices at one position move as one, so that nothing opens. A smooth surface becomes its parallel "
+              "one; flat faces stay flat, at the distance, and their edges stay sharp. Beyond the center of a bend "
+              "the surface passes through itself: an offset of a field does not.")
           .input("shape", "The mesh.")
           .input("distance", &MeshOffsetInputs::distance, "Along the normals; below 0 against them.",
                  defaults(0.1).hard(-1e6, 1e6).soft(-0.5, 0.5).unit("m"))

@@ -83,7 +83,8 @@ void add_thicken(Registry& registry) {
           .doc("A wall along a surface: a closed mesh that can be printed.")
           .details(
               "The surface, its parallel surface turned around, and strips that join them along borders. Each edge has "
-              "two triangles, and V - E + F is twice that of the surface. Vertices at one position count as one. Smooth "
+              "two triangles, and V - E + F is twice that of the surface. Vertices at one position count as one. "
+              "Smooth "
               "surfaces keep their normals; between flat faces the wall is as thick as it says. With a field the "
               "thickness goes smoothly to another one where the field grows. Where the wall meets itself a warning "
               "tells the place and what would fit. An edge with more than two triangles, or with two that run the same "
@@ -93,8 +94,9 @@ void add_thicken(Registry& registry) {
                  defaults(0.1).hard(1e-6, 1e6).soft(0.01, 0.5).unit("m"))
           .input("side", &ThickenInputs::side,
                  "On which side of the surface the wall is; outside is where its normals point.", defaults("inside"))
-          .input("field", &ThickenInputs::field,
-                 "A solid in which the wall has its thickness; away from it the other one. Without it the wall is even.")
+          .input(
+              "field", &ThickenInputs::field,
+              "A solid in which the wall has its thickness; away from it the other one. Without it the wall is even.")
           .input("far_thickness", &ThickenInputs::far_thickness, "Of the wall beyond the fade of the field.",
                  defaults(0.2).hard(1e-6, 1e6).soft(0.01, 0.5).unit("m"))
           .input("fade", &ThickenInputs::fade, "Distance from the solid within which one goes into the other.",

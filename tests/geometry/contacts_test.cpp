@@ -22,7 +22,7 @@ Vector grid_place(RandomElements& random, double size) {
 }
 
 int sign_in_integers(const Vector& a, const Vector& b, const Vector& c, const Vector& d) {
-  using Wide = __int128;
+  __extension__ typedef __int128 Wide;
   const auto part = [](double x, double y) { return Wide{static_cast<long long>(x)} - static_cast<long long>(y); };
   const Wide ux = part(b.x, a.x), uy = part(b.y, a.y), uz = part(b.z, a.z);
   const Wide vx = part(c.x, a.x), vy = part(c.y, a.y), vz = part(c.z, a.z);
@@ -76,10 +76,10 @@ TEST_CASE("Turns seen along an axis are those of the flat triangle") {
 
 TEST_CASE("Triangles meet where they have a point in common, and not a hair beside it") {
   CHECK(meet(flat, {Vector{1, 1, -1}, {1, 1, 1}, {2, 1, 1}}));
-  CHECK(meet(flat, {Vector{1, 1, 0}, {1, 1, 1}, {2, 1, 1}}));         // a corner in the other
-  CHECK(meet(flat, {Vector{2, -1, 0}, {2, 1, 0}, {2, 0, 1}}));        // an edge crosses one
-  CHECK(meet(flat, {Vector{4, 0, 0}, {5, 0, 0}, {5, 1, 1}}));         // corner on corner
-  CHECK(meet(flat, {Vector{1, 1, 0}, {9, 9, 0}, {9, 8, 0}}));         // in one plane
+  CHECK(meet(flat, {Vector{1, 1, 0}, {1, 1, 1}, {2, 1, 1}}));          // a corner in the other
+  CHECK(meet(flat, {Vector{2, -1, 0}, {2, 1, 0}, {2, 0, 1}}));         // an edge crosses one
+  CHECK(meet(flat, {Vector{4, 0, 0}, {5, 0, 0}, {5, 1, 1}}));          // corner on corner
+  CHECK(meet(flat, {Vector{1, 1, 0}, {9, 9, 0}, {9, 8, 0}}));          // in one plane
   CHECK(meet(flat, {Vector{0.5, 0.5, 0}, {1, 0.5, 0}, {0.5, 1, 0}}));  // one inside the other
   CHECK_FALSE(meet(flat, {Vector{1, 1, 1e-60}, {1, 1, 1}, {2, 1, 1}}));
   CHECK_FALSE(meet(flat, {Vector{5, 5, 0}, {9, 9, 0}, {9, 8, 0}}));
