@@ -187,8 +187,7 @@ class Inference {
   }
 
   /// Of one mesh made: by the rule, or by what is given.
-  std::size_t vertices_per_run(const VertexRule& rule, const VertexFactor& factor,
-                               std::size_t WireShape::*given) const {
+  std::size_t vertices_per_run(const VertexRule& rule, std::size_t WireShape::*given) const {
     if (rule) return rule(node_.literals, node_.consumed);
     std::size_t total = 0;
     for (std::size_t port = 0; port < node_.inputs.size(); ++port) {
@@ -196,7 +195,7 @@ class Inference {
       const std::size_t meshes = slot(port).is_mixed() ? 1 : std::max<std::size_t>(1, sample_count(input.shape.axes));
       total += input.shape.*given / meshes;
     }
-    if (factor) total *= factor(node_.literals);
+    if (node_.type->vertex_factor) total *= node_.type->vertex_factor(node_.literals);
     return total;
   }
 
@@ -247,7 +246,7 @@ class Inference {
       if (samples > limits_.samples) return too_many("values", samples, limits_.samples);
       if (shape.type == WireType::mesh || shape.type == WireType::asset) {
         const NodeType& type = *node_.type;
-        const std::size_t each = vertices_per_run(type.vertices, type.vertex_factor, &WireShape::vertices);
+        const std::size_t each = vertices_per_run(type.vertices, &WireShape::vertices);
         if (samples > 0 && each > limits_.vertices / samples) {
           return too_many("vertices", each > limits_.vertices ? each : each * samples, limits_.vertices);
         }
@@ -255,8 +254,7 @@ class Inference {
         // A closed grid has two for each vertex.
         if (shape.vertices > limits_.triangles / 2) return too_many("triangles", 2 * shape.vertices, limits_.triangles);
         const VertexRule& bound = type.most_vertices ? type.most_vertices : type.vertices;
-        const VertexFactor& most = type.most_vertex_factor ? type.most_vertex_factor : type.vertex_factor;
-        shape.most_vertices = samples * vertices_per_run(bound, most, &WireShape::most_vertices);
+        shape.most_vertices = samples * vertices_per_run(bound, &WireShape::most_vertices);
       }
       node_.outputs.push_back(std::move(shape));
     }

@@ -122,11 +122,8 @@ class NodeBuilder {
     type().most_vertices = std::move(most);
     return set(type().vertices, std::move(rule));
   }
-  /// The same for a node that makes larger meshes of those it is given.
-  NodeBuilder&& vertex_factor(VertexFactor factor, VertexFactor most = nullptr) && {
-    type().most_vertex_factor = std::move(most);
-    return set(type().vertex_factor, std::move(factor));
-  }
+  /// The same for a node that refines the meshes it is given.
+  NodeBuilder&& vertex_factor(VertexFactor factor) && { return set(type().vertex_factor, std::move(factor)); }
   /// What a run needs beyond the usual for its sizes.
   NodeBuilder&& cost(CostRule rule) && { return set(type().cost, std::move(rule)); }
   NodeBuilder&& depends_on_quality() && { return set(type().depends_on_quality, true); }

@@ -102,10 +102,9 @@ struct NodeType {
   std::string list_axis;          ///< the text input that names the axis of lists; empty where the node's id does
   AxisRule axes;
   VertexRule vertices;
-  VertexRule most_vertices;         ///< where `vertices` is no bound; absent where it is
-  VertexFactor vertex_factor;       ///< where there is no rule; 1 when absent
-  VertexFactor most_vertex_factor;  ///< where `vertex_factor` is no bound; absent where it is
-  CostRule cost;                    ///< nothing beyond the usual when absent
+  VertexRule most_vertices;    ///< where `vertices` is no bound; absent where it is
+  VertexFactor vertex_factor;  ///< where there is no rule; 1 when absent
+  CostRule cost;               ///< nothing beyond the usual when absent
   bool depends_on_quality = false;
   FewestRule fewest_triangles;    ///< of each mesh that a draft thins; absent for nodes that make none
   bool names_parts = false;       ///< its result holds the names of the nodes that its values come from

@@ -4,8 +4,7 @@
 
 #include "geometry/validate.h"
 #include "graph/node_builder.h"
-#include "nodes/all.h"
-#include "nodes/choices.h"
+#include "nodes/solids.h"
 #include "nodes/mesh_reach.h"
 
 namespace dini {
@@ -67,9 +66,6 @@ void add_cap(Registry& registry) {
           .input("kind", &CapInputs::kind, "What closes a border.", defaults("flat"))
           .input("rings", &CapInputs::rings, "Rings of triangles from the border to the apex of a dome.",
                  defaults(8).hard(1, 256).soft(2, 32))
-          .vertex_factor(
-              [](const Literals&) { return std::size_t{1}; },
-              [](const Literals& literals) { return static_cast<std::size_t>(3 + integer_at(literals, "rings")); })
           .cost(cost_of_cap)
           .output("shape", "The mesh with its caps.")
           .output("caps", "How many borders were closed."));

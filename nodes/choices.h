@@ -21,13 +21,6 @@ struct ChoiceNames<kernels::WarpMethod> {
   static constexpr std::array<std::string_view, 2> names = {"sum_generators", "sum_displacements"};
 };
 
-/// On which side of a surface a wall is.
-enum class WallSide { inside, both, outside };
-template <>
-struct ChoiceNames<WallSide> {
-  static constexpr std::array<std::string_view, 3> names = {"inside", "both", "outside"};
-};
-
 template <>
 struct ChoiceNames<AtInfinity> {
   static constexpr std::array<std::string_view, 2> names = {"clip", "fail"};

@@ -8,8 +8,8 @@
 #include "geometry/field_shapes.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
-#include "nodes/choices.h"
 #include "nodes/moved_field.h"
+#include "nodes/wall_side.h"
 
 namespace dini {
 

@@ -1,6 +1,6 @@
 #include "geometry/displacement.h"
 #include "graph/node_builder.h"
-#include "nodes/all.h"
+#include "nodes/solids.h"
 #include "nodes/costs.h"
 #include "nodes/mesh_reach.h"
 

@@ -8,9 +8,9 @@
 #include "geometry/scalar_field.h"
 #include "geometry/validate.h"
 #include "graph/node_builder.h"
-#include "nodes/all.h"
-#include "nodes/choices.h"
 #include "nodes/mesh_reach.h"
+#include "nodes/solids.h"
+#include "nodes/wall_side.h"
 
 namespace dini {
 
@@ -103,7 +103,7 @@ void add_thicken(Registry& registry) {
                  defaults(1).hard(1e-6, 1e6).soft(0.1, 4).unit("m"))
           .input("find_contact", &ThickenInputs::find_contact, "Whether to look where the wall meets itself.",
                  defaults(true))
-          .vertex_factor([](const Literals&) { return std::size_t{2}; }, [](const Literals&) { return std::size_t{6}; })
+          .vertex_factor([](const Literals&) { return std::size_t{2}; })
           .cost([](const RunSize& size) {
             return RunCost{12'000 * size.given_vertices, 900 * size.given_vertices, 104 * size.given_vertices};
           })
