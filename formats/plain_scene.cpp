@@ -62,8 +62,9 @@ class Builder {
       if (meshes_.empty() && curves_.empty() && points_.empty()) return FileError{"nothing-to-export", ""};
       if (!carried_.meshes) {
         return FileError{"nothing-to-export",
-                         format + " holds only curves, and there is nothing else to write; choose another format, or "
-                                  "give the export curves or circles"};
+                         format +
+                             " holds only curves, and there is nothing else to write; choose another format, or "
+                             "give the export curves or circles"};
       }
       return FileError{"nothing-to-export",
                        format + " holds " + (points_.empty() || carried_.points ? "no curves" : "only meshes") +

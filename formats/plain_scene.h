@@ -31,7 +31,7 @@ struct Carried {
   bool points = false;
   bool colors = false;
   bool opacity = false;
-  bool graph = false;  ///< the document that `about` may have
+  bool graph = false;        ///< the document that `about` may have
   bool millimeters = false;  ///< coordinates are millimeters where the document says a unit
 };
 
@@ -39,9 +39,9 @@ struct PlainScene {
   std::vector<PlainPart> parts;  ///< those that have something to draw that the format can hold
   std::size_t vertices = 0;
   std::size_t triangles = 0;
-  double position_error = 0;  ///< meters, of a point
+  double position_error = 0;    ///< meters, of a point
   bool in_millimeters = false;  ///< else meters
-  bool colored = false;       ///< a mesh has another color than meshes have by themselves
+  bool colored = false;         ///< a mesh has another color than meshes have by themselves
   std::vector<FileNote> notes;
 
   /// The file of these bytes, with the counts and notes of the scene.

@@ -56,8 +56,9 @@ FileFormat stl_format() {
   return {.name = "stl",
           .media_types = {"model/stl"},
           .extension = ".stl",
-          .doc = "Binary STL in meters, or in millimeters where the document says a unit: the triangles of all meshes, "
-                 "without names, colors and texture coordinates.",
+          .doc =
+              "Binary STL in meters, or in millimeters where the document says a unit: the triangles of all meshes, "
+              "without names, colors and texture coordinates.",
           .write = write,
           .vertex_bytes = 128};
 }

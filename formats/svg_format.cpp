@@ -96,9 +96,8 @@ class SvgWriter {
 };
 
 Expected<WrittenFile, FileError> write(const Scene& scene, const FileOptions& options, const Cancel& cancel) {
-  auto plain =
-      plain_scene(scene, options,
-                  {.format = "SVG", .meshes = false, .curves = true, .colors = true, .millimeters = true}, cancel);
+  auto plain = plain_scene(
+      scene, options, {.format = "SVG", .meshes = false, .curves = true, .colors = true, .millimeters = true}, cancel);
   if (!plain) return plain.error();
   SvgWriter writer(*plain, options, cancel);
   for (const PlainPart& part : plain->parts) writer.write(part);
@@ -109,12 +108,13 @@ Expected<WrittenFile, FileError> write(const Scene& scene, const FileOptions& op
 }  // namespace
 
 FileFormat svg_format() {
-  return {.name = "svg",
-          .media_types = {"image/svg+xml"},
-          .extension = ".svg",
-          .doc = "SVG in millimeters: the curves and circles of the scene seen from above, such as the contours of slices.",
-          .write = write,
-          .vertex_bytes = 96};
+  return {
+      .name = "svg",
+      .media_types = {"image/svg+xml"},
+      .extension = ".svg",
+      .doc = "SVG in millimeters: the curves and circles of the scene seen from above, such as the contours of slices.",
+      .write = write,
+      .vertex_bytes = 96};
 }
 
 }  // namespace dini

@@ -85,7 +85,8 @@ class ModelWriter {
 
   std::string model(const FileOptions& options, bool in_millimeters) const {
     std::string text =
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"" + std::string(in_millimeters ? "millimeter" : "meter") +
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"" +
+        std::string(in_millimeters ? "millimeter" : "meter") +
         "\" xml:lang=\"en-US\" "
         "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
         "xmlns:m=\"http://schemas.microsoft.com/3dmanufacturing/material/2015/02\">\n<metadata name=\"Application\">" +
@@ -163,7 +164,8 @@ class ModelWriter {
 };
 
 Expected<WrittenFile, FileError> write(const Scene& scene, const FileOptions& options, const Cancel& cancel) {
-  auto plain = plain_scene(scene, options, {.format = "3MF", .colors = true, .opacity = true, .graph = true, .millimeters = true}, cancel);
+  auto plain = plain_scene(
+      scene, options, {.format = "3MF", .colors = true, .opacity = true, .graph = true, .millimeters = true}, cancel);
   if (!plain) return plain.error();
   ModelWriter writer(cancel);
   for (const PlainPart& part : plain->parts) {
@@ -173,9 +175,10 @@ Expected<WrittenFile, FileError> write(const Scene& scene, const FileOptions& op
   if (writer.triangles() == 0) return FileError{"nothing-to-export", ""};
   plain->vertices = writer.vertices();
   plain->triangles = writer.triangles();
-  auto bytes = zip_archive(
-      {{"[Content_Types].xml", content_types}, {"_rels/.rels", relations}, {"3D/3dmodel.model", writer.model(options, plain->in_millimeters)}},
-      cancel);
+  auto bytes = zip_archive({{"[Content_Types].xml", content_types},
+                            {"_rels/.rels", relations},
+                            {"3D/3dmodel.model", writer.model(options, plain->in_millimeters)}},
+                           cancel);
   if (!bytes) return bytes.error();
   return std::move(*plain).file(*std::move(bytes));
 }
@@ -186,8 +189,9 @@ FileFormat three_mf_format() {
   return {.name = "3mf",
           .media_types = {"model/3mf"},
           .extension = ".3mf",
-          .doc = "3MF for printing, in meters, or in millimeters where the document says a unit: an object for each mesh, "
-                 "with its name and colors.",
+          .doc =
+              "3MF for printing, in meters, or in millimeters where the document says a unit: an object for each mesh, "
+              "with its name and colors.",
           .write = write,
           .vertex_bytes = 1024};
 }

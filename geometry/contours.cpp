@@ -51,7 +51,8 @@ class Section {
         if (contour.points.size() > 1) found.push_back(std::move(contour));
       }
     }
-    std::stable_sort(found.begin(), found.end(), [](const Contour& a, const Contour& b) { return a.length > b.length; });
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Contour& a, const Contour& b) { return a.length > b.length; });
     return found;
   }
 
@@ -105,11 +106,11 @@ class Section {
     if (contour.closed) {
       while (points.size() > 1 && points.back() == points.front()) points.pop_back();
       const Vector direction = any_perpendicular(normal_);
-      std::rotate(points.begin(),
-                  std::max_element(points.begin(), points.end(), [&](const Vector& a, const Vector& b) {
-                    return dot(direction, a) < dot(direction, b);
-                  }),
-                  points.end());
+      std::rotate(
+          points.begin(),
+          std::max_element(points.begin(), points.end(),
+                           [&](const Vector& a, const Vector& b) { return dot(direction, a) < dot(direction, b); }),
+          points.end());
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (!contour.closed && i + 1 == points.size()) break;

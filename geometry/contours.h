@@ -12,7 +12,7 @@ struct Contour {
   std::vector<Vector> points;  ///< no two neighbors agree; a closed one does not repeat its first point
   bool closed = false;
   double length = 0;  ///< meters
-  double area = 0;    ///< enclosed, square meters: positive where it runs around material, negative around a hole; 0 open
+  double area = 0;  ///< enclosed, square meters: positive where it runs around material, negative around a hole; 0 open
 };
 
 /// The contours of a mesh in the plane of the points x with normal . x = height, the longest first; `normal` is a unit

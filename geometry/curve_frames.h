@@ -20,10 +20,10 @@ struct PlacedFrame {
 };
 
 /// A frame at each point of a curve. Points of the curve are finite and below 1e18. Points that agree to round-off
-/// have the frame of the first of them; a curve of one place has x along e1 (or what of it is perpendicular to z) and z up, or the axes of
-/// space where up is zero. Where the curve is straight, frames of `curvature` go on as steady ones. Where the curve
-/// runs along up, upright frames keep the heading that they had. Steady frames of a closed curve close: the turn that is
-/// left is spread evenly. A zero `up` counts as e3. Stopped early: frames that mean nothing.
+/// have the frame of the first of them; a curve of one place has x along e1 (or what of it is perpendicular to z) and z
+/// up, or the axes of space where up is zero. Where the curve is straight, frames of `curvature` go on as steady ones.
+/// Where the curve runs along up, upright frames keep the heading that they had. Steady frames of a closed curve close:
+/// the turn that is left is spread evenly. A zero `up` counts as e3. Stopped early: frames that mean nothing.
 std::vector<PlacedFrame> curve_frames(const Polyline& curve, FrameRule rule, const Vector& up, const Cancel& cancel);
 
 }  // namespace dini

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <limits>
 
+#include "geometry/compensated_sum.h"
 #include "geometry/corner.h"
 #include "geometry/in_order.h"
 #include "geometry/weld.h"
@@ -13,20 +14,6 @@ namespace dini {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
-
-/// Neumaier's compensated sum: the error does not grow with the number of terms.
-class Sum {
- public:
-  void add(double term) {
-    const double total = total_ + term;
-    lost_ += std::abs(total_) >= std::abs(term) ? (total_ - total) + term : (term - total) + total_;
-    total_ = total;
-  }
-  double value() const { return total_ + lost_; }
-
- private:
-  double total_ = 0, lost_ = 0;
-};
 
 /// The triangles with welded corners, without those that welding makes flat.
 std::vector<Triangle> welded_triangles(const Mesh& mesh, const std::vector<std::uint32_t>& labels, CancelEvery& steps) {
@@ -63,7 +50,7 @@ void measure_bounds(const Mesh& mesh, const std::vector<Triangle>& triangles, Me
 
 void measure_sums(const Mesh& mesh, const std::vector<Triangle>& triangles, Measures& measures, const Cancel& cancel) {
   const Vector middle = to_vector(measures.minimum) + 0.5 * (to_vector(measures.maximum) - to_vector(measures.minimum));
-  Sum area, volume;
+  CompensatedSum area, volume;
   compute_in_order<std::array<double, 2>>(
       cancel, triangles.size(),
       [&](std::size_t i) -> std::array<double, 2> {

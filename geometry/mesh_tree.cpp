@@ -8,8 +8,6 @@ namespace dini {
 namespace {
 
 constexpr std::uint32_t triangles_in_leaf = 4;
-/// Halving up to 2^32 triangles opens no more boxes than this at once.
-constexpr std::size_t most_open = 64;
 
 MeshPlace place_of(const std::array<Vector, 3>& corners, const std::array<double, 3>& weights, const Vector& point) {
   const Vector position = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];

@@ -1,14 +1,15 @@
 #pragma once
 
-// The nearest place on a mesh, by a tree of boxes.
+// Places on a mesh, found by a tree of boxes.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "geometry/cancel.h"
 #include "geometry/bounding_box.h"
+#include "geometry/cancel.h"
 #include "geometry/mesh.h"
 
 namespace dini {
@@ -38,6 +39,16 @@ class MeshTree {
   /// tree meets first. Any number of threads may ask at once.
   MeshPlace nearest(const Vector& point) const;
 
+  /// Calls visit(triangle) for the triangles of all boxes that meet the box from `low` to `high`, until it answers
+  /// false. Those of a leaf are asked for together, so some lie beside the box. In one order on every machine.
+  template <class Visit>
+  void visit_near(const Vector& low, const Vector& high, const Visit& visit) const;
+
+  /// Calls visit(triangle, most) for the triangles of all boxes that a ray meets within `most` times the length of its
+  /// direction; the answers are how far it is still of interest.
+  template <class Visit>
+  void visit_along(const Vector& origin, const Vector& direction, double most, const Visit& visit) const;
+
   const std::vector<Vector>& positions() const { return positions_; }
   const Triangles& triangles() const { return triangles_; }
   /// About how much memory it holds.
@@ -58,8 +69,68 @@ class MeshTree {
 
   std::vector<Vector> positions_;
   Triangles triangles_;
+  /// Visits the boxes that `enter` lets in, parents first, and the triangles of leaves until `visit` answers false.
+  template <class Enter, class Visit>
+  void descend(const Enter& enter, const Visit& visit) const;
+
+  /// Halving up to 2^32 triangles opens no more boxes than this at once.
+  static constexpr std::size_t most_open = 64;
+
   std::vector<std::uint32_t> order_;
   std::vector<Box> boxes_;
 };
+
+template <class Enter, class Visit>
+void MeshTree::descend(const Enter& enter, const Visit& visit) const {
+  std::array<std::uint32_t, most_open> open;
+  std::size_t count = 0;
+  if (!boxes_.empty()) open[count++] = 0;
+  while (count > 0) {
+    const std::uint32_t index = open[--count];
+    const Box& box = boxes_[index];
+    if (!enter(box)) continue;
+    if (box.right != 0) {
+      open[count++] = box.right;
+      open[count++] = index + 1;
+      continue;
+    }
+    for (std::uint32_t i = box.begin; i < box.end; ++i) {
+      if (!visit(order_[i])) return;
+    }
+  }
+}
+
+template <class Visit>
+void MeshTree::visit_near(const Vector& low, const Vector& high, const Visit& visit) const {
+  descend(
+      [&](const Box& box) {
+        return box.low.x <= high.x && box.low.y <= high.y && box.low.z <= high.z && box.high.x >= low.x &&
+               box.high.y >= low.y && box.high.z >= low.z;
+      },
+      visit);
+}
+
+template <class Visit>
+void MeshTree::visit_along(const Vector& origin, const Vector& direction, double most, const Visit& visit) const {
+  const auto within = [&](double from, double step, double low, double high, double& begin, double& end) {
+    if (step == 0) return low <= from && from <= high;
+    const double first = (low - from) / step, second = (high - from) / step;
+    begin = std::max(begin, std::min(first, second));
+    end = std::min(end, std::max(first, second));
+    return true;
+  };
+  descend(
+      [&](const Box& box) {
+        double begin = 0, end = most;
+        return within(origin.x, direction.x, box.low.x, box.high.x, begin, end) &&
+               within(origin.y, direction.y, box.low.y, box.high.y, begin, end) &&
+               within(origin.z, direction.z, box.low.z, box.high.z, begin, end) &&
+               begin <= end + 1e-9 * (end + most);  // round-off of either
+      },
+      [&](std::uint32_t triangle) {
+        most = visit(triangle, most);
+        return true;
+      });
+}
 
 }  // namespace dini

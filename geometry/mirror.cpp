@@ -126,8 +126,8 @@ void reflect_triangles(const Mesh& mesh, const OnMirror& given, const BothHalves
   std::size_t tile = 0;
   for (std::size_t t = 0; t < mesh.triangles.size() && !steps.stopped(); ++t) {
     const auto& corners = mesh.triangles[t];
-    const bool is_wall = std::all_of(corners.begin(), corners.end(),
-                                     [&](std::uint32_t corner) { return given.touches[corner] != 0; });
+    const bool is_wall =
+        std::all_of(corners.begin(), corners.end(), [&](std::uint32_t corner) { return given.touches[corner] != 0; });
     if (!is_wall) triangles.push_back(corners);
     while (tile < mesh.tile_ends.size() && mesh.tile_ends[tile] == t + 1) {
       if (triangles.size() > (ends.empty() ? 0 : ends.back())) ends.push_back(triangles.size());

@@ -81,7 +81,8 @@ double layered_noise(const Vector& place, const NoiseSettings& settings) {
     const std::uint64_t seed = mixed_bits(settings.seed + static_cast<std::uint64_t>(octave) * 0x9E3779B97F4A7C15u);
     // A shift of its own, a fraction of a cell: all layers together would vanish at the origin.
     constexpr double fraction = 1.0 / 65536;
-    const Vector shift{static_cast<double>(seed & 0xffff) * fraction, static_cast<double>(seed >> 16 & 0xffff) * fraction,
+    const Vector shift{static_cast<double>(seed & 0xffff) * fraction,
+                       static_cast<double>(seed >> 16 & 0xffff) * fraction,
                        static_cast<double>(seed >> 32 & 0xffff) * fraction};
     sum += height * simplex_noise(frequency * place + shift, seed);
     heights += height;

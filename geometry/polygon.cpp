@@ -7,8 +7,6 @@ namespace dini {
 
 namespace {
 
-constexpr std::size_t most_clipped_corners = 128;
-
 using Flat = std::array<double, 2>;
 
 /// Twice the area of a triangle, positive when it runs counter-clockwise.
@@ -62,7 +60,7 @@ void PolygonCutter::cut(std::span<const Vector> corners, std::vector<std::array<
   std::vector<std::uint32_t> left(corners.size());
   std::iota(left.begin(), left.end(), 0u);
   const std::vector<Flat> flat = flattened(corners);
-  if (corners.size() > most_clipped_corners || is_convex(flat)) return fan(left);
+  if (corners.size() > most_clipped_corners_ || is_convex(flat)) return fan(left);
 
   const auto is_ear = [&](std::size_t at) {
     const std::size_t n = left.size();

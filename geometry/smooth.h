@@ -7,9 +7,9 @@ namespace dini {
 
 struct SmoothOptions {
   std::size_t iterations = 10;
-  double strength = 0.5;      ///< in [0, 1]: how far a vertex goes to the middle of its neighbors; 1 is two thirds
-  bool keeps_volume = true;   ///< each step is followed by a larger one back (Taubin), so that nothing shrinks
-  bool keeps_border = true;   ///< vertices on a border stay; else they go to the middle of their neighbors on it
+  double strength = 0.5;     ///< in [0, 1]: how far a vertex goes to the middle of its neighbors; 1 is two thirds
+  bool keeps_volume = true;  ///< each step is followed by a larger one back (Taubin), so that nothing shrinks
+  bool keeps_border = true;  ///< vertices on a border stay; else they go to the middle of their neighbors on it
 };
 
 /// The positions of a mesh smoothed: each vertex moves towards the middle of its neighbors, all at once, again and

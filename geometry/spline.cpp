@@ -35,8 +35,8 @@ class Spline {
   Vector at(std::size_t piece, double share) const {
     const std::size_t next = (piece + 1) % points_.size();
     const double rest = 1 - share;
-    const Vector bow = (share * rest * rest * steps_[piece]) * slopes_[piece] -
-                       (share * share * rest * steps_[piece]) * slopes_[next];
+    const Vector bow =
+        (share * rest * rest * steps_[piece]) * slopes_[piece] - (share * share * rest * steps_[piece]) * slopes_[next];
     return (rest * rest * (1 + 2 * share)) * points_[piece] + (share * share * (3 - 2 * share)) * points_[next] + bow;
   }
 
@@ -94,8 +94,7 @@ class Spline {
     }
     if (!closed_) return;
     const double share = -lower[0] / 2;
-    const Vector excess =
-        (slopes_[0] + share * slopes_[count - 1]) / (1 + corner[0] + share * corner[count - 1]);
+    const Vector excess = (slopes_[0] + share * slopes_[count - 1]) / (1 + corner[0] + share * corner[count - 1]);
     for (std::size_t i = 0; i < count && !looks_.stopped(); ++i) slopes_[i] = slopes_[i] - corner[i] * excess;
   }
 

@@ -44,9 +44,9 @@ Expected<WrittenFile, FileError> write(const Scene& scene, const FileOptions& op
   EncodeResult<EncodedScene> encoded = encode_scene(scene, encode, cancel);
   if (!encoded) return file_error(encoded.error());
   EncodedScene& written = *encoded;
-  WrittenFile file{std::move(written.file), written.vertices, written.triangles,
-                   root_of_three * meters_of(unit_of(options.about).value_or(LengthUnit::meter)) *
-                       written.position_error};
+  WrittenFile file{
+      std::move(written.file), written.vertices, written.triangles,
+      root_of_three * meters_of(unit_of(options.about).value_or(LengthUnit::meter)) * written.position_error};
   file.attribute_errors = written.attribute_errors;
   if (!written.rough_uvs.empty()) file.notes.push_back(note_of(written.rough_uvs));
   for (const std::string& part : written.empty_parts)

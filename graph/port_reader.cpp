@@ -216,6 +216,7 @@ DINI_READERS_OF_NUMBERS(Sphere);
 #undef DINI_READERS_OF_NUMBERS
 template std::unique_ptr<PortReader> read_value<SharedMesh>(const Call&, std::size_t);
 template std::unique_ptr<PortReader> read_value<SharedField>(const Call&, std::size_t);
+template std::unique_ptr<PortReader> read_optional<SharedField>(const Call&, std::size_t);
 template std::unique_ptr<PortReader> read_block<SharedField, 1>(const Call&, std::size_t);
 template std::unique_ptr<PortReader> read_literal_of<std::int64_t>(const Call&, std::size_t);
 template std::unique_ptr<PortReader> read_literal_of<bool>(const Call&, std::size_t);

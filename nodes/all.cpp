@@ -1,5 +1,7 @@
 #include "nodes/all.h"
+
 #include "nodes/more.h"
+#include "nodes/solids.h"
 
 namespace dini {
 
@@ -33,8 +35,12 @@ void add_all_nodes(Registry& registry) {
   add_mesh_tools(registry);
   add_smooth(registry);
   add_slice(registry);
+  add_thicken(registry);
+  add_offset(registry);
+  add_cap(registry);
   add_import(registry);
   add_answers(registry);
+  add_printability(registry);
   add_export(registry);
 }
 

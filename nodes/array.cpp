@@ -1,8 +1,8 @@
 // Copies in a row, and around an axis.
 
 #include "nodes/all.h"
-#include "nodes/more.h"
 #include "nodes/copies.h"
+#include "nodes/more.h"
 
 namespace dini {
 

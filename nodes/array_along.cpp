@@ -2,11 +2,10 @@
 
 #include "geometry/curve_frames.h"
 #include "geometry/validate.h"
-#include "nodes/all.h"
-#include "nodes/more.h"
-#include "nodes/copies.h"
-
 #include "graph/kept_axes.h"
+#include "nodes/all.h"
+#include "nodes/copies.h"
+#include "nodes/more.h"
 
 namespace dini {
 
@@ -57,8 +56,9 @@ Attempt<Polyline> placed_curve(const Context& context, const Block<Point, 1>& po
     const Point point = points(i);
     if (!is_within_reach(point)) {
       return Failure{"degenerate",
-                     "point " + std::to_string(i) + " of the curve is at infinity or beyond 1e18 m, where nothing can "
-                                                    "be placed",
+                     "point " + std::to_string(i) +
+                         " of the curve is at infinity or beyond 1e18 m, where nothing can "
+                         "be placed",
                      "curve"};
     }
     curve.points.set(i, point);
@@ -72,9 +72,8 @@ struct Along {
     const Attempt<Polyline> curve = placed_curve(context, in.curve);
     if (!curve) return curve.error();
     const std::vector<PlacedFrame> frames = curve_frames(*curve, in.frames, in.up, context.cancel());
-    return moved_copies(context, shape, in.curve.size(), [&](std::size_t i) {
-      return i < frames.size() ? motion_to(frames[i]) : Versor{};
-    });
+    return moved_copies(context, shape, in.curve.size(),
+                        [&](std::size_t i) { return i < frames.size() ? motion_to(frames[i]) : Versor{}; });
   }
 };
 
@@ -97,8 +96,7 @@ void add_array_along(Registry& registry) {
           .degenerate("zero direction", "A zero up counts as the direction of z.")
           .input("shape", "Points, circles, spheres, generators, meshes or fields.")
           .input("curve", &AlongInputs::curve, "The points, over one axis.", required().title("Curve"))
-          .input("frames", &AlongInputs::frames, "How copies turn about the curve.",
-                 defaults("steady").title("Frames"))
+          .input("frames", &AlongInputs::frames, "How copies turn about the curve.", defaults("steady").title("Frames"))
           .input("up", &AlongInputs::up, "What is up.", defaults({0, 0, 1}).direction_handle().title("Up"))
           .consumed_axis("over", "The axis of the curve; empty means the last.")
           .axes([](const Literals&, const std::string&) { return std::vector<Axes>{{kept_axes()}}; })

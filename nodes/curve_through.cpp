@@ -35,7 +35,8 @@ Attempt<Made<Point>> curve_through(const Context& context, const CurveInputs& in
     const Point point = in.points(i);
     if (!is_within_reach(point)) {
       return Failure{"degenerate",
-                     "point " + std::to_string(i) + " is at infinity or beyond 1e18 m, where no curve can go", "points"};
+                     "point " + std::to_string(i) + " is at infinity or beyond 1e18 m, where no curve can go",
+                     "points"};
     }
     given.set(i, point);
   }

@@ -47,9 +47,10 @@ void add_helix(Registry& registry) {
           .family("sampling")
           .synonyms({"spring", "coil", "screw", "spiral", "thread", "stairs", "corkscrew"})
           .doc("Points of a helix along a new axis: a curve that climbs while it turns.")
-          .details("A right-hand screw; with a pitch below 0 a left-hand one, downwards. With another radius at the end "
-                   "it is a conical one, and flat with pitch 0: the spiral of Archimedes. It starts at a fixed "
-                   "direction that depends on its own. Points are even in the turn.")
+          .details(
+              "A right-hand screw; with a pitch below 0 a left-hand one, downwards. With another radius at the end "
+              "it is a conical one, and flat with pitch 0: the spiral of Archimedes. It starts at a fixed "
+              "direction that depends on its own. Points are even in the turn.")
           .degenerate("zero direction", "A zero direction is an error.")
           .degenerate("zero radius", "Points on the straight axis.")
           .input("center", &HelixInputs::center, "Where its axis starts.",
@@ -58,8 +59,9 @@ void add_helix(Registry& registry) {
                  defaults({0, 0, 1}).direction_handle("center"))
           .input("radius", &HelixInputs::radius, "Distance from the axis, at the start.",
                  defaults(1).hard(0, 1e6).soft(0, 4).unit("m").radius_handle("center", "direction"))
-          .input("end_radius", &HelixInputs::end_radius, "Distance from the axis at the end; as at the start when left "
-                                                         "out.",
+          .input("end_radius", &HelixInputs::end_radius,
+                 "Distance from the axis at the end; as at the start when left "
+                 "out.",
                  required().hard(0, 1e6).soft(0, 4).unit("m").title("Radius at the end"))
           .input("pitch", &HelixInputs::pitch, "How far it climbs in one turn.",
                  defaults(0.5).hard(-1e6, 1e6).soft(-2, 2).unit("m"))

@@ -9,6 +9,7 @@
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 #include "nodes/moved_field.h"
+#include "nodes/wall_side.h"
 
 namespace dini {
 
@@ -16,12 +17,6 @@ enum class Combination { unite, intersect, subtract };
 template <>
 struct ChoiceNames<Combination> {
   static constexpr std::array<std::string_view, 3> names = {"union", "intersection", "difference"};
-};
-
-enum class WallSide { inside, both, outside };
-template <>
-struct ChoiceNames<WallSide> {
-  static constexpr std::array<std::string_view, 3> names = {"inside", "both", "outside"};
 };
 
 namespace {

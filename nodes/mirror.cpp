@@ -4,8 +4,8 @@
 
 #include "graph/node_builder.h"
 #include "nodes/all.h"
-#include "nodes/more.h"
 #include "nodes/mirrors.h"
+#include "nodes/more.h"
 #include "nodes/shapes.h"
 
 namespace dini {

@@ -69,48 +69,51 @@ auto noise_inputs() {
                defaults(3).hard(1, 16).soft(1, 8))
         .input("roughness", &In::roughness, "How high each layer is against the one before it.",
                defaults(0.5).hard(0, 1))
-        .input("seed", &In::seed, "Another seed, other noise.", defaults(1).hard(0, 9'007'199'254'740'991).soft(0, 100));
+        .input("seed", &In::seed, "Another seed, other noise.",
+               defaults(1).hard(0, 9'007'199'254'740'991).soft(0, 100));
   };
 }
 
 }  // namespace
 
 void add_noise(Registry& registry) {
-  registry.add(node("noise", noise_at)
-                   .title("Noise")
-                   .family("fields")
-                   .synonyms({"perlin", "simplex", "turbulence", "random field", "fractal", "clouds"})
-                   .doc("Smooth seeded noise at a point: a number, and a vector of three more.")
-                   .source("Perlin, Noise hardware (2001); Gustavson, Simplex noise demystified (2005)")
-                   .details("The same on every machine. All values are between -1 and 1, and 0 on average. At points at "
-                            "infinity, and farther than 1e12 bumps from the origin, there is no noise: 0.")
-                   .input("point", &NoiseAtInputs::point, "Where.", defaults({0, 0, 0}).unit("m").position_handle())
-                   .with(noise_inputs<NoiseAtInputs>())
-                   .cost([](const RunSize& size) {
-                     return RunCost{200 * static_cast<double>(integer_at(size.literals, "octaves")), 0};
-                   })
-                   .output("value", "A number from -1 to 1.")
-                   .output("vector", "Three numbers from -1 to 1, for moving things about."));
+  registry.add(
+      node("noise", noise_at)
+          .title("Noise")
+          .family("fields")
+          .synonyms({"perlin", "simplex", "turbulence", "random field", "fractal", "clouds"})
+          .doc("Smooth seeded noise at a point: a number, and a vector of three more.")
+          .source("Perlin, Noise hardware (2001); Gustavson, Simplex noise demystified (2005)")
+          .details("The same on every machine. All values are between -1 and 1, and 0 on average. At points at "
+                   "infinity, and farther than 1e12 bumps from the origin, there is no noise: 0.")
+          .input("point", &NoiseAtInputs::point, "Where.", defaults({0, 0, 0}).unit("m").position_handle())
+          .with(noise_inputs<NoiseAtInputs>())
+          .cost([](const RunSize& size) {
+            return RunCost{200 * static_cast<double>(integer_at(size.literals, "octaves")), 0};
+          })
+          .output("value", "A number from -1 to 1.")
+          .output("vector", "Three numbers from -1 to 1, for moving things about."));
 
-  registry.add(node("roughen", roughened_point, roughened_mesh)
-                   .title("Roughen")
-                   .family("fields")
-                   .synonyms({"noise", "displace", "bumps", "terrain", "rock", "organic", "jitter", "wobble"})
-                   .doc("Moves a mesh along its normals, or points about, by smooth seeded noise.")
-                   .source("Perlin, Noise hardware (2001); Gustavson, Simplex noise demystified (2005)")
-                   .details("Vertices of a mesh at one place move together, so that a closed mesh stays closed; normals "
-                            "are computed anew, smooth. Nothing moves farther than the amplitude along its normal, a "
-                            "point not farther along each axis. A mesh needs several vertices to a bump: subdivide it "
-                            "first where it has not.")
-                   .input("shape", "Meshes or points.")
-                   .input("amplitude", &RoughenInputs::amplitude, "How far at most; below 0 hills are hollows.",
-                          defaults(0.1).hard(-1e6, 1e6).soft(-1, 1).unit("m"))
-                   .with(noise_inputs<RoughenInputs>())
-                   .cost([](const RunSize& size) {
-                     const auto octaves = static_cast<double>(integer_at(size.literals, "octaves"));
-                     return RunCost{(300 + 60 * octaves) * size.vertices + 150 * octaves, 200 * size.vertices};
-                   })
-                   .output("shape", "The moved shape."));
+  registry.add(
+      node("roughen", roughened_point, roughened_mesh)
+          .title("Roughen")
+          .family("fields")
+          .synonyms({"noise", "displace", "bumps", "terrain", "rock", "organic", "jitter", "wobble"})
+          .doc("Moves a mesh along its normals, or points about, by smooth seeded noise.")
+          .source("Perlin, Noise hardware (2001); Gustavson, Simplex noise demystified (2005)")
+          .details("Vertices of a mesh at one place move together, so that a closed mesh stays closed; normals "
+                   "are computed anew, smooth. Nothing moves farther than the amplitude along its normal, a "
+                   "point not farther along each axis. A mesh needs several vertices to a bump: subdivide it "
+                   "first where it has not.")
+          .input("shape", "Meshes or points.")
+          .input("amplitude", &RoughenInputs::amplitude, "How far at most; below 0 hills are hollows.",
+                 defaults(0.1).hard(-1e6, 1e6).soft(-1, 1).unit("m"))
+          .with(noise_inputs<RoughenInputs>())
+          .cost([](const RunSize& size) {
+            const auto octaves = static_cast<double>(integer_at(size.literals, "octaves"));
+            return RunCost{(300 + 60 * octaves) * size.vertices + 150 * octaves, 200 * size.vertices};
+          })
+          .output("shape", "The moved shape."));
 }
 
 }  // namespace dini

@@ -1,7 +1,6 @@
 // Where a plane cuts a mesh.
 
 #include "geometry/contours.h"
-
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 #include "nodes/more.h"
@@ -51,13 +50,14 @@ void add_slice(Registry& registry) {
           .synonyms({"section", "cut", "contour", "layers", "cross section", "level", "profile"})
           .doc("The contour in which a plane cuts a mesh: points along a new closed axis, its length, and the area of "
                "the section.")
-          .details("Contours are numbered from the longest, 0. Over a range of heights this gives a stack of them; over "
-                   "a range of numbers all contours of a height. A number that is not there gives points at "
-                   "infinity and the length 0. Points are at about even lengths, and every corner is among them where "
-                   "there are no more corners than points. Where the mesh is open a contour has two ends, and its "
-                   "points run there and back. Corners in the plane count as above it: of a solid that stands in the "
-                   "plane there is no contour, of one that ends in it there is. Contours run counter-clockwise around "
-                   "material, seen against the normal, and clockwise around holes.")
+          .details(
+              "Contours are numbered from the longest, 0. Over a range of heights this gives a stack of them; over "
+              "a range of numbers all contours of a height. A number that is not there gives points at "
+              "infinity and the length 0. Points are at about even lengths, and every corner is among them where "
+              "there are no more corners than points. Where the mesh is open a contour has two ends, and its "
+              "points run there and back. Corners in the plane count as above it: of a solid that stands in the "
+              "plane there is no contour, of one that ends in it there is. Contours run counter-clockwise around "
+              "material, seen against the normal, and clockwise around holes.")
           .degenerate("zero direction", "A zero normal is an error.")
           .input("shape", "The mesh.")
           .input("height", &SliceInputs::height, "Of the plane above the origin, along its normal.",

@@ -18,7 +18,8 @@ class DocumentGraph final : public Graph {
   const std::optional<LengthUnit> unit;  ///< of its coordinates, if its notes say one
 
  private:
-  DocumentGraph(Result<Document> read, std::optional<LengthUnit> unit, const Digest& known_hash, const Limits& limits, const Registry& registry);
+  DocumentGraph(Result<Document> read, std::optional<LengthUnit> unit, const Digest& known_hash, const Limits& limits,
+                const Registry& registry);
 };
 
 }  // namespace dini

@@ -98,6 +98,7 @@ constexpr std::array codes = {
     ProblemCode{"left-out", warning, 0, "A part of a file has no place in its mesh and was left out."},
     ProblemCode{"empty", warning, 0, "A part of a model has nothing to draw and was left out."},
     ProblemCode{"capped", warning, 0, "A solid reached the border of the box, and was closed there."},
+    ProblemCode{"self-contact", warning, 0, "A wall meets itself; what would fit is told."},
     ProblemCode{"coarse", warning, 0, "There are so many circles that each has fewer segments than usual."},
     ProblemCode{"imprecise", warning, 0, "Texture coordinates reach so far that they are rounded visibly."},
     ProblemCode{"triangle-budget", warning, 0, "A draft has more triangles than asked for and cannot be thinner."},

@@ -73,10 +73,9 @@ TEST_CASE("What a format cannot hold is told once for each kind, with the names 
                                                     "left-out: 3MF holds no points; not in the file: dot",
                                                     "left-out: 3MF" + finish});
   CHECK(notes_of("svg") ==
-        std::vector<std::string>{
-            "left-out: SVG holds no meshes; not in the file: red[0], red[1], red[2] and 4 more",
-            "left-out: SVG holds no points; not in the file: dot",
-            "left-out: SVG has no room for the graph; it is not in the file"});
+        std::vector<std::string>{"left-out: SVG holds no meshes; not in the file: red[0], red[1], red[2] and 4 more",
+                                 "left-out: SVG holds no points; not in the file: dot",
+                                 "left-out: SVG has no room for the graph; it is not in the file"});
 }
 
 TEST_CASE("Meshes alone are nothing to export for a format of curves, which says so") {
@@ -112,8 +111,7 @@ TEST_CASE("Curves alone are nothing to export for a format of meshes, which says
   for (const FileFormat& format : all_formats()) {
     CAPTURE(format.name);
     const auto file = format.write(scene, {}, Cancel());
-    if (format.name == "glb" || format.name == "gltf" || format.name == "obj" ||
-        format.name == "svg") {
+    if (format.name == "glb" || format.name == "gltf" || format.name == "obj" || format.name == "svg") {
       CHECK(file);
       continue;
     }

@@ -50,7 +50,8 @@ TEST_CASE("Words for units are exact lengths") {
 }
 
 TEST_CASE("An STL is in millimeters where the document says a unit, and in meters as ever where not") {
-  const std::vector<std::pair<Json, double>> units = {{nullptr, 30}, {"m", 30000}, {"cm", 300}, {"mm", 30}, {"in", 762}};
+  const std::vector<std::pair<Json, double>> units = {
+      {nullptr, 30}, {"m", 30000}, {"cm", 300}, {"mm", 30}, {"in", 762}};
   for (const auto& [unit, expected] : units) {
     CAPTURE(unit.dump());
     const std::string file = written(unit, "stl");

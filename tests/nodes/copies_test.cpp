@@ -65,10 +65,11 @@ TEST_CASE("A box on a mirror loses the wall and keeps its edges sharp") {
 
 TEST_CASE("Halves that meet in a ridge have a normal each at one place") {
   // A slope that leans by 45 degrees out of the mirror x = 0.
-  const Json nodes = {{"g", make("grid", {{"center", {1, 0, 1}}, {"u_vector", {1, 0, -1}}, {"count_u", 3}, {"count_v", 3}})},
-                      {"slope", make("surface", {{"shape", from("g")}})},
-                      {"plane", make("plane", {{"normal", {1, 0, 0}}})},
-                      {"it", make("mirror", {{"shape", from("slope")}, {"mirror", from("plane")}})}};
+  const Json nodes = {
+      {"g", make("grid", {{"center", {1, 0, 1}}, {"u_vector", {1, 0, -1}}, {"count_u", 3}, {"count_v", 3}})},
+      {"slope", make("surface", {{"shape", from("g")}})},
+      {"plane", make("plane", {{"normal", {1, 0, 0}}})},
+      {"it", make("mirror", {{"shape", from("slope")}, {"mirror", from("plane")}})}};
   const SharedMesh roof = graph_of(nodes).one<SharedMesh>("it");
   CHECK(roof->positions.size() == 18);
   CHECK(measures_of(*roof).vertices == 15);
@@ -237,8 +238,8 @@ TEST_CASE("Steady copies start near up, and around a flat ring all of them stand
 TEST_CASE("Copies along a straight curve, along up and at one point have whole frames") {
   const auto ways = [](const Json& items) { return Json{{"way", make("list", {{"items", items}})}}; };
   for (const char* frames : {"steady", "curvature", "upright"}) {
-    for (const Json& items : {Json{{0, 0, 0}, {0, 0, 1}, {0, 0, 5}}, Json{{0, 0, 0}, {1, 1, 0}},
-                              Json{{1, 2, 3}}, Json{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}}) {
+    for (const Json& items : {Json{{0, 0, 0}, {0, 0, 1}, {0, 0, 5}}, Json{{0, 0, 0}, {1, 1, 0}}, Json{{1, 2, 3}},
+                              Json{{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}}) {
       CAPTURE(frames, items.dump());
       const Cross cross_at = along(ways(items), {{"frames", frames}});
       for (std::size_t i = 0; i < items.size(); ++i) {

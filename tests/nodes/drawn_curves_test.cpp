@@ -60,9 +60,7 @@ TEST_CASE("A helix with another radius at the end is a cone, with pitch 0 a flat
     CHECK(points[i].z == 0);
     CHECK(std::hypot(points[i].x, points[i].y) == Approx(2 - 1.5 * static_cast<double>(i) / 30));
   }
-  const auto end = [](const Json& inputs) {
-    return graph_of({{"it", make("helix", inputs)}}).all<Point>("it").back();
-  };
+  const auto end = [](const Json& inputs) { return graph_of({{"it", make("helix", inputs)}}).all<Point>("it").back(); };
   // Left hand below 0; back from the start with turns below 0.
   require_close(end({{"turns", 0.25}, {"pitch", -1}}), end({{"turns", 0.25}, {"pitch", 1}}), 0.51);
   CHECK(end({{"turns", 0.25}, {"pitch", -1}}).z == Approx(-0.25));
@@ -79,7 +77,8 @@ TEST_CASE("A curve goes through its points, both kinds, open and closed") {
         const Json items = random_points(random, count);
         const int gaps = closed ? count : count - 1;
         const std::vector<Point> points = curve_of(
-            items, {{"kind", kind}, {"closed", closed}, {"spacing", "points"}, {"count", closed ? 8 * gaps : 8 * gaps + 1}});
+            items,
+            {{"kind", kind}, {"closed", closed}, {"spacing", "points"}, {"count", closed ? 8 * gaps : 8 * gaps + 1}});
         for (int k = 0; k < count; ++k) {
           require_close(points[static_cast<std::size_t>(8 * k)], point_of(items[static_cast<std::size_t>(k)]));
         }
@@ -149,10 +148,11 @@ TEST_CASE("Only the smooth kind has a continuous curvature, and a centripetal cu
   // Second differences by the parameter on both sides of a given point, where steps of the parameter are known.
   const auto jump = [&](const char* kind) {
     constexpr int gap = 1000;
-    const std::vector<Point> p =
-        curve_of(items, {{"kind", kind}, {"spacing", "points"}, {"count", 7 * gap + 1}});
+    const std::vector<Point> p = curve_of(items, {{"kind", kind}, {"spacing", "points"}, {"count", 7 * gap + 1}});
     const auto step = [&](int k) {
-      return std::sqrt(distance(point_of(items[static_cast<std::size_t>(k)]), point_of(items[static_cast<std::size_t>(k + 1)]))) / gap;
+      return std::sqrt(distance(point_of(items[static_cast<std::size_t>(k)]),
+                                point_of(items[static_cast<std::size_t>(k + 1)]))) /
+             gap;
     };
     const auto second = [&](std::size_t at, double h) {
       return (to_vector(p[at - 1]) - 2 * to_vector(p[at]) + to_vector(p[at + 1])) / (h * h);

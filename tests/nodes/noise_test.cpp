@@ -172,11 +172,9 @@ TEST_CASE("Smoothing takes the bumps away and keeps the volume, or shrinks when 
 
 TEST_CASE("Smoothing rounds a box without opening it, and at full strength stays bounded") {
   for (const bool keep : {true, false}) {
-    const Json nodes = {{"box", make("box_mesh", {{"segments", 8}})},
-                        {"it", make("smooth", {{"shape", from("box")},
-                                               {"iterations", 300},
-                                               {"strength", 1},
-                                               {"keep_volume", keep}})}};
+    const Json nodes = {
+        {"box", make("box_mesh", {{"segments", 8}})},
+        {"it", make("smooth", {{"shape", from("box")}, {"iterations", 300}, {"strength", 1}, {"keep_volume", keep}})}};
     const Measures measures = measures_of(*graph_of(nodes).one<SharedMesh>("it"));
     CAPTURE(keep);
     CHECK(measures.closed);

@@ -60,7 +60,8 @@ TEST_CASE("Singular inputs: a circle becomes a line") {
         {"mirror",
          [] {
            const Json ball = plus(opened, {{"ball", make("sphere", {{"center", {-1, 0, 0}}})}});
-           const Json both = graph_of(with("mirror", {{"shape", from("unit")}, {"mirror", from("ball")}}, ball)).json("n");
+           const Json both =
+               graph_of(with("mirror", {{"shape", from("unit")}, {"mirror", from("ball")}}, ball)).json("n");
            require_line(both["values"][1], {-0.5, 0, 0}, {0, 1, 0});
          }},
         {"twist_between", needs_line("twist_between", "from", {{"shape", from("spot")}, {"to", from("other")}})},
@@ -259,9 +260,10 @@ TEST_CASE("Singular inputs: a zero radius") {
 
 TEST_CASE("Singular inputs: a zero direction") {
   const Json zero = {0, 0, 0};
-  const Json others = {
-      {"spot", spot}, {"none", make("point_pair", {{"direction", zero}})}, {"tau", make("point_pair")},
-      {"ball", make("sphere_mesh", {{"segments", 6}, {"rings", 4}})}};
+  const Json others = {{"spot", spot},
+                       {"none", make("point_pair", {{"direction", zero}})},
+                       {"tau", make("point_pair")},
+                       {"ball", make("sphere_mesh", {{"segments", 6}, {"rings", 4}})}};
   const auto refused = [&](const char* type, const char* port, Json inputs = Json::object()) {
     return [=] {
       Json given = inputs;

@@ -1,7 +1,6 @@
 // Contours in which planes cut meshes.
 
 #include "geometry/contours.h"
-
 #include "tests/support/catalogue.h"
 #include "tests/support/close.h"
 
@@ -115,8 +114,9 @@ TEST_CASE("A ring cut across has a hole, and cut along two contours side by side
 }
 
 TEST_CASE("A contour of an open sheet has two ends and is run there and back") {
-  const Json sheet = {{"g", make("grid", {{"u_vector", {2, 0, 0}}, {"v_vector", {0, 0, 1}}, {"count_u", 9}, {"count_v", 4}})},
-                      {"shape", make("surface", {{"shape", from("g")}})}};
+  const Json sheet = {
+      {"g", make("grid", {{"u_vector", {2, 0, 0}}, {"v_vector", {0, 0, 1}}, {"count_u", 9}, {"count_v", 4}})},
+      {"shape", make("surface", {{"shape", from("g")}})}};
   CatalogueGraph graph = graph_of(with_slice(sheet, {{"height", 0.1}, {"count", 40}}));
   CHECK(graph.one<double>("it.contours") == 1);
   CHECK(graph.one<double>("it.length") == Approx(4).epsilon(1e-14));

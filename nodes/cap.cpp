@@ -1,0 +1,74 @@
+#include "geometry/cap.h"
+
+#include <algorithm>
+
+#include "geometry/validate.h"
+#include "graph/node_builder.h"
+#include "nodes/mesh_reach.h"
+#include "nodes/solids.h"
+
+namespace dini {
+
+template <>
+struct ChoiceNames<CapKind> {
+  static constexpr std::array<std::string_view, 2> names = {"flat", "dome"};
+};
+
+namespace {
+
+/// Caps that add no more than this are never refused.
+constexpr double few_cap_vertices = 16'384;
+
+struct CapInputs {
+  CapKind kind;
+  std::int64_t rings;
+};
+
+Attempt<std::tuple<SharedMesh, double>> closed_by_caps(const Context& context, const SharedMesh& shape,
+                                                       const CapInputs& in) {
+  const std::size_t most = std::max(shape->positions.size(), static_cast<std::size_t>(few_cap_vertices));
+  CappedMesh result = capped(*shape, {in.kind, static_cast<std::size_t>(in.rings), most}, context.cancel());
+  if (result.fault) return Failure{"degenerate", "no cap can close this mesh: " + *result.fault, "shape"};
+  if (result.too_large) {
+    return Failure{"limit-exceeded",
+                   "the caps would have more than " + std::to_string(most) + " vertices; take fewer rings", "rings"};
+  }
+  if (result.caps == 0) return std::tuple(shape, 0.0);
+  if (!is_mesh_within_reach(result.mesh)) {
+    return Failure{"out-of-range", "a cap would reach beyond 1e18 m", "shape"};
+  }
+  return std::tuple(SharedMesh(std::make_shared<const Mesh>(std::move(result.mesh))), static_cast<double>(result.caps));
+}
+
+RunCost cost_of_cap(const RunSize& size) {
+  const auto rings = static_cast<double>(integer_at(size.literals, "rings"));
+  const double most = std::min((rings + 2) * size.given_vertices, std::max(size.given_vertices, few_cap_vertices));
+  return {400 * size.given_vertices, 300 * size.given_vertices, 104 * most};
+}
+
+}  // namespace
+
+void add_cap(Registry& registry) {
+  registry.add(
+      node("cap", closed_by_caps)
+          .title("Cap")
+          .family("meshes")
+          .synonyms({"close", "fill hole", "lid", "end cap", "watertight"})
+          .doc("Closes the borders of a mesh, flat or with domes.")
+          .details(
+              "A flat cap is a fan about the middle of its border; a border that is not seen whole from there is cut "
+              "into ears, one that is not flat gets a cap as flat as it can be. A dome goes on from the surface as it "
+              "comes: along circles that are tangent to it and meet in one apex, so that on a round border it is a "
+              "part of a sphere. Vertices at one position count as one. A mesh without borders stays as it is. An edge "
+              "with more than two triangles, or with two that run the same way, and borders that meet in one vertex, "
+              "are errors.")
+          .input("shape", "The mesh.")
+          .input("kind", &CapInputs::kind, "What closes a border.", defaults("flat"))
+          .input("rings", &CapInputs::rings, "Rings of triangles from the border to the apex of a dome.",
+                 defaults(8).hard(1, 256).soft(2, 32))
+          .cost(cost_of_cap)
+          .output("shape", "The mesh with its caps.")
+          .output("caps", "How many borders were closed."));
+}
+
+}  // namespace dini

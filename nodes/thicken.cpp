@@ -1,0 +1,114 @@
+#include "geometry/thicken.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/chunks.h"
+#include "geometry/place_text.h"
+#include "geometry/scalar_field.h"
+#include "geometry/validate.h"
+#include "graph/node_builder.h"
+#include "nodes/mesh_reach.h"
+#include "nodes/solids.h"
+#include "nodes/wall_side.h"
+
+namespace dini {
+
+namespace {
+
+struct ThickenInputs {
+  double thickness;
+  WallSide side;
+  std::optional<SharedField> field;
+  double far_thickness, fade;
+  bool find_contact;
+};
+
+/// Of the thickness at one place, by the value of the field there.
+double share_of_thickness(const ThickenInputs& in, double value) {
+  const double way = value >= in.fade ? 1 : value > 0 ? value / in.fade : 0;
+  return 1 + way * way * (3 - 2 * way) * (in.far_thickness / in.thickness - 1);
+}
+
+std::vector<double> shares_by_field(const ThickenInputs& in, const WeldedMesh& surface, const Cancel& cancel) {
+  std::vector<double> shares(surface.positions.size(), 1);
+  for_chunks(cancel, shares.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      shares[i] = share_of_thickness(in, value_at(**in.field, surface.positions[i]));
+    }
+  });
+  return shares;
+}
+
+Attempt<std::tuple<SharedMesh, double>> thickened(const Context& context, const SharedMesh& shape,
+                                                  const ThickenInputs& in) {
+  const double least = least_change(*shape);
+  if (std::min(in.thickness, in.field ? in.far_thickness : in.thickness) < least) {
+    return Failure{"out-of-range",
+                   "the mesh reaches so far from the origin that its coordinates tell no wall below " +
+                       short_text(least) + " m from none",
+                   "thickness"};
+  }
+  const WallSurface surface = wall_surface(*shape, context.cancel());
+  if (surface.fault) return Failure{"degenerate", "no wall can stand along this mesh: " + *surface.fault, "shape"};
+  const double front = in.side == WallSide::inside ? 0 : in.side == WallSide::both ? 0.5 : 1;
+  Wall wall{front * in.thickness, (1 - front) * in.thickness, {}};
+  if (in.field) wall.shares = shares_by_field(in, surface.welded, context.cancel());
+  auto mesh = std::make_shared<const Mesh>(wall_along(surface, wall, context.cancel()));
+  if (!is_mesh_within_reach(*mesh)) {
+    return Failure{"out-of-range", "the wall would reach beyond 1e18 m", "thickness"};
+  }
+  double fits = in.thickness;
+  if (in.find_contact && !mesh->triangles.empty()) {
+    if (const std::optional<WallContact> contact = contact_of(surface, wall, context.cancel())) {
+      fits = contact->fits * in.thickness;
+      const std::string there = "the wall meets itself near " + place_text(contact->place);
+      context.warn({"self-contact",
+                    there + (fits > 0 ? "; a thickness of " + short_text(fits) + " m would fit"
+                                      : ", as the surface does without a wall"),
+                    "thickness"});
+    }
+  }
+  return std::tuple(SharedMesh(std::move(mesh)), fits);
+}
+
+}  // namespace
+
+void add_thicken(Registry& registry) {
+  registry.add(
+      node("thicken", thickened)
+          .title("Thicken")
+          .family("meshes")
+          .synonyms({"solidify", "shell", "wall", "thickness", "extrude", "hollow", "print"})
+          .doc("A wall along a surface: a closed mesh that can be printed.")
+          .details(
+              "The surface, its parallel surface turned around, and strips that join them along borders. Each edge has "
+              "two triangles, and V - E + F is twice that of the surface. Vertices at one position count as one. "
+              "Smooth "
+              "surfaces keep their normals; between flat faces the wall is as thick as it says. With a field the "
+              "thickness goes smoothly to another one where the field grows. Where the wall meets itself a warning "
+              "tells the place and what would fit. An edge with more than two triangles, or with two that run the same "
+              "way, and borders that meet in one vertex, are errors. A mesh without triangles stays empty.")
+          .input("shape", "The mesh.")
+          .input("thickness", &ThickenInputs::thickness, "Of the wall.",
+                 defaults(0.1).hard(1e-6, 1e6).soft(0.01, 0.5).unit("m"))
+          .input("side", &ThickenInputs::side,
+                 "On which side of the surface the wall is; outside is where its normals point.", defaults("inside"))
+          .input(
+              "field", &ThickenInputs::field,
+              "A solid in which the wall has its thickness; away from it the other one. Without it the wall is even.")
+          .input("far_thickness", &ThickenInputs::far_thickness, "Of the wall beyond the fade of the field.",
+                 defaults(0.2).hard(1e-6, 1e6).soft(0.01, 0.5).unit("m"))
+          .input("fade", &ThickenInputs::fade, "Distance from the solid within which one goes into the other.",
+                 defaults(1).hard(1e-6, 1e6).soft(0.1, 4).unit("m"))
+          .input("find_contact", &ThickenInputs::find_contact, "Whether to look where the wall meets itself.",
+                 defaults(true))
+          .vertex_factor([](const Literals&) { return std::size_t{2}; })
+          .cost([](const RunSize& size) {
+            return RunCost{12'000 * size.given_vertices, 900 * size.given_vertices, 104 * size.given_vertices};
+          })
+          .output("shape", "The wall.")
+          .output("fits", "The greatest thickness up to the asked one at which the wall does not meet itself."));
+}
+
+}  // namespace dini
