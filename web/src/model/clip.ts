@@ -2,10 +2,11 @@
 
 import { type Driver, driven, driversFor, parametersOf } from "./clip_parameters";
 import type { GraphDocument } from "./document";
-import { addNodes, type Edit, freeId, inOrder, type NewNode, withLinks } from "./edit";
+import { addNodes, type Edit, freeId, inOrder, type NewNode } from "./edit";
+import { withLinks } from "./edit_links";
 import { addParameter } from "./edit_parameters";
 import { addFrame, addNote, freeName } from "./edit_ui";
-import { broughtGroups, definitionsFor } from "./groups";
+import { broughtGroups, definitionsFor } from "./group_files";
 import { asArray, asNumber, asObject, asString, isObject, type Json, type JsonObject, parseJson } from "./json";
 import { type ParameterValues, readParameter } from "./parameters";
 import { documentWithValues, valuesIn } from "./saved_values";
