@@ -128,8 +128,7 @@ function inputBehind(
     const card = node && catalogue.nodes.get(node.type);
     const name = types.outputName(id, output);
     const made = card?.outputs.find((one) => one.name === name);
-    const follow = made?.sameAs ?? ((made?.types.length ?? 0) > 1 ? card?.inputs[0]?.name : undefined);
-    const sources = (follow !== undefined && node?.inputs.get(follow)) || [];
+    const sources = (made?.sameAs !== undefined && node?.inputs.get(made.sameAs)) || [];
     const parameter = sources.find((source) => source.kind === "parameter");
     if (parameter?.kind === "parameter") return parameter.name;
     const link = sources.find((source) => source.kind === "link");
