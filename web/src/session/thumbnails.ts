@@ -12,6 +12,8 @@ const WIDTH = 240;
 const HEIGHT = 150;
 const DRAFT = { quality: "draft", triangles: 20_000 } as const;
 const PAUSE_MILLISECONDS = 60;
+/** Variants have other pictures with every edit; more than this are not looked at together. */
+const MOST_KEPT = 200;
 
 /** Fills in the pictures that the list of examples came without. Ends silently where one cannot be made. */
 export async function makeThumbnails(store: Store<SessionState>, viewer: PictureViewer): Promise<void> {
@@ -42,7 +44,12 @@ export class Thumbnails {
    */
   of(key: string, read: () => Promise<Json>): Promise<string> {
     const known = this.made.get(key);
-    if (known !== undefined) return known;
+    if (known !== undefined) {
+      // The one that was not asked for the longest goes first.
+      this.made.delete(key);
+      this.made.set(key, known);
+      return known;
+    }
     const image = this.last.then(async () => {
       await untilIdle(this.store);
       return draw(await read(), this.store, await this.viewer());
@@ -50,6 +57,11 @@ export class Thumbnails {
     const safe = image.catch(() => "");
     this.made.set(key, safe);
     this.last = safe;
+    const [oldest] = this.made.keys();
+    if (oldest !== undefined && this.made.size > MOST_KEPT) {
+      void this.made.get(oldest)?.then((address) => URL.revokeObjectURL(address));
+      this.made.delete(oldest);
+    }
     return safe;
   }
 }
@@ -65,9 +77,7 @@ async function draw(graph: Json, store: Store<SessionState>, viewer: PictureView
   if (answer.kind !== "model") return "";
   try {
     const picture = await viewer.decode(answer.model);
-    const address = await viewer.thumbnail(picture, WIDTH, HEIGHT, document.camera ?? null);
-    picture.dispose();
-    return address;
+    return await viewer.thumbnail(picture, WIDTH, HEIGHT, document.camera ?? null).finally(() => picture.dispose());
   } catch {
     return "";
   }
