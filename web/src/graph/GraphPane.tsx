@@ -52,6 +52,7 @@ export function GraphPane(): ReactElement {
     <section
       ref={element}
       className="graph-pane"
+      tabIndex={-1}
       aria-label="Graph"
       data-ready={flow !== null}
       data-wiring={isWiring}

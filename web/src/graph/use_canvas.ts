@@ -113,6 +113,12 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
       },
       focusSocket: (socket) => focusSoon(() => socketElement(socket)),
     };
+    const { nextFocus } = editor;
+    editor.nextFocus = undefined;
+    if (nextFocus && (document.activeElement === document.body || pane.contains(document.activeElement))) {
+      if (nextFocus.node === null) pane.focus({ preventScroll: true });
+      else editor.canvas.focusNode(nextFocus.node);
+    }
     document.addEventListener("pointerdown", endAttempts, { passive: true, capture: true });
     const observer = new ResizeObserver(() => {
       if (sight.current === "opening") void flow.fitView(openingFit(editor.session.store.get(), pane));

@@ -30,6 +30,14 @@ export function withGroups(catalogue: Catalogue, document: GraphDocument): Catal
   return all;
 }
 
+/**
+ * The catalogue for the nodes of the whole document, made of the one for what is looked at: with the groups that may not
+ * stand in there.
+ */
+export function wholeCatalogue(catalogue: Catalogue, document: GraphDocument): Catalogue {
+  return document.inside.length === 0 ? catalogue : withGroups(catalogue, lookedAt(document, []));
+}
+
 /** The groups whose instances stand in a group, at any depth, each once. */
 export function groupsIn(groups: JsonObject, name: string): string[] {
   const found = new Set<string>();

@@ -70,6 +70,8 @@ export function enterOrLeave(editor: Editor): boolean {
 
 export function enter(editor: Editor, id: string): void {
   editor.closeAll();
+  // What has the focus goes with its canvas; without one, no key would lead on or out.
+  editor.nextFocus = { node: null };
   editor.session.enter(id);
   editor.say(`In the group ${id}. Tab leaves it.`);
 }
@@ -77,6 +79,7 @@ export function enter(editor: Editor, id: string): void {
 export function leave(editor: Editor, steps = 1): void {
   editor.closeAll();
   editor.session.leave(steps);
+  editor.nextFocus = { node: editor.session.store.get().selected };
   editor.say("Left the group");
 }
 

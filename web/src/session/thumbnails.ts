@@ -3,6 +3,7 @@
 
 import { readDocument } from "../model/document";
 import { fileOutput } from "../model/graph";
+import { withGroups } from "../model/group_cards";
 import type { Json } from "../model/json";
 import type { Store } from "../model/store";
 import { evaluate } from "../net/api";
@@ -71,7 +72,7 @@ async function draw(graph: Json, store: Store<SessionState>, viewer: PictureView
   const result = readDocument(graph);
   if (!catalogue || "error" in result) return "";
   const { document, values } = result;
-  const output = fileOutput(document, catalogue);
+  const output = fileOutput(document, withGroups(catalogue, document));
   if (output === undefined) return "";
   const answer = await evaluate({ graph: document.json, parameters: values, output }, DRAFT);
   if (answer.kind !== "model") return "";
