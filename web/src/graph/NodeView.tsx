@@ -56,6 +56,7 @@ function Face({ node, isSelected }: { node: ViewNode; isSelected: boolean }): Re
       data-known={node.known}
       data-collapsed={node.collapsed}
       data-pill={isShort}
+      data-color={node.color || undefined}
       onClick={(event) => {
         // With a key held a press in a field means a number, and not one more selected node.
         const isField = event.target instanceof Element && event.target.closest(".nokey") !== null;
@@ -87,7 +88,7 @@ const Head = memo(function Head({ node, tone, isPill: isShort }: HeadProps): Rea
   const editor = useEditor();
   const isRenaming = useEditing((state) => state.renaming === node.id);
   const hasPicture = node.outputs.some((row) => row.type !== FILE_TYPE && isDrawn(row.type));
-  const hint = `${node.title} (${node.id})${node.description ? `\n${node.description}` : ""}\nDouble-click to rename`;
+  const hint = `${node.label && `${node.label}\n`}${node.title} (${node.id})${node.description ? `\n${node.description}` : ""}\nDouble-click to rename`;
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: F2 does the same.
     <div className="node-head" onDoubleClick={() => editor.store.set({ renaming: node.id })}>
@@ -96,8 +97,8 @@ const Head = memo(function Head({ node, tone, isPill: isShort }: HeadProps): Rea
         <NameField id={node.id} />
       ) : (
         <span className="node-title" title={hint}>
-          <span>{node.title}</span>
-          {!isPlainName(node) && <span className="node-name">{node.id}</span>}
+          <span>{node.label || node.title}</span>
+          {(node.label !== "" || !isPlainName(node)) && <span className="node-name">{node.id}</span>}
         </span>
       )}
       {hasPicture && !isShort && (

@@ -4,8 +4,9 @@ import type { FitViewOptions } from "@xyflow/react";
 import { type RefObject, useCallback, useEffect, useRef } from "react";
 import { fileOutput } from "../model/graph";
 import { nodeHeight, nodeWidth } from "../model/layout";
-import type { Box, Position } from "../model/ui";
-import type { SocketPlace } from "../session/editor";
+import { type Box, hiddenIn, type Position } from "../model/ui";
+import { toggleFrame } from "../session/actions";
+import type { Editor, SocketPlace } from "../session/editor";
 import type { SessionState } from "../session/state";
 import { useEditor } from "../widgets/context";
 import type { Flow } from "./flow";
@@ -69,7 +70,7 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
     const boxes = (): Map<string, Box> => {
       const found = new Map<string, Box>();
       for (const node of flow.getNodes()) {
-        if (node.type !== "graph") continue;
+        if (node.type !== "graph" || node.hidden) continue;
         const { width = node.width ?? 0, height = 120 } = node.measured ?? {};
         found.set(node.id, { ...node.position, width, height });
       }
@@ -100,11 +101,13 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
       isUnderPointer: () => pointer.current?.isOver ?? false,
       boxes,
       fit: (ids) => {
+        reveal(editor, ids ?? []);
         const nodes = [...(ids ?? [])].map((id) => ({ id }));
         sight.current = nodes.length > 0 ? "moved" : "all";
         void flow.fitView(nodes.length > 0 ? { ...FIT, padding: 0.25, nodes } : FIT);
       },
       focusNode: (id) => {
+        reveal(editor, [id]);
         const box = boxes().get(id);
         if (box && !isInside(box, flow, pane)) {
           void flow.setCenter(box.x + box.width / 2, box.y + box.height / 2, { zoom: flow.getZoom() });
@@ -138,6 +141,15 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
   }, []);
   const fitAll = useCallback(() => editor.canvas?.fit(), [editor]);
   return { noteMove, fitAll };
+}
+
+/** Opens the frames that hide what is looked for. */
+function reveal(editor: Editor, ids: Iterable<string>): void {
+  const { document, selection } = editor.session.store.get();
+  const hidden = hiddenIn(document?.frames ?? []);
+  const frames = new Set([...ids].flatMap((id) => hidden.get(id) ?? []));
+  for (const frame of frames) toggleFrame(editor, frame);
+  if (frames.size > 0) editor.session.select(selection);
 }
 
 function socketElement({ node, side, name }: SocketPlace): HTMLElement | undefined {

@@ -130,8 +130,8 @@ function readMembers(json: JsonObject, before?: GraphDocument, inside = before?.
   };
 }
 
-function uiOf({ positions, previews, collapsed, frames, notes }: UiState): UiState {
-  return { positions, previews, collapsed, frames, notes };
+function uiOf({ positions, previews, collapsed, colors, labels, frames, notes }: UiState): UiState {
+  return { positions, previews, collapsed, colors, labels, frames, notes };
 }
 
 function readNodes(items: JsonObject, before?: GraphDocument): Map<string, GraphNode> {
