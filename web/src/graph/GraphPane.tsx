@@ -68,7 +68,7 @@ export function GraphPane(): ReactElement {
           onInit={(instance) => setMade({ flow: instance, opened })}
           onNodesChange={onNodesChange}
           {...handlers.flow}
-          onMoveStart={noteMove}
+          onMove={noteMove}
           fitView={isFull.current.value}
           fitViewOptions={opening}
           minZoom={LEAST_ZOOM}

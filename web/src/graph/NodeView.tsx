@@ -1,5 +1,5 @@
 import { type Node, type NodeProps, useUpdateNodeInternals } from "@xyflow/react";
-import { memo, type ReactElement, useEffect, useState } from "react";
+import { memo, type ReactElement, useEffect, useRef, useState } from "react";
 import { FILE_TYPE } from "../model/catalogue";
 import { millisecondText, plural } from "../model/format";
 import type { InputRow, ViewNode } from "../model/graph";
@@ -44,7 +44,12 @@ function Face({ node, isSelected }: { node: ViewNode; isSelected: boolean }): Re
   const isOpen = isUnfolded || isWanted;
   // What is wrong with a node needs room to be said.
   const isShort = isPill(node) && !isOpen && !text;
-  useEffect(() => update(node.id), [isOpen, isShort, node.rows, node.collapsed, text, node.id, update]);
+  // The canvas measures what comes into sight by itself, all of it at once; asked for each it would be slow to move.
+  const isMeasured = useRef(false);
+  useEffect(() => {
+    if (isMeasured.current) update(node.id);
+    isMeasured.current = true;
+  }, [isOpen, isShort, node.rows, node.collapsed, text, node.id, update]);
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: the canvas makes the node around it an element with a role and keys.
     // biome-ignore lint/a11y/useKeyWithClickEvents: nothing is done here, only kept from being done twice.

@@ -13,6 +13,8 @@ import type { Flow } from "./flow";
 import { nodeElement } from "./focus";
 import { LEAST_ZOOM, OPENING_PADDING, openingNodes, READABLE_ZOOM } from "./opening";
 
+/** A canvas that was not moved for so long stands still. */
+const REST_MILLISECONDS = 200;
 const FOCUS_MILLISECONDS = 20_000;
 /** Where hands are busy typing, the focus is not taken away. */
 const FIELDS = "input, select, textarea";
@@ -34,7 +36,7 @@ export function openingFit({ view, document, catalogue }: SessionState, pane: HT
 }
 
 interface CanvasUse {
-  /** The person has moved the canvas: it is left where it is. */
+  /** The person moves the canvas: it is left where it is. To be told of every step. */
   noteMove(event: unknown): void;
   fitAll(): void;
 }
@@ -136,9 +138,17 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
     };
   }, [editor, flow, element]);
 
-  const noteMove = useCallback((event: unknown) => {
-    if (event) sight.current = "moved";
-  }, []);
+  const rest = useRef(0);
+  const noteMove = useCallback(
+    (event: unknown) => {
+      if (!event) return;
+      sight.current = "moved";
+      element.current?.setAttribute("data-moving", "true");
+      window.clearTimeout(rest.current);
+      rest.current = window.setTimeout(() => element.current?.removeAttribute("data-moving"), REST_MILLISECONDS);
+    },
+    [element],
+  );
   const fitAll = useCallback(() => editor.canvas?.fit(), [editor]);
   return { noteMove, fitAll };
 }
