@@ -113,10 +113,11 @@ test("a node is renamed, and every wire and the picture follow", () =>
     await settled(page);
     await choose(page, "hide");
     await page.keyboard.press("F2");
-    await page.getByRole("textbox", { name: "Name of the node" }).fill("9 lives");
+    await page.getByRole("textbox", { name: "Name of the node" }).fill("9 lives of a hide");
     await page.keyboard.press("Enter");
-    await said(page, "A name is a letter");
-    await node(page, "hide").waitFor();
+    await said(page, "its name stays hide");
+    await node(page, "hide").getByText("9 lives of a hide").waitFor();
+    assert.equal(page.graph().ui.nodes.hide.label, "9 lives of a hide");
   }));
 
 test("a value out of range is a problem with a fix, which is applied and can be undone", () =>

@@ -165,12 +165,17 @@ function isAcyclic(document: GraphDocument): boolean {
   return left.size === 0;
 }
 
+test("every example is valid as it stands", () => {
+  for (const { id, graph } of examples) {
+    const document = open(graph as Json);
+    assertValid(moveNodes(new Map([...document.nodes.keys()].map((node) => [node, { x: 0, y: 0 }])))(document), id);
+  }
+});
+
 test("random edits keep the graph valid, and undo is the inverse of do", () => {
-  // What a meet gives is known to the server alone, so the page cannot tell that a tube takes its reflection.
-  const tried = examples.filter(({ id }) => id !== "inverted_ring");
   for (let seed = 1; seed <= 24; seed++) {
     const random = randomFrom(seed);
-    const start = seed % 2 === 0 ? (tried[seed % tried.length]?.graph as Json) : emptyDocument().json;
+    const start = seed % 2 === 0 ? (examples[seed % examples.length]?.graph as Json) : emptyDocument().json;
     let document = open(start);
     document = moveNodes(new Map([...document.nodes.keys()].map((id, at) => [id, { x: 200 * at, y: 0 }])))(document);
     const history = new History<GraphDocument>();

@@ -7,10 +7,14 @@ import { copyText, paste, readClip } from "../src/model/clip";
 import { type GraphDocument, lookedAt, readDocument, rewritten } from "../src/model/document";
 import { addNodes, removeNodes, renameNode, setInput } from "../src/model/edit";
 import { changeParameter, expose } from "../src/model/edit_parameters";
+import { replaceNode } from "../src/model/edit_replace";
+import { removeAndHeal } from "../src/model/edit_wires";
 import { viewGraph } from "../src/model/graph";
 import { withGroups } from "../src/model/group_cards";
-import { broughtGroups, groupFile, makeGroup, outerGroups, toggleOutputs, ungroup } from "../src/model/groups";
-import { asArray, asObject, type Json } from "../src/model/json";
+import { broughtGroups, groupFile, outerGroups, wouldHoldItself } from "../src/model/group_files";
+import { toggleOutputs } from "../src/model/groups";
+import { asArray, asObject, type Json, type JsonObject } from "../src/model/json";
+import { makeGroup, ungroup } from "../src/model/make_group";
 import { randomFrom } from "./random";
 import { catalogue, examples } from "./real";
 
@@ -170,4 +174,111 @@ test("outputs of nodes become outputs of the group and go again", () => {
   const more = toggleOutputs(catalogue, new Set(["ring"]))(inside);
   assert.deepEqual(names(more), ["shape", "circle"]);
   assert.deepEqual(names(toggleOutputs(catalogue, new Set(["ring"]))(more)), ["shape"]);
+});
+
+const petalAround = [{ id: "low", group: "petal" }];
+
+/** What the outputs of a group come from. */
+function leaving(document: GraphDocument, group: string): Json[] {
+  return asArray(asObject(asObject(document.json["groups"])[group])["outputs"]).map(
+    (output) => asObject(output)["from"],
+  );
+}
+
+test("what a group gives away follows its nodes when they are renamed, replaced, grouped, healed and removed", () => {
+  const inside = lookedAt(open(petal as Json), petalAround);
+  assert.deepEqual(leaving(renameNode("boosted", "bent")(inside), "petal"), ["bent"]);
+  assert.deepEqual(leaving(removeNodes(["boosted"])(inside), "petal"), []);
+  assert.deepEqual(leaving(removeAndHeal(catalogue, ["boosted"])(inside), "petal"), ["ring.circle"]);
+  assert.deepEqual(leaving(replaceNode(catalogue, "boosted", "sphere")(inside), "petal"), ["boosted"]);
+  const made = makeGroup(inside, withGroups(catalogue, inside), new Set(["boosted"]));
+  const grouped = made.edit(inside);
+  assert.deepEqual(leaving(grouped, "petal"), [`${made.id}.shape`]);
+  assert.deepEqual(leaving(grouped, made.name), ["boosted"]);
+  const back = ungroup(grouped, withGroups(catalogue, grouped), made.id).edit(grouped);
+  assert.deepEqual(leaving(back, "petal"), ["boosted"]);
+});
+
+test("axes that are called after nodes in groups keep their meaning through grouping and taking apart", () => {
+  const text = {
+    format: 2,
+    groups: {
+      turns: {
+        inputs: [{ name: "to", default: 1 }, { name: "over" }],
+        outputs: [{ name: "value", from: "k" }],
+        nodes: {
+          k: { type: "range", inputs: { to: { input: "to" } } },
+          skin: { type: "tube", inputs: { over: { input: "over" } } },
+        },
+      },
+    },
+    nodes: {
+      k: { type: "range" },
+      turns: { type: "group/turns", inputs: { over: "k" } },
+      tube: { type: "tube", inputs: { over: "turns/k" } },
+    },
+  };
+  const document = open(text as Json);
+  const over = (changed: GraphDocument, id: string): Json =>
+    asObject(asObject(asObject(changed.scope["nodes"])[id])["inputs"])["over"];
+  const { edit, id } = makeGroup(document, withGroups(catalogue, document), new Set(["turns"]));
+  const grouped = edit(document);
+  assert.equal(over(grouped, "tube"), `${id}/turns/k`);
+  const once = ungroup(grouped, withGroups(catalogue, grouped), id).edit(grouped);
+  assert.equal(over(once, "tube"), "turns/k");
+  const flat = ungroup(once, withGroups(catalogue, once), "turns").edit(once);
+  assert.equal(flat.nodes.get("k_2")?.type, "range", "the group's node has another name here");
+  assert.equal(over(flat, "tube"), "k_2");
+  assert.equal(over(flat, "skin"), "k", "what the instance was given is called after a node around it");
+});
+
+test("one wire into a group is one input, however its output is named", () => {
+  const document = open({
+    format: 1,
+    nodes: {
+      ring: { type: "circle" },
+      a: { type: "tube", inputs: { shape: { from: "ring" } } },
+      b: { type: "tube", inputs: { shape: { from: "ring.circle" } } },
+    },
+  } as Json);
+  assert.equal(makeGroup(document, catalogue, new Set(["a", "b"])).inputs, 1);
+});
+
+test("places, flags and frames of nodes go into a group with them and come out again", () => {
+  const document = open({
+    format: 1,
+    nodes: { ring: { type: "circle" }, skin: { type: "tube", inputs: { shape: { from: "ring" } } } },
+    ui: {
+      nodes: { ring: { x: 10, y: 20, collapsed: true, tint: 3 }, skin: { x: 400, y: 20, preview: true } },
+      frames: [{ id: "frame1", title: "Both", color: "green", x: 0, y: 0, width: 700, height: 300, nodes: ["ring"] }],
+    },
+  } as Json);
+  const { edit, id } = makeGroup(document, catalogue, new Set(["ring", "skin"]));
+  const grouped = edit(document);
+  assert.equal(grouped.frames.length, 0, "no empty frame stays behind");
+  assert.equal(lookedAt(grouped, [{ id, group: "group" }]).frames.length, 1);
+  const back = ungroup(grouped, withGroups(catalogue, grouped), id).edit(grouped);
+  assert.deepEqual(asObject(back.json["ui"])["nodes"], asObject(document.json["ui"])["nodes"]);
+  assert.deepEqual(back.frames, document.frames);
+});
+
+test("a group that holds another one of the same name comes under a free name, although its own text is the same", () => {
+  const outer = { inputs: [], outputs: [], nodes: { inner: { type: "group/inner" } } };
+  const inner = (type: string): Json => ({ inputs: [], outputs: [], nodes: { a: { type } } });
+  const here = open({ format: 2, groups: { outer, inner: inner("circle") }, nodes: {} } as Json);
+  const { edit, typeOf } = broughtGroups(here, { outer, inner: inner("sphere") } as JsonObject);
+  assert.equal(typeOf("group/outer"), "group/outer_2");
+  const groups = asObject(edit(here).json["groups"]);
+  const held = asObject(asObject(asObject(groups["outer_2"])["nodes"])["inner"])["type"];
+  assert.equal(held, "group/inner_2");
+  assert.deepEqual(asObject(groups["inner_2"]), inner("sphere"));
+});
+
+test("a group knows that it would hold itself, at once or through another one", () => {
+  const document = open(petal as Json);
+  const { edit, name } = makeGroup(document, withGroups(catalogue, document), new Set(["low"]));
+  const inside = lookedAt(edit(document), petalAround);
+  assert.equal(wouldHoldItself(inside, ["circle", "group/petal"]), true);
+  assert.equal(wouldHoldItself(inside, [`group/${name}`]), true);
+  assert.equal(wouldHoldItself(lookedAt(inside, []), [`group/${name}`]), false);
 });

@@ -18,6 +18,15 @@ test("steps go evenly from one end of a range to the other; those of an integer 
   assert.ok(!isPlayable(readParameter("on", { type: "boolean", default: true })));
 });
 
+test("no step leaves the range, and an integer is not played where its range holds one whole number", () => {
+  const narrow = readParameter("narrow", { type: "number", default: 0.5, min: 0.1234567, max: 0.9999999 });
+  for (const value of stepValues(narrow, 7)) assert.ok(value >= 0.1234567 && value <= 0.9999999, String(value));
+  const odd = readParameter("odd", { type: "integer", default: 1, min: 0.5, max: 2.6 });
+  assert.deepEqual(stepValues(odd, 9), [1, 2]);
+  assert.ok(isPlayable(odd));
+  assert.ok(!isPlayable(readParameter("one", { type: "integer", default: 1, min: 0.5, max: 1.4 })));
+});
+
 test("a round shows the ends once, there and back", () => {
   assert.deepEqual(roundOf(4, "loop"), [0, 1, 2, 3]);
   assert.deepEqual(roundOf(4, "swing"), [0, 1, 2, 3, 2, 1]);

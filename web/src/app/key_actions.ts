@@ -4,6 +4,7 @@ import { filesOf } from "../files/Files";
 import { goTo, openNode } from "../graph/focus";
 import {
   addNoteHere,
+  collapse,
   frameSelection,
   layout,
   nudge,
@@ -42,7 +43,7 @@ export const KEY_ACTIONS: Readonly<Record<PageKey | GraphKey, Action>> = {
   "select-all": selectAll,
   bypass: toggleBypass,
   preview: (editor) => toggleFlag(editor, "preview"),
-  collapse: (editor) => toggleFlag(editor, "collapsed"),
+  collapse,
   unfold: unfoldSelection,
   rename,
   frame: frameSelection,

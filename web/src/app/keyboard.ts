@@ -8,6 +8,7 @@ import { KEY_ACTIONS } from "./key_actions";
 
 /** A press of Space that lasts longer, or comes with a press of the pointer, moves the canvas. */
 const SPACE_MILLISECONDS = 400;
+const CANVAS = ".graph-pane";
 
 /** Starts to listen; answers what ends it. */
 export function listen(editor: Editor): () => void {
@@ -69,7 +70,7 @@ function wanted(editor: Editor, event: KeyboardEvent, target: HTMLElement): Page
   if (isField) return undefined;
   // The pointer says which pane is meant; away from both, the focus does.
   const isUnderPointer = editor.canvas?.isUnderPointer() ?? false;
-  if (!isUnderPointer && !target.closest(".graph-pane")) return undefined;
+  if (!isUnderPointer && !target.closest(CANVAS)) return undefined;
   const key = keyOf(event);
   const isOverModel = document.querySelector(".view-pane:hover") !== null;
   if (isOverModel && !key.startsWith("Arrow") && shortcutOf(event, "model")) return undefined;
@@ -80,16 +81,16 @@ function wanted(editor: Editor, event: KeyboardEvent, target: HTMLElement): Page
   return shortcutOf(event, "graph")?.id;
 }
 
-/** Where Tab would not move the focus on: without a focus, and on a node that is selected. */
+/** Where Tab would not move the focus on: without a focus, on the canvas, and on a node that is selected. */
 function isOnCanvas(editor: Editor, target: HTMLElement): boolean {
   const node = target.closest<HTMLElement>(".react-flow__node");
   const isChosen = node === target && editor.session.store.get().selection.has(node.dataset["id"] ?? "");
-  return isChosen || opensSearch(editor, target);
+  return isChosen || target.matches(CANVAS) || opensSearch(editor, target);
 }
 
 /** Tab opens the search only where it would not move the focus of someone who works without a pointer. */
 function opensSearch(editor: Editor, target: HTMLElement): boolean {
-  return target === document.body && (editor.canvas?.isUnderPointer() ?? false);
+  return (target === document.body || target.matches(CANVAS)) && (editor.canvas?.isUnderPointer() ?? false);
 }
 
 /** Tab goes from stop to stop inside a node that was opened, and leaves it behind the last. */

@@ -1,8 +1,9 @@
-import { type ReactElement, useEffect, useState } from "react";
+import { type ReactElement, useEffect, useMemo, useState } from "react";
 import type { Catalogue } from "../model/catalogue";
 import { type GraphDocument, lookedAt } from "../model/document";
 import { byteText, fileName, grouped, lengthText } from "../model/format";
 import { fileOutput } from "../model/graph";
+import { wholeCatalogue } from "../model/group_cards";
 import { asParameter, fieldValue, withinHard } from "../model/inputs";
 import { isNumber, type Json } from "../model/json";
 import { documentWithValues } from "../model/saved_values";
@@ -31,8 +32,10 @@ const DRAFT_TRIANGLES = 20_000;
 export function ExportDialog(): ReactElement {
   const session = useCurrentSession();
   const files = filesOf(session);
-  const document = useCurrent((state) => state.document && lookedAt(state.document, []));
-  const catalogue = useCurrent((state) => state.catalogue);
+  const open = useCurrent((state) => state.document);
+  const scoped = useCurrent((state) => state.catalogue);
+  const document = open && lookedAt(open, []);
+  const catalogue = useMemo(() => scoped && open && wholeCatalogue(scoped, open), [scoped, open]);
   const values = useCurrent((state) => state.values);
   const formats = catalogue?.formats ?? [];
   const [chosen, setChosen] = useState<string | null>(null);

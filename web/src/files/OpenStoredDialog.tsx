@@ -1,12 +1,5 @@
-import { type ReactElement, useEffect, useState } from "react";
-import {
-  deleteGraph,
-  listGraphs,
-  listVersions,
-  readGraph,
-  type StoredList,
-  type StoredVersion,
-} from "../net/graph_store";
+import { type ReactElement, useEffect, useRef, useState } from "react";
+import { listGraphs, listVersions, readGraph, type StoredList, type StoredVersion } from "../net/graph_store";
 import { problemText } from "../net/problem";
 import { IconButton } from "../widgets/Button";
 import { useCurrentSession } from "../widgets/context";
@@ -22,6 +15,7 @@ export function OpenStoredDialog(): ReactElement {
   const [list, setList] = useState<StoredList | null>(null);
   const [error, setError] = useState("");
   const [attempt, setAttempt] = useState(0);
+  const field = useRef<HTMLInputElement>(null);
   useEffect(() => {
     let isGone = false;
     setError("");
@@ -37,6 +31,7 @@ export function OpenStoredDialog(): ReactElement {
   return (
     <Dialog title="Open from the server" className="stored-dialog" onClose={() => files.show(null)}>
       <input
+        ref={field}
         className="text-field"
         type="search"
         aria-label="Find a graph"
@@ -61,7 +56,15 @@ export function OpenStoredDialog(): ReactElement {
       )}
       <ul className="kept-list">
         {list?.graphs.map((graph) => (
-          <Row key={graph.id} graph={graph} onDeleted={() => setAttempt(attempt + 1)} />
+          <Row
+            key={graph.id}
+            graph={graph}
+            onDeleted={() => {
+              // The row goes, and the focus with it.
+              field.current?.focus();
+              setAttempt((before) => before + 1);
+            }}
+          />
         ))}
       </ul>
       {list?.isMore && <p className="dialog-note">There are more; type a part of their names.</p>}
@@ -80,12 +83,14 @@ function Row({ graph, onDeleted }: { graph: StoredVersion; onDeleted(): void }):
       return;
     }
     const found = await listVersions(graph.id);
-    setVersions("value" in found ? found.value : []);
+    if ("value" in found) setVersions(found.value);
+    setError("value" in found ? "" : problemText(found.problem));
   };
   const remove = async (): Promise<void> => {
-    const failed = await deleteGraph(graph);
-    if (failed) setError(problemText(failed.problem));
-    else onDeleted();
+    const failed = await files.stored.remove(graph);
+    setError(failed);
+    setDeleting(false);
+    if (!failed) onDeleted();
   };
   const title = graph.title || graph.id;
   return (
@@ -103,7 +108,13 @@ function Row({ graph, onDeleted }: { graph: StoredVersion; onDeleted(): void }):
         </button>
       )}
       {isDeleting ? (
-        <button type="button" className="button kept-delete" onClick={() => void remove()}>
+        <button
+          type="button"
+          className="button kept-delete"
+          autoFocus
+          onClick={() => void remove()}
+          onBlur={() => setDeleting(false)}
+        >
           Really delete {graph.id}
         </button>
       ) : (

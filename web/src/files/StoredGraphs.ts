@@ -4,12 +4,15 @@ import { fileName } from "../model/format";
 import type { Json } from "../model/json";
 import { documentWithValues } from "../model/saved_values";
 import { createStore, type Store } from "../model/store";
-import { listVersions, readGraph, type StoredVersion, writeGraph } from "../net/graph_store";
+import { deleteGraph, listVersions, readGraph, type StoredVersion, writeGraph } from "../net/graph_store";
 import { problemText } from "../net/problem";
 import type { Session } from "../session/session";
 import type { Origin } from "../session/state";
 import { documentText } from "./document_text";
 import { storedPlace } from "./drafts";
+
+const NOT_FOUND = 404;
+const PRECONDITION_FAILED = 412;
 
 /** What the page's other files do for these. */
 export interface StoredHost {
@@ -83,6 +86,19 @@ export class StoredGraphs {
       this.keptAs({ kind: "stored", ...placeOf(value) }, now.document === document && now.values === values);
   }
 
+  /** Takes a graph out of the server's list; the open one, if it was that, is unsaved then. Answers what went wrong. */
+  async remove(version: StoredVersion): Promise<string> {
+    const failed = await deleteGraph(version);
+    if (failed) {
+      const isOther = failed.problem.status === PRECONDITION_FAILED;
+      return isOther
+        ? `${version.id} was saved meanwhile. Look at it again before it is deleted.`
+        : problemText(failed.problem);
+    }
+    if (storedPlace(this.session.store.get().origin)?.id === version.id) this.session.markUnkept();
+    return "";
+  }
+
   private keptAs(origin: Origin, isSame: boolean): void {
     if (isSame) this.host.kept(origin);
     else this.session.store.set({ origin });
@@ -90,6 +106,13 @@ export class StoredGraphs {
 
   /** Shows what stands under a name beside the open document. */
   private async meet(id: string): Promise<void> {
+    const present = await readGraph(id);
+    if ("problem" in present && present.problem.status === NOT_FOUND) {
+      // Nothing stands there to be compared with, or to be replaced.
+      this.host.say(`${id} was deleted on the server. Save it again under a name.`, "bad");
+      this.ask(id);
+      return;
+    }
     const versions = await listVersions(id);
     const current = "value" in versions ? versions.value[0] : undefined;
     if (!current) {

@@ -2,6 +2,7 @@
 
 import { lookedAt } from "../model/document";
 import { makesFile } from "../model/graph";
+import { wholeCatalogue } from "../model/group_cards";
 import { embedAddress, outputAddress } from "../net/stored";
 import type { SessionState } from "../session/state";
 import { storedPlace } from "./drafts";
@@ -19,7 +20,8 @@ export function addressesOf({ document: open, catalogue, origin, values }: Sessi
   const base = new URL("embed/", document.baseURI);
   const editor = new URL("./", document.baseURI);
   editor.hash = `graph=${place.id}`;
-  const outputs = [...lookedAt(open, []).nodes.values()].filter(({ type }) => makesFile(catalogue.nodes.get(type)));
+  const { nodes } = wholeCatalogue(catalogue, open);
+  const outputs = [...lookedAt(open, []).nodes.values()].filter(({ type }) => makesFile(nodes.get(type)));
   const frame = new URL(embedAddress(place.id, values), base).href;
   return [
     { title: "Graph in the editor", text: editor.href },

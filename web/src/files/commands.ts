@@ -3,7 +3,9 @@
 import type { Catalogue } from "../model/catalogue";
 import { type GraphDocument, type GraphNode, lookedAt } from "../model/document";
 import { fileName } from "../model/format";
-import { asObject, asString } from "../model/json";
+import { wholeCatalogue } from "../model/group_cards";
+import { asObject, asString, type Json } from "../model/json";
+import { GROUP_PREFIX } from "../model/scope";
 import type { Session } from "../session/session";
 
 /** A curl call that answers the model in final quality; undefined before a graph is open. */
@@ -48,11 +50,21 @@ interface NamedFile {
 /** The files that the graph names, each once, without those of the examples: the program has them too. */
 function assetsOf(open: GraphDocument, catalogue: Catalogue, examples: string): NamedFile[] {
   const found = new Map<string, NamedFile>();
+  const { nodes } = wholeCatalogue(catalogue, open);
+  const add = (value: Json, node: string): void => {
+    const asset = asString(value);
+    if (asset && !examples.includes(`"${asset}"`) && !found.has(asset)) found.set(asset, { asset, node });
+  };
   for (const node of nodesOf(open)) {
-    for (const { name, namesFile } of catalogue.nodes.get(node.type)?.inputs ?? []) {
+    for (const { name, namesFile } of nodes.get(node.type)?.inputs ?? []) {
       const source = node.inputs.get(name)?.[0];
-      const asset = namesFile && source?.kind === "literal" ? asString(source.value) : "";
-      if (asset && !examples.includes(`"${asset}"`) && !found.has(asset)) found.set(asset, { asset, node: node.id });
+      if (namesFile && source?.kind === "literal") add(source.value, node.id);
+    }
+  }
+  // What an input of a group is when an instance leaves it out.
+  for (const group of Object.keys(asObject(open.json["groups"]))) {
+    for (const { name, namesFile, fallback } of nodes.get(GROUP_PREFIX + group)?.inputs ?? []) {
+      if (namesFile && fallback !== undefined) add(fallback, name);
     }
   }
   return [...found.values()];

@@ -5,6 +5,7 @@ import type { GraphDocument } from "../model/document";
 import { fileOutput } from "../model/graph";
 import { asObject, type Json, type JsonObject } from "../model/json";
 import type { ParameterType } from "../model/parameters";
+import { groupNamed } from "../model/scope";
 
 export interface ExportOption {
   input: InputCard;
@@ -18,7 +19,8 @@ const LITERALS: ReadonlySet<string> = new Set(["integer", "boolean", "choice", "
 /** The settings of the file: inputs that hold a literal and not what a wire or a parameter brings. */
 export function exportOptions(document: GraphDocument, catalogue: Catalogue): ExportOption[] {
   const node = document.nodes.get(fileOutput(document, catalogue) ?? "");
-  const card = node && catalogue.nodes.get(node.type);
+  // The inputs of a group that makes the file are its own, and none of the file's.
+  const card = node && groupNamed(node.type) === undefined ? catalogue.nodes.get(node.type) : undefined;
   return (card?.inputs ?? []).flatMap((input) => {
     const [source] = node?.inputs.get(input.name) ?? [];
     const [kind] = input.types;

@@ -4,6 +4,7 @@ import { type Catalogue, FILE_TYPE, type InputCard, type NodeCard } from "../mod
 import { type GraphDocument, lookedAt } from "../model/document";
 import { addNodes, type Edit, freeId, inOrder } from "../model/edit";
 import { setFlag } from "../model/edit_ui";
+import { wholeCatalogue } from "../model/group_cards";
 import { asString } from "../model/json";
 import { send } from "../net/access";
 import { problemText, readProblem } from "../net/problem";
@@ -55,7 +56,10 @@ export function addImport(
   const node = { id, type: card.id, position, inputs: { [input.name]: sha256 } };
   const makesFile = (one: NodeCard | undefined): boolean =>
     one?.outputs.some(({ types }) => types.includes(FILE_TYPE)) ?? false;
-  if ([...lookedAt(document, []).nodes.values()].some(({ type }) => makesFile(catalogue.nodes.get(type)))) {
+  const { nodes } = wholeCatalogue(catalogue, document);
+  const isFileMade = [...lookedAt(document, []).nodes.values()].some(({ type }) => makesFile(nodes.get(type)));
+  // What ends a graph ends nothing within a group.
+  if (isFileMade || document.inside.length > 0) {
     return { edit: inOrder(addNodes([node]), setFlag([id], "preview", true)), id };
   }
   const made = new Set(card.outputs.flatMap(({ types }) => types));

@@ -17,7 +17,7 @@ export function FindNode(): ReactElement {
   const choices = useMemo<NodeChoice[]>(
     () =>
       (view?.nodes ?? [])
-        .filter((node) => matchText(`${node.title} ${node.id} ${node.type}`, text))
+        .filter((node) => matchText(`${node.label} ${node.title} ${node.id} ${node.type}`, text))
         .slice(0, 200)
         .map((node) => ({
           id: node.id,
@@ -25,7 +25,7 @@ export function FindNode(): ReactElement {
           content: (
             <>
               <Mark type={node.outputs[0]?.type} />
-              <span className="chooser-title">{node.title}</span>
+              <span className="chooser-title">{node.label || node.title}</span>
               <span className="chooser-family">{node.id}</span>
             </>
           ),

@@ -1,6 +1,5 @@
 import { Background, BackgroundVariant, ReactFlow, SelectionMode } from "@xyflow/react";
-import { type CSSProperties, type ReactElement, useMemo, useRef, useState } from "react";
-import { wireType } from "../model/catalogue";
+import { type ReactElement, useMemo, useRef, useState } from "react";
 import { prefixOf } from "../model/scope";
 import { useCurrent, useEditing, useEditor } from "../widgets/context";
 import { FrameView, NoteView } from "./areas";
@@ -10,6 +9,7 @@ import { EmptyCanvas } from "./EmptyCanvas";
 import { FarTitles } from "./FarTitles";
 import type { Flow } from "./flow";
 import { type FlowNode, useFlowNodes } from "./flow_nodes";
+import { useWires } from "./flow_wires";
 import { GroupPath } from "./GroupPath";
 import { useHandlers } from "./handlers";
 import { NodeView } from "./NodeView";
@@ -52,6 +52,7 @@ export function GraphPane(): ReactElement {
     <section
       ref={element}
       className="graph-pane"
+      tabIndex={-1}
       aria-label="Graph"
       data-ready={flow !== null}
       data-wiring={isWiring}
@@ -67,7 +68,7 @@ export function GraphPane(): ReactElement {
           onInit={(instance) => setMade({ flow: instance, opened })}
           onNodesChange={onNodesChange}
           {...handlers.flow}
-          onMoveStart={noteMove}
+          onMove={noteMove}
           fitView={isFull.current.value}
           fitViewOptions={opening}
           minZoom={LEAST_ZOOM}
@@ -104,46 +105,3 @@ export function GraphPane(): ReactElement {
 }
 
 const MULTI = ["Shift", "Meta", "Control"];
-
-/** The wires as React Flow draws them; a wire that is as before stays the same object. */
-function useWires(): WireEdge[] {
-  const wires = useCurrent((state) => state.view?.wires);
-  const catalogue = useCurrent((state) => state.catalogue);
-  const selection = useCurrent((state) => state.selection);
-  const bypassed = useCurrent((state) => bypassedIn(state.view?.nodes ?? []));
-  const chosen = useEditing((state) => state.wires);
-  const known = useRef(new WeakMap<object, WireEdge>());
-  return useMemo(
-    () =>
-      (wires ?? []).map((wire) => {
-        const near = selection.size < 20 && (selection.has(wire.from) || selection.has(wire.to));
-        const selected = chosen.has(wire.id);
-        const passed = bypassed.split(" ").includes(wire.to);
-        const className = [near && "wire-near", passed && "wire-passed"].filter(Boolean).join(" ");
-        const old = known.current.get(wire);
-        if (old && old.selected === selected && old.className === className) return old;
-        const edge: WireEdge = {
-          id: wire.id,
-          type: "wire",
-          source: wire.from,
-          sourceHandle: wire.output,
-          target: wire.to,
-          targetHandle: wire.input,
-          data: { wire },
-          selected,
-          className,
-          reconnectable: "target",
-          ariaLabel: `${wire.type || "Wire"} from ${wire.from} to ${wire.input} of ${wire.to}`,
-          style: { "--wire": catalogue ? wireType(catalogue, wire.type).color : undefined } as CSSProperties,
-        };
-        known.current.set(wire, edge);
-        return edge;
-      }),
-    [wires, catalogue, selection, bypassed, chosen],
-  );
-}
-
-/** Names of the bypassed nodes as one text, which is the same as long as they are. */
-function bypassedIn(nodes: readonly { id: string; bypass: boolean }[]): string {
-  return nodes.flatMap((node) => (node.bypass ? [node.id] : [])).join(" ");
-}

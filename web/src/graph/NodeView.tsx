@@ -1,5 +1,5 @@
 import { type Node, type NodeProps, useUpdateNodeInternals } from "@xyflow/react";
-import { memo, type ReactElement, useEffect, useState } from "react";
+import { memo, type ReactElement, useEffect, useRef, useState } from "react";
 import { FILE_TYPE } from "../model/catalogue";
 import { millisecondText, plural } from "../model/format";
 import type { InputRow, ViewNode } from "../model/graph";
@@ -44,7 +44,12 @@ function Face({ node, isSelected }: { node: ViewNode; isSelected: boolean }): Re
   const isOpen = isUnfolded || isWanted;
   // What is wrong with a node needs room to be said.
   const isShort = isPill(node) && !isOpen && !text;
-  useEffect(() => update(node.id), [isOpen, isShort, node.rows, node.collapsed, text, node.id, update]);
+  // The canvas measures what comes into sight by itself, all of it at once; asked for each it would be slow to move.
+  const isMeasured = useRef(false);
+  useEffect(() => {
+    if (isMeasured.current) update(node.id);
+    isMeasured.current = true;
+  }, [isOpen, isShort, node.rows, node.collapsed, text, node.id, update]);
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: the canvas makes the node around it an element with a role and keys.
     // biome-ignore lint/a11y/useKeyWithClickEvents: nothing is done here, only kept from being done twice.
@@ -56,6 +61,7 @@ function Face({ node, isSelected }: { node: ViewNode; isSelected: boolean }): Re
       data-known={node.known}
       data-collapsed={node.collapsed}
       data-pill={isShort}
+      data-color={node.color || undefined}
       onClick={(event) => {
         // With a key held a press in a field means a number, and not one more selected node.
         const isField = event.target instanceof Element && event.target.closest(".nokey") !== null;
@@ -87,7 +93,7 @@ const Head = memo(function Head({ node, tone, isPill: isShort }: HeadProps): Rea
   const editor = useEditor();
   const isRenaming = useEditing((state) => state.renaming === node.id);
   const hasPicture = node.outputs.some((row) => row.type !== FILE_TYPE && isDrawn(row.type));
-  const hint = `${node.title} (${node.id})${node.description ? `\n${node.description}` : ""}\nDouble-click to rename`;
+  const hint = `${node.label && `${node.label}\n`}${node.title} (${node.id})${node.description ? `\n${node.description}` : ""}\nDouble-click to rename`;
   return (
     // biome-ignore lint/a11y/noStaticElementInteractions: F2 does the same.
     <div className="node-head" onDoubleClick={() => editor.store.set({ renaming: node.id })}>
@@ -96,8 +102,8 @@ const Head = memo(function Head({ node, tone, isPill: isShort }: HeadProps): Rea
         <NameField id={node.id} />
       ) : (
         <span className="node-title" title={hint}>
-          <span>{node.title}</span>
-          {!isPlainName(node) && <span className="node-name">{node.id}</span>}
+          <span>{node.label || node.title}</span>
+          {(node.label !== "" || !isPlainName(node)) && <span className="node-name">{node.id}</span>}
         </span>
       )}
       {hasPicture && !isShort && (

@@ -1,13 +1,23 @@
 // Frames and notes: what is said about the graph on its canvas.
 
-import type { Node, NodeProps } from "@xyflow/react";
+import { Handle, type Node, type NodeProps, Position } from "@xyflow/react";
 import { memo, type PointerEvent, type ReactElement, useRef, useState } from "react";
 import { changeFrame, changeNote } from "../model/edit_ui";
+import { plural } from "../model/format";
 import { type Box, FRAME_COLORS, frameKey, noteKey } from "../model/ui";
+import { problemsOf } from "../net/problem";
+import { toggleFrame } from "../session/actions";
+import { pathOf } from "../session/paths";
 import { useCurrent, useCurrentSession, useEditing, useEditor } from "../widgets/context";
 import { Icon } from "../widgets/Icon";
 
 export type AreaNode = Node<{ id: string }, "frame" | "note">;
+
+/** The ends of a collapsed frame. */
+export const FRAME_IN = "frame-in";
+export const FRAME_OUT = "frame-out";
+/** Height of a collapsed frame. */
+export const FRAME_HEAD = 30;
 
 const LEAST = { width: 96, height: 56 };
 
@@ -17,6 +27,9 @@ export const FrameView = memo(function FrameView({ data, selected }: NodeProps<A
   const editor = useEditor();
   const frame = useCurrent((state) => state.document?.frames.find((item) => item.id === data.id));
   const isRenaming = useEditing((state) => state.renaming === frameKey(data.id));
+  const wrong = useCurrent(
+    (state) => frame?.nodes.filter((id) => problemsOf(state, pathOf(state, id))?.tone === "error").length ?? 0,
+  );
   if (!frame) return null;
   const rename = (title: string): void => {
     editor.store.set({ renaming: null });
@@ -27,7 +40,8 @@ export const FrameView = memo(function FrameView({ data, selected }: NodeProps<A
     session.edit("Color frame", changeFrame(data.id, { color: FRAME_COLORS[(at + 1) % FRAME_COLORS.length] }));
   };
   return (
-    <div className="frame" data-color={frame.color} data-selected={selected}>
+    <div className="frame" data-color={frame.color} data-selected={selected} data-collapsed={frame.collapsed}>
+      {frame.collapsed && <FrameEnds />}
       {/* biome-ignore lint/a11y/noStaticElementInteractions: F2 does the same. */}
       <div className="frame-head" onDoubleClick={() => editor.store.set({ renaming: frameKey(data.id) })}>
         {isRenaming ? (
@@ -37,6 +51,23 @@ export const FrameView = memo(function FrameView({ data, selected }: NodeProps<A
             {frame.title}
           </span>
         )}
+        {wrong > 0 && frame.collapsed && (
+          <span className="frame-wrong" role="img" aria-label={`${plural(wrong, "node")} in it with problems`}>
+            <Icon name="alert" />
+          </span>
+        )}
+        <button
+          type="button"
+          className="frame-fold nodrag"
+          tabIndex={-1}
+          data-stop
+          aria-expanded={!frame.collapsed}
+          aria-label={`Nodes of ${frame.title}`}
+          title={frame.collapsed ? "Expand (H)" : "Collapse (H)"}
+          onClick={() => toggleFrame(editor, data.id)}
+        >
+          <Icon name="open" />
+        </button>
         <button
           type="button"
           className="frame-color nodrag"
@@ -47,13 +78,25 @@ export const FrameView = memo(function FrameView({ data, selected }: NodeProps<A
           onClick={recolor}
         />
       </div>
-      <Corner
-        box={frame}
-        onSize={(size) => session.edit("Resize frame", changeFrame(data.id, size), { gesture: `size ${data.id}` })}
-      />
+      {!frame.collapsed && (
+        <Corner
+          box={frame}
+          onSize={(size) => session.edit("Resize frame", changeFrame(data.id, size), { gesture: `size ${data.id}` })}
+        />
+      )}
     </div>
   );
 });
+
+/** Where wires of its nodes end while a frame shows its head only. They are drawn from the nodes, and not here. */
+function FrameEnds(): ReactElement {
+  return (
+    <>
+      <Handle id={FRAME_IN} type="target" position={Position.Left} isConnectable={false} className="frame-end" />
+      <Handle id={FRAME_OUT} type="source" position={Position.Right} isConnectable={false} className="frame-end" />
+    </>
+  );
+}
 
 /** Free text on the canvas. */
 export const NoteView = memo(function NoteView({ data, selected }: NodeProps<AreaNode>): ReactElement | null {

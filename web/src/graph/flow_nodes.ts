@@ -4,10 +4,11 @@
 import { applyNodeChanges, type NodeChange } from "@xyflow/react";
 import { useCallback, useEffect, useRef, useState } from "react";
 import { isPill, NODE_WIDTH, PILL_WIDTH } from "../model/layout";
-import { type Box, frameKey, noteKey, type Position } from "../model/ui";
+import { prefixOf } from "../model/scope";
+import { type Box, frameKey, hiddenIn, noteKey, type Position } from "../model/ui";
 import type { SessionState } from "../session/state";
 import { useCurrentSession } from "../widgets/context";
-import type { AreaNode } from "./areas";
+import { type AreaNode, FRAME_HEAD } from "./areas";
 import type { GraphNodeData } from "./NodeView";
 
 export type FlowNode = GraphNodeData | AreaNode;
@@ -27,7 +28,9 @@ export function useFlowNodes(): [FlowNode[], (changes: NodeChange<FlowNode>[]) =
       const isSame =
         before.document === state.document && before.selection === state.selection && before.areas === state.areas;
       if (isSame) return;
-      setNodes((present) => flowNodes(before.opened === state.opened ? present : [], state));
+      // In a group the same names are other nodes.
+      const isSamePlace = before.opened === state.opened && placeText(before) === placeText(state);
+      setNodes((present) => flowNodes(isSamePlace ? present : [], state));
     };
     last.current = session.store.get();
     setNodes((present) => flowNodes(present, last.current));
@@ -55,6 +58,10 @@ export function useFlowNodes(): [FlowNode[], (changes: NodeChange<FlowNode>[]) =
   return [nodes, onChange];
 }
 
+function placeText({ document }: SessionState): string {
+  return prefixOf(document?.inside ?? []);
+}
+
 /** React Flow's nodes for a state; those that are as before stay the same objects, and the array too if all do. */
 export function flowNodes(before: readonly FlowNode[], state: SessionState): FlowNode[] {
   const { document, view, selection, areas } = state;
@@ -66,6 +73,7 @@ export function flowNodes(before: readonly FlowNode[], state: SessionState): Flo
       old !== undefined &&
       old.selected === node.selected &&
       old.ariaLabel === node.ariaLabel &&
+      (old.hidden ?? false) === (node.hidden ?? false) &&
       (old.dragging || (old.position.x === node.position.x && old.position.y === node.position.y)) &&
       (box ? old.width === box.width && old.height === box.height : old.width === node.width);
     if (isSame) next.push(old);
@@ -73,14 +81,17 @@ export function flowNodes(before: readonly FlowNode[], state: SessionState): Flo
   };
   for (const frame of document?.frames ?? []) {
     const key = frameKey(frame.id);
-    put(area("frame", key, frame, areas.has(key), `Frame ${frame.title}`), frame);
+    const box = frame.collapsed ? { ...frame, height: FRAME_HEAD } : frame;
+    put(area("frame", key, box, areas.has(key), `Frame ${frame.title}`), box);
   }
   for (const note of document?.notes ?? []) {
     const key = noteKey(note.id);
     put(area("note", key, note, areas.has(key), `Note ${note.text.slice(0, 60)}`), note);
   }
+  const hidden = hiddenIn(document?.frames ?? []);
   for (const node of view?.nodes ?? []) {
     put({
+      hidden: hidden.has(node.id),
       id: node.id,
       type: "graph",
       position: document?.positions.get(node.id) ?? { x: 0, y: 0 },
@@ -88,7 +99,7 @@ export function flowNodes(before: readonly FlowNode[], state: SessionState): Flo
       ...(isPill(node) ? { width: undefined, initialWidth: PILL_WIDTH } : { width: NODE_WIDTH }),
       selected: selection.has(node.id),
       data: { id: node.id },
-      ariaLabel: `${node.title}, ${node.id}`,
+      ariaLabel: `${node.label || node.title}, ${node.id}`,
       domAttributes: { "aria-roledescription": "node" },
     });
   }

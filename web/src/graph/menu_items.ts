@@ -3,15 +3,18 @@
 import { setInput } from "../model/edit";
 import { disconnect } from "../model/edit_wires";
 import { groupNamed } from "../model/scope";
+import { frameKey } from "../model/ui";
 import {
   addNoteHere,
   frameSelection,
   layout,
+  recolor,
   remove,
   rename,
   selectAll,
   toggleBypass,
   toggleFlag,
+  toggleFrame,
   unfoldSelection,
 } from "../session/actions";
 import { copy, cut, duplicate, pasteClipboard } from "../session/clipboard";
@@ -42,6 +45,7 @@ export function menuItems(editor: Editor, { target, screen }: Menu): MenuItem[] 
     case "area":
       return [
         { title: "Rename", shortcut: "rename", run: () => rename(editor) },
+        ...frameItems(editor, target.key),
         { title: "Delete", shortcut: "delete", run: () => remove(editor, false) },
       ];
     default:
@@ -76,6 +80,7 @@ function nodeItems(editor: Editor, id: string, screen: { x: number; y: number })
       shortcut: "collapse",
       run: () => toggleFlag(editor, "collapsed"),
     },
+    { title: "Another color", run: () => recolor(editor) },
     { title: "Frame the selection", shortcut: "frame", run: () => frameSelection(editor) },
     ...groupItems(editor, id),
     { title: "Copy", shortcut: "copy", run: () => void copy(editor), isNewGroup: true },
@@ -84,6 +89,13 @@ function nodeItems(editor: Editor, id: string, screen: { x: number; y: number })
     { title: "Delete and join the wires", shortcut: "heal", run: () => remove(editor, true), isNewGroup: true },
     { title: "Delete", shortcut: "delete", run: () => remove(editor, false) },
   ];
+}
+
+function frameItems(editor: Editor, key: string): MenuItem[] {
+  const frame = editor.session.store.get().document?.frames.find(({ id }) => frameKey(id) === key);
+  if (!frame) return [];
+  const title = frame.collapsed ? "Expand" : "Collapse";
+  return [{ title, shortcut: "collapse", run: () => toggleFrame(editor, frame.id) }];
 }
 
 function groupItems(editor: Editor, id: string): MenuItem[] {

@@ -4,14 +4,17 @@ import type { FitViewOptions } from "@xyflow/react";
 import { type RefObject, useCallback, useEffect, useRef } from "react";
 import { fileOutput } from "../model/graph";
 import { nodeHeight, nodeWidth } from "../model/layout";
-import type { Box, Position } from "../model/ui";
-import type { SocketPlace } from "../session/editor";
+import { type Box, hiddenIn, type Position } from "../model/ui";
+import { toggleFrame } from "../session/actions";
+import type { Editor, SocketPlace } from "../session/editor";
 import type { SessionState } from "../session/state";
 import { useEditor } from "../widgets/context";
 import type { Flow } from "./flow";
 import { nodeElement } from "./focus";
 import { LEAST_ZOOM, OPENING_PADDING, openingNodes, READABLE_ZOOM } from "./opening";
 
+/** A canvas that was not moved for so long stands still. */
+const REST_MILLISECONDS = 200;
 const FOCUS_MILLISECONDS = 20_000;
 /** Where hands are busy typing, the focus is not taken away. */
 const FIELDS = "input, select, textarea";
@@ -33,7 +36,7 @@ export function openingFit({ view, document, catalogue }: SessionState, pane: HT
 }
 
 interface CanvasUse {
-  /** The person has moved the canvas: it is left where it is. */
+  /** The person moves the canvas: it is left where it is. To be told of every step. */
   noteMove(event: unknown): void;
   fitAll(): void;
 }
@@ -69,7 +72,7 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
     const boxes = (): Map<string, Box> => {
       const found = new Map<string, Box>();
       for (const node of flow.getNodes()) {
-        if (node.type !== "graph") continue;
+        if (node.type !== "graph" || node.hidden) continue;
         const { width = node.width ?? 0, height = 120 } = node.measured ?? {};
         found.set(node.id, { ...node.position, width, height });
       }
@@ -100,11 +103,13 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
       isUnderPointer: () => pointer.current?.isOver ?? false,
       boxes,
       fit: (ids) => {
+        reveal(editor, ids ?? []);
         const nodes = [...(ids ?? [])].map((id) => ({ id }));
         sight.current = nodes.length > 0 ? "moved" : "all";
         void flow.fitView(nodes.length > 0 ? { ...FIT, padding: 0.25, nodes } : FIT);
       },
       focusNode: (id) => {
+        reveal(editor, [id]);
         const box = boxes().get(id);
         if (box && !isInside(box, flow, pane)) {
           void flow.setCenter(box.x + box.width / 2, box.y + box.height / 2, { zoom: flow.getZoom() });
@@ -113,6 +118,12 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
       },
       focusSocket: (socket) => focusSoon(() => socketElement(socket)),
     };
+    const { nextFocus } = editor;
+    editor.nextFocus = undefined;
+    if (nextFocus && (document.activeElement === document.body || pane.contains(document.activeElement))) {
+      if (nextFocus.node === null) pane.focus({ preventScroll: true });
+      else editor.canvas.focusNode(nextFocus.node);
+    }
     document.addEventListener("pointerdown", endAttempts, { passive: true, capture: true });
     const observer = new ResizeObserver(() => {
       if (sight.current === "opening") void flow.fitView(openingFit(editor.session.store.get(), pane));
@@ -127,11 +138,28 @@ export function useCanvas(flow: Flow | null, element: RefObject<HTMLElement | nu
     };
   }, [editor, flow, element]);
 
-  const noteMove = useCallback((event: unknown) => {
-    if (event) sight.current = "moved";
-  }, []);
+  const rest = useRef(0);
+  const noteMove = useCallback(
+    (event: unknown) => {
+      if (!event) return;
+      sight.current = "moved";
+      element.current?.setAttribute("data-moving", "true");
+      window.clearTimeout(rest.current);
+      rest.current = window.setTimeout(() => element.current?.removeAttribute("data-moving"), REST_MILLISECONDS);
+    },
+    [element],
+  );
   const fitAll = useCallback(() => editor.canvas?.fit(), [editor]);
   return { noteMove, fitAll };
+}
+
+/** Opens the frames that hide what is looked for. */
+function reveal(editor: Editor, ids: Iterable<string>): void {
+  const { document, selection } = editor.session.store.get();
+  const hidden = hiddenIn(document?.frames ?? []);
+  const frames = new Set([...ids].flatMap((id) => hidden.get(id) ?? []));
+  for (const frame of frames) toggleFrame(editor, frame);
+  if (frames.size > 0) editor.session.select(selection);
 }
 
 function socketElement({ node, side, name }: SocketPlace): HTMLElement | undefined {

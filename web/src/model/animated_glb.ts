@@ -26,17 +26,19 @@ export function withAnimation(
     if (index !== undefined && !places.has(index)) places.set(index, place);
   });
   if (places.size === 0) throw new Error("The file has no steps to show one after the other.");
+  // A step that could not be made would be a moment of nothing.
+  const shownOrder = order.filter((index) => places.has(index));
   const data = new Data(json, binary);
   const samplers: JsonObject[] = [];
   const channels: JsonObject[] = [];
   for (const [index, place] of places) {
-    const { times, shown } = timesOf(index, order, seconds);
+    const { times, shown } = timesOf(index, shownOrder, seconds);
     const input = data.scalars(times);
     const output = data.triples(shown.map((isShown) => (isShown ? SHOWN : HIDDEN)));
     channels.push({ sampler: samplers.length, target: { node: place, path: "scale" } });
     samplers.push({ input, output, interpolation: "STEP" });
     // Who plays no animations shows the first step.
-    nodes[place] = { ...nodes[place], scale: index === order[0] ? SHOWN : HIDDEN };
+    nodes[place] = { ...nodes[place], scale: index === shownOrder[0] ? SHOWN : HIDDEN };
   }
   const animations = [{ name: "Steps", samplers, channels }];
   return joinGlb(data.finish({ ...json, nodes, animations }));

@@ -2,14 +2,20 @@
 
 import { type Driver, driven, driversFor, parametersOf } from "./clip_parameters";
 import type { GraphDocument } from "./document";
-import { addNodes, type Edit, freeId, inOrder, type NewNode, withLinks } from "./edit";
+import { addNodes, type Edit, freeId, inOrder, type NewNode, withUi } from "./edit";
+import { withLinks } from "./edit_links";
 import { addParameter } from "./edit_parameters";
 import { addFrame, addNote, freeName } from "./edit_ui";
-import { broughtGroups, definitionsFor } from "./groups";
+import { broughtGroups, definitionsFor } from "./group_files";
 import { asArray, asNumber, asObject, asString, isObject, type Json, type JsonObject, parseJson } from "./json";
 import { type ParameterValues, readParameter } from "./parameters";
 import { documentWithValues, valuesIn } from "./saved_values";
 import { type Frame, frameKey, type Note, noteKey, type Position } from "./ui";
+
+/** Color, label and whether it is collapsed, as `ui` has them of a node. */
+export type Look = Partial<Pick<JsonObject, (typeof LOOKS)[number]>>;
+
+const LOOKS = ["color", "label", "collapsed"] as const;
 
 /** What copied nodes are: a piece of a document, so that it can be read as one too. */
 export interface Clip {
@@ -21,6 +27,8 @@ export interface Clip {
   parameters: JsonObject;
   values: ParameterValues;
   places: ReadonlyMap<string, Position>;
+  /** What the nodes look like, beside their places. */
+  looks: ReadonlyMap<string, Look>;
   frames: readonly Frame[];
   notes: readonly Note[];
 }
@@ -43,7 +51,9 @@ export function copyText(
   const notes = document.notes.filter((note) => ids.has(noteKey(note.id)));
   if (Object.keys(nodes).length + frames.length + notes.length === 0) return undefined;
   const places = Object.fromEntries(
-    [...document.positions].filter(([id]) => ids.has(id)).map(([id, place]) => [id, { ...place }]),
+    [...document.positions]
+      .filter(([id]) => ids.has(id))
+      .map(([id, place]) => [id, { ...place, ...lookIn(asObject(asObject(document.scope["ui"])["nodes"])[id]) }]),
   );
   const ui: JsonObject = { nodes: places };
   if (frames.length > 0) ui["frames"] = frames.map((frame) => ({ ...frame }));
@@ -100,6 +110,7 @@ export function readClip(text: string): Clip | undefined {
     parameters,
     values: valuesIn(ui, read),
     places,
+    looks: new Map(Object.keys(root["nodes"]).map((id) => [id, lookIn(asObject(ui["nodes"])[id])])),
     frames: asArray(ui["frames"])
       .map(asObject)
       .map((item) => ({
@@ -107,6 +118,7 @@ export function readClip(text: string): Clip | undefined {
         title: asString(item["title"]),
         color: asString(item["color"]),
         nodes: asArray(item["nodes"]).map(asString),
+        ...(item["collapsed"] === true && { collapsed: true }),
       })),
     notes: asArray(ui["notes"])
       .map(asObject)
@@ -166,6 +178,7 @@ export function paste(
     groupsBrought.edit,
     ...brought.map(({ name, as }) => addParameter(as, asObject(clip.parameters[name]))),
     addNodes(nodes),
+    withLooks(new Map([...clip.looks].map(([id, look]) => [names.get(id) ?? id, look]))),
   ];
   const ids = nodes.map(({ id }) => id);
   const frames = [...document.frames];
@@ -193,4 +206,18 @@ export function paste(
     brought.flatMap(({ name, as }) => (Object.hasOwn(clip.values, name) ? [[as, clip.values[name] ?? 0]] : [])),
   );
   return { edit: inOrder(...edits), values, ids, cut, drivers };
+}
+
+function lookIn(item: Json): Look {
+  const all = asObject(item);
+  return Object.fromEntries(LOOKS.filter((name) => all[name] !== undefined).map((name) => [name, all[name]]));
+}
+
+function withLooks(looks: ReadonlyMap<string, Look>): Edit {
+  return (document) => {
+    if ([...looks.values()].every((look) => Object.keys(look).length === 0)) return document;
+    const nodes: JsonObject = { ...asObject(asObject(document.scope["ui"])["nodes"]) };
+    for (const [id, look] of looks) nodes[id] = { ...asObject(nodes[id]), ...look };
+    return withUi(document, { nodes });
+  };
 }

@@ -64,6 +64,11 @@ export function emptyDocument(): GraphDocument {
   });
 }
 
+/** True if two documents are evaluated alike: they differ in titles and in what is noted of their drawing at most. */
+export function isSameGraph(a: GraphDocument | null, b: GraphDocument | null): boolean {
+  return ["nodes", "parameters", "groups"].every((name) => a?.json[name] === b?.json[name]);
+}
+
 /** Reads a parsed document. The error is one sentence for the person who opened it. */
 export function readDocument(json: Json): ReadResult {
   if (!isObject(json)) return { error: "This is not a graph: a JSON object was expected." };
@@ -125,8 +130,8 @@ function readMembers(json: JsonObject, before?: GraphDocument, inside = before?.
   };
 }
 
-function uiOf({ positions, previews, collapsed, frames, notes }: UiState): UiState {
-  return { positions, previews, collapsed, frames, notes };
+function uiOf({ positions, previews, collapsed, colors, labels, frames, notes }: UiState): UiState {
+  return { positions, previews, collapsed, colors, labels, frames, notes };
 }
 
 function readNodes(items: JsonObject, before?: GraphDocument): Map<string, GraphNode> {

@@ -2,7 +2,8 @@
 
 import { type Catalogue, FILE_TYPE } from "./catalogue";
 import type { GraphDocument } from "./document";
-import { freeId, linkText } from "./edit";
+import { freeId } from "./edit";
+import { linkText } from "./edit_links";
 import { fileOutput, makesFile, type ViewGraph, type ViewNode } from "./graph";
 import { asObject, type JsonObject } from "./json";
 

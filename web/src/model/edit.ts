@@ -1,7 +1,9 @@
 // Changes of a document, each a pure function: the document given is left as it is, and what a change does not touch
 // stays the same object. The JSON is what is changed; everything else is read from it again.
 
-import { type CameraPlace, type GraphDocument, readLink, rewritten, rewrittenWhole, type Triple } from "./document";
+import { type CameraPlace, type GraphDocument, rewritten, rewrittenWhole, type Triple } from "./document";
+import { withLinks, withoutLinks } from "./edit_links";
+import { withGroupOutputs } from "./group_outputs";
 import { asObject, isObject, type Json, type JsonObject } from "./json";
 import type { Position } from "./ui";
 
@@ -55,7 +57,8 @@ export function removeNodes(ids: Iterable<string>): Edit {
     for (const [id, node] of Object.entries(asObject(document.scope["nodes"]))) {
       if (!gone.has(id)) nodes[id] = withoutLinks(asObject(node), (link) => gone.has(link.node));
     }
-    return rewritten(document, { nodes, ...uiWithout(document, gone) });
+    const left = withGroupOutputs(document, (link) => (gone.has(link.node) ? undefined : link));
+    return rewritten(left, { nodes, ...uiWithout(document, gone) });
   };
 }
 
@@ -75,7 +78,8 @@ export function renameNode(from: string, to: string): Edit {
       : ui["frames"];
     const changed: JsonObject = { ...ui, nodes: Object.fromEntries(places) as JsonObject };
     if (frames !== undefined) changed["frames"] = frames;
-    return rewritten(document, { nodes, ui: changed });
+    const led = withGroupOutputs(document, (link) => (link.node === from ? { ...link, node: to } : link));
+    return rewritten(led, { nodes, ui: changed });
   };
 }
 
@@ -150,45 +154,6 @@ export function withInput(item: JsonObject, input: string, value: Json): JsonObj
   if (value === undefined) return { ...item, inputs: others };
   // An input that is there keeps its place among the others.
   return { ...item, inputs: { ...asObject(item["inputs"]), [input]: value } };
-}
-
-export interface Link {
-  node: string;
-  output?: string;
-}
-
-/** The same node with every link replaced; the same object if none is. Links that become undefined go. */
-export function withLinks(item: JsonObject, change: (link: Link) => Link | undefined): JsonObject {
-  let isChanged = false;
-  const inputs: JsonObject = {};
-  const changed = (value: Json): Json => {
-    if (!isObject(value) || typeof value["from"] !== "string") return value;
-    const link = readLink(value["from"]);
-    const next = change(link);
-    if (next === link) return value;
-    isChanged = true;
-    return next && { from: linkText(next) };
-  };
-  for (const [name, value] of Object.entries(asObject(item["inputs"]))) {
-    const next = Array.isArray(value) ? listOf(value, changed) : changed(value);
-    if (next !== undefined) inputs[name] = next;
-  }
-  return isChanged ? { ...item, inputs } : item;
-}
-
-export function linkText({ node, output }: Link): string {
-  return output === undefined ? node : `${node}.${output}`;
-}
-
-function listOf(list: Json[], change: (value: Json) => Json): Json {
-  const next = list.map(change);
-  if (next.every((value, index) => value === list[index])) return list;
-  const left = next.filter((value) => value !== undefined);
-  return left.length > 0 ? left : undefined;
-}
-
-function withoutLinks(item: JsonObject, isGone: (link: Link) => boolean): JsonObject {
-  return withLinks(item, (link) => (isGone(link) ? undefined : link));
 }
 
 function uiWithout(document: GraphDocument, gone: ReadonlySet<string>): JsonObject {

@@ -5,6 +5,7 @@ import { accepts, WireCheck } from "./check";
 import { readSources, type Source } from "./document";
 import { changeNode, type Edit } from "./edit";
 import { connect, disconnect } from "./edit_wires";
+import { withGroupOutputs } from "./group_outputs";
 import { asObject, type JsonObject } from "./json";
 
 export function replaceNode(catalogue: Catalogue, id: string, type: string): Edit {
@@ -42,6 +43,9 @@ export function replaceNode(catalogue: Catalogue, id: string, type: string): Edi
         }
       }
     }
-    return changed;
+    return withGroupOutputs(changed, (link) => {
+      const isThere = link.output === undefined || card.outputs.some(({ name }) => name === link.output);
+      return link.node !== id || isThere ? link : { node: id };
+    });
   };
 }

@@ -1,9 +1,11 @@
 // Changes below `ui`: flags of nodes, frames and notes. None of them changes what is computed.
 
 import type { GraphDocument } from "./document";
-import { type Edit, moveNodes, withUi } from "./edit";
+import { type Edit, inOrder, moveNodes, nameProblem, renameNode, withUi } from "./edit";
 import { asArray, asObject, asString, type Json, type JsonObject } from "./json";
 import type { Box, Frame, Note, Position } from "./ui";
+
+const LONGEST_LABEL = 200;
 
 export function setFlag(ids: Iterable<string>, flag: "preview" | "collapsed", on: boolean): Edit {
   return (document) => {
@@ -15,6 +17,29 @@ export function setFlag(ids: Iterable<string>, flag: "preview" | "collapsed", on
     }
     return withUi(document, { nodes });
   };
+}
+
+/** Gives nodes a color or a label; an empty one takes it away. */
+export function setMark(ids: Iterable<string>, mark: "color" | "label", value: string): Edit {
+  return (document) => {
+    const nodes: JsonObject = { ...asObject(asObject(document.scope["ui"])["nodes"]) };
+    for (const id of ids) {
+      if (!document.nodes.has(id)) continue;
+      const { [mark]: _, ...rest } = asObject(nodes[id]);
+      nodes[id] = value ? { ...rest, [mark]: value } : rest;
+    }
+    return withUi(document, { nodes });
+  };
+}
+
+/**
+ * What was typed as the name of a node: its new id, if it can be one, or else its label, while the id stays what others
+ * refer to. Without any text the label goes.
+ */
+export function nameNode(id: string, text: string): Edit {
+  const isId = text !== "" && nameProblem(text) === undefined;
+  if (!isId) return setMark([id], "label", text.slice(0, LONGEST_LABEL));
+  return inOrder(setMark([id], "label", ""), renameNode(id, text));
 }
 
 export function addFrame(frame: Frame): Edit {
@@ -52,6 +77,8 @@ export function collectMembers(ids: Iterable<string>, boxOf: (id: string) => Box
     if (document.frames.length === 0) return document;
     let result = document;
     for (const frame of document.frames) {
+      // What is put over a frame that is closed would vanish.
+      if (frame.collapsed) continue;
       const inside = [...moved].filter((id) => isInside(boxOf(id), frame));
       const members = [...frame.nodes.filter((id) => !moved.has(id)), ...inside];
       const isSame = members.length === frame.nodes.length && members.every((id) => frame.nodes.includes(id));

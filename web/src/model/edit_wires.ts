@@ -3,7 +3,9 @@
 import type { Catalogue, NodeCard } from "./catalogue";
 import { accepts, type Connection, upstreamOf, WireCheck } from "./check";
 import type { GraphDocument } from "./document";
-import { changeNode, type Edit, linkText, removeNodes, setInput, withInput } from "./edit";
+import { changeNode, type Edit, removeNodes, setInput, withInput } from "./edit";
+import { linkText } from "./edit_links";
+import { withGroupOutputs } from "./group_outputs";
 import { asObject, type Json } from "./json";
 
 /** The end of a wire at an input, one of several where the input takes several. */
@@ -82,6 +84,11 @@ export function removeAndHeal(catalogue: Catalogue, ids: Iterable<string>): Edit
         changed = connect(catalogue, wire, { replaced: index })(changed);
       }
     }
+    // What leaves a group here is a wire as well.
+    changed = withGroupOutputs(changed, (link) => {
+      const before = gone.has(link.node) ? sourceBefore(document, catalogue, gone, link.node) : undefined;
+      return before ? { node: before.from, output: before.output } : link;
+    });
     return removeNodes(gone)(changed);
   };
 }

@@ -52,6 +52,10 @@ export interface ViewNode {
   bypass: boolean;
   preview: boolean;
   collapsed: boolean;
+  /** The name of a tint; empty for the usual one. */
+  color: string;
+  /** What it is called for people, in place of the title; empty where that says it. */
+  label: string;
   /** Every input, in the catalogue's order. */
   rows: InputRow[];
   /** Inputs that are given or required: those shown while the others are folded away. */
@@ -142,6 +146,8 @@ function viewNode(
     bypass: node.bypass,
     preview: document.previews.has(node.id),
     collapsed: document.collapsed.has(node.id),
+    color: document.colors.get(node.id) ?? "",
+    label: document.labels.get(node.id) ?? "",
     rows,
     inputs: rows.filter((row) => !row.isDefault || row.required),
     folded: rows.filter((row) => row.isDefault && !row.required),

@@ -30,6 +30,14 @@ export function withGroups(catalogue: Catalogue, document: GraphDocument): Catal
   return all;
 }
 
+/**
+ * The catalogue for the nodes of the whole document, made of the one for what is looked at: with the groups that may not
+ * stand in there.
+ */
+export function wholeCatalogue(catalogue: Catalogue, document: GraphDocument): Catalogue {
+  return document.inside.length === 0 ? catalogue : withGroups(catalogue, lookedAt(document, []));
+}
+
 /** The groups whose instances stand in a group, at any depth, each once. */
 export function groupsIn(groups: JsonObject, name: string): string[] {
   const found = new Set<string>();
@@ -128,8 +136,7 @@ function inputBehind(
     const card = node && catalogue.nodes.get(node.type);
     const name = types.outputName(id, output);
     const made = card?.outputs.find((one) => one.name === name);
-    const follow = made?.sameAs ?? ((made?.types.length ?? 0) > 1 ? card?.inputs[0]?.name : undefined);
-    const sources = (follow !== undefined && node?.inputs.get(follow)) || [];
+    const sources = (made?.sameAs !== undefined && node?.inputs.get(made.sameAs)) || [];
     const parameter = sources.find((source) => source.kind === "parameter");
     if (parameter?.kind === "parameter") return parameter.name;
     const link = sources.find((source) => source.kind === "link");

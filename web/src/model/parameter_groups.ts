@@ -30,12 +30,14 @@ export function groupedParameters(document: GraphDocument): ParameterGroup[] {
   return groups;
 }
 
-/** Puts a parameter into a group, behind what is there; an empty title takes it out of its own. */
+/** Puts a parameter into a group, behind what is there; an empty title takes it out of its own, in front of that. */
 export function setGroup(name: string, title: string): Edit {
   return (document) => {
-    if (groupOf(document, name) === title) return document;
+    const own = groupOf(document, name);
+    if (own === title) return document;
+    if (title === "") return inOrder(writeGroup(name, ""), moveParameter(name, frontOf(document, name, own)))(document);
     const others = document.parameters.filter((parameter) => parameter.name !== name);
-    const isIn = others.map((parameter) => title !== "" && groupOf(document, parameter.name) === title);
+    const isIn = others.map((parameter) => groupOf(document, parameter.name) === title);
     const last = isIn.lastIndexOf(true);
     return last < 0
       ? writeGroup(name, title)(document)
@@ -58,6 +60,16 @@ export function moveIntoPlace(name: string, place: number): Edit {
   };
 }
 
+/** The place of the first of the parameters in a row that are in one group with this one, if one is behind it as well. */
+function frontOf(document: GraphDocument, name: string, group: string): number {
+  const { parameters } = document;
+  const isIn = parameters.map((parameter) => groupOf(document, parameter.name) === group);
+  const at = parameters.findIndex((parameter) => parameter.name === name);
+  // At the end of its row it parts nothing.
+  if (!isIn[at + 1]) return at;
+  return isIn.lastIndexOf(false, at) + 1;
+}
+
 function writeGroup(name: string, title: string): Edit {
   return (document) => {
     if (groupOf(document, name) === title) return document;
@@ -70,5 +82,5 @@ function writeGroup(name: string, title: string): Edit {
 }
 
 function itemsOf(document: GraphDocument): JsonObject {
-  return asObject(asObject(document.json["ui"])["parameters"]);
+  return asObject(asObject(document.scope["ui"])["parameters"]);
 }

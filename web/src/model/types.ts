@@ -64,8 +64,8 @@ export class OutputTypes {
     const card = node && this.catalogue.nodes.get(node.type);
     const output = card?.outputs.find((item) => item.name === name);
     if (!node || !card || !output) return { types: [] };
-    const follow = output.sameAs ?? (output.types.length > 1 ? card.inputs[0]?.name : undefined);
-    const sources = (follow !== undefined && node.inputs.get(follow)) || [];
+    // Where no input is named, the type depends on the inputs in a way that the server alone knows.
+    const sources = (output.sameAs !== undefined && node.inputs.get(output.sameAs)) || [];
     const link = sources.find((source) => source.kind === "link");
     const literal = sources.find((source) => source.kind === "literal");
     return link ?? { types: literal ? narrowed(output.types, literal.value) : output.types };

@@ -20,6 +20,8 @@ export interface Frame extends Box {
   /** Name of a tint of the style sheet. */
   color: string;
   nodes: string[];
+  /** Only its head is shown, in place of its nodes. */
+  collapsed?: boolean;
 }
 
 export interface Note extends Box {
@@ -33,11 +35,24 @@ export interface UiState {
   previews: ReadonlySet<string>;
   /** Nodes of which only the title is shown. */
   collapsed: ReadonlySet<string>;
+  /** Names of tints of the style sheet, by node. */
+  colors: ReadonlyMap<string, string>;
+  /** What nodes are called for people, beside the ids that everything else refers to. */
+  labels: ReadonlyMap<string, string>;
   frames: readonly Frame[];
   notes: readonly Note[];
 }
 
 export const FRAME_COLORS = ["blue", "green", "amber", "violet", "gray"] as const;
+
+/** The collapsed frame that a node is drawn within, by node. */
+export function hiddenIn(frames: readonly Frame[]): Map<string, string> {
+  const hidden = new Map<string, string>();
+  for (const { id, collapsed, nodes } of frames) {
+    for (const node of collapsed ? nodes : []) if (!hidden.has(node)) hidden.set(node, id);
+  }
+  return hidden;
+}
 
 /** Frames and notes are selected beside nodes; no node's name holds a colon. */
 export function frameKey(id: string): string {
@@ -52,6 +67,7 @@ export function noteKey(id: string): string {
 export function readUi(ui: JsonObject, nodes: ReadonlySet<string>): UiState {
   const positions = new Map<string, Position>();
   const [previews, collapsed] = [new Set<string>(), new Set<string>()];
+  const [colors, labels] = [new Map<string, string>(), new Map<string, string>()];
   for (const [id, item] of Object.entries(asObject(ui["nodes"]))) {
     if (!nodes.has(id)) continue;
     const place = asObject(item);
@@ -59,10 +75,13 @@ export function readUi(ui: JsonObject, nodes: ReadonlySet<string>): UiState {
     if (x !== undefined && y !== undefined) positions.set(id, { x, y });
     if (place["preview"] === true) previews.add(id);
     if (place["collapsed"] === true) collapsed.add(id);
+    const [color, label] = [asString(place["color"]), asString(place["label"])];
+    if (color) colors.set(id, color);
+    if (label) labels.set(id, label);
   }
   const frames = asArray(ui["frames"]).map((item) => readFrame(asObject(item), nodes));
   const notes = asArray(ui["notes"]).map((item) => readNote(asObject(item)));
-  return { positions, previews, collapsed, frames: withId(frames), notes: withId(notes) };
+  return { positions, previews, collapsed, colors, labels, frames: withId(frames), notes: withId(notes) };
 }
 
 function readFrame(item: JsonObject, nodes: ReadonlySet<string>): Frame {
@@ -73,6 +92,7 @@ function readFrame(item: JsonObject, nodes: ReadonlySet<string>): Frame {
     color: asString(item["color"]) || FRAME_COLORS[0],
     ...readBox(item, 240, 160),
     nodes: members.filter((id) => nodes.has(id)),
+    ...(item["collapsed"] === true && { collapsed: true }),
   };
 }
 

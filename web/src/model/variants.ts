@@ -1,7 +1,7 @@
 // Variants: sets of the form's values with a name, kept in the document below `ui.variants`, where they influence nothing
 // that is computed.
 
-import type { GraphDocument } from "./document";
+import { type GraphDocument, lookedAt } from "./document";
 import { type Edit, withNotes } from "./edit";
 import { asArray, asObject, asString, isObject, type Json } from "./json";
 import type { ParameterValues } from "./parameters";
@@ -13,10 +13,12 @@ export interface Variant {
   values: ParameterValues;
 }
 
+/** The variants of the whole document, whatever of it is looked at. */
 export function variantsOf(document: GraphDocument): Variant[] {
+  const { parameters } = lookedAt(document, []);
   return itemsOf(document).map((item) => ({
     name: asString(asObject(item)["name"]),
-    values: valuesIn(item, document.parameters),
+    values: valuesIn(item, parameters),
   }));
 }
 

@@ -7,9 +7,15 @@ export interface AccessState {
   isWanted: boolean;
   /** What was given last was not it. */
   isWrong: boolean;
+  /** Too many wrong ones were given: for a while the server says nothing else. */
+  isLocked: boolean;
 }
 
-export const access: Store<AccessState> = createStore<AccessState>({ isWanted: false, isWrong: false });
+export const access: Store<AccessState> = createStore<AccessState>({
+  isWanted: false,
+  isWrong: false,
+  isLocked: false,
+});
 
 const UNAUTHORIZED = 401;
 const TOO_MANY_WRONG = 429;
@@ -30,17 +36,22 @@ export function giveToken(given: string): void {
   access.set({ isWanted: false });
 }
 
-/** As fetch, with the token. A request that is refused for want of one is sent again once it has been given. */
-export async function send(address: string, request: RequestInit = {}): Promise<Response> {
+/**
+ * As fetch, with the token. A request that is refused for want of one is sent again once it has been given; `longest`
+ * milliseconds are what the server has for its answer, not what a person has for finding the token.
+ */
+export async function send(address: string, request: RequestInit = {}, longest?: number): Promise<Response> {
   for (;;) {
     await given(request.signal ?? undefined);
     const used = token;
     const headers = new Headers(request.headers);
     if (used !== null) headers.set("authorization", `Bearer ${used}`);
-    const response = await fetch(address, { ...request, headers });
+    const signal = longest === undefined ? request.signal : AbortSignal.timeout(longest);
+    const response = await fetch(address, { ...request, headers, signal });
     if (!(await isRefused(response))) return response;
     // Another request may have learned of it meanwhile, and been given a new one.
-    if (token === used) access.set({ isWanted: true, isWrong: used !== null });
+    if (token === used)
+      access.set({ isWanted: true, isWrong: used !== null, isLocked: response.status !== UNAUTHORIZED });
   }
 }
 

@@ -16,8 +16,7 @@ const BUSY_STATUS = new Set([429, 502, 503]);
 
 /** GET of a JSON answer. Rejects if the server cannot be reached or answers an error. */
 export async function getJson(path: string): Promise<Json> {
-  const signal = AbortSignal.timeout(LONGEST_MILLISECONDS);
-  const response = await send(path, { headers: { accept: "application/json" }, signal });
+  const response = await send(path, { headers: { accept: "application/json" } }, LONGEST_MILLISECONDS);
   if (!response.ok) throw new Error(`${path}: ${response.status}`);
   return (await response.json()) as Json;
 }
@@ -79,7 +78,7 @@ export async function fetchSensitivity(
   body: GradientBody,
   signal: AbortSignal,
 ): Promise<Uint8Array<ArrayBuffer> | null> {
-  const response = await fetch("v1/gradient", {
+  const response = await send("v1/gradient", {
     method: "POST",
     headers: { "content-type": "application/json", accept: MODEL },
     body: JSON.stringify(body),

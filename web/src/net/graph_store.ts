@@ -88,8 +88,7 @@ function addressOf(name: string): string {
 
 async function ask(address: string, request: RequestInit = {}): Promise<Found<{ json: Json; tag: string }>> {
   try {
-    const signal = AbortSignal.timeout(LONGEST_MILLISECONDS);
-    const response = await send(address, { cache: "no-store", ...request, signal });
+    const response = await send(address, { cache: "no-store", ...request }, LONGEST_MILLISECONDS);
     const json = (await response.json().catch(() => null)) as Json;
     if (!response.ok) return { problem: readProblem(response.status, json) };
     return { value: { json, tag: response.headers.get("etag") ?? "" } };

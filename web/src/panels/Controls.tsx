@@ -20,9 +20,9 @@ export function Controls(): ReactElement {
         <p className="empty">This {open.inside.length > 0 ? "group has no inputs" : "graph has no parameters"}.</p>
       )}
       <div className="parameter-rows" key={open.title}>
-        {groupedParameters(open).map(({ title, parameters }) => (
+        {groupedParameters(open).map(({ title, parameters }, at) => (
           <Fragment key={parameters[0]?.name}>
-            {title && <h3 className="parameter-group">{title}</h3>}
+            {title ? <h3 className="parameter-group">{title}</h3> : at > 0 && <hr className="parameter-rest" />}
             {parameters.map((parameter) =>
               parameter.isWireOnly ? null : <ParameterRow key={parameter.name} parameter={parameter} />,
             )}

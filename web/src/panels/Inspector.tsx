@@ -56,6 +56,7 @@ function Head({ node }: { node: ViewNode }): ReactElement {
           aria-label={`Rename ${node.id}`}
           onClick={() => editor.store.set({ renaming: `panel ${node.id}` })}
         >
+          {node.label && <span>{node.label} · </span>}
           {node.id}
           <Icon name="pencil" />
         </button>

@@ -2,10 +2,10 @@ import { type ReactElement, useEffect, useRef, useState } from "react";
 import { numberText } from "../model/format";
 import type { Parameter } from "../model/parameters";
 import { isPlayable, MOST_STEPS, type PlayMode } from "../model/steps";
-import { type Player, playerOf } from "../session/player";
+import { type Player, playerOf, Stopped } from "../session/player";
 import { recordPictures, recordVideo, saveAnimation } from "../session/recording";
 import { IconButton } from "../widgets/Button";
-import { useCurrent, useCurrentSession } from "../widgets/context";
+import { useCurrent, useCurrentSession, useWholeParameters } from "../widgets/context";
 import { useStore } from "../widgets/hooks";
 import { Icon } from "../widgets/Icon";
 import { Segments } from "../widgets/Segments";
@@ -24,7 +24,7 @@ const USUAL_COUNT = 48;
 export function PlayButton(): ReactElement | null {
   const player = playerOf(useCurrentSession());
   const isOpen = useStore(player.store, ({ parameter }) => parameter !== null);
-  const first = useCurrent(({ document }) => document?.parameters.find(isPlayable)?.name);
+  const first = useWholeParameters().find(isPlayable)?.name;
   const canDraw = useCurrent(({ drawn }) => drawn !== null);
   if (first === undefined || isOpen || !canDraw) return null;
   return (
@@ -46,10 +46,13 @@ export function PlayButton(): ReactElement | null {
 /** What plays a parameter: which one, how, how quickly; and what can be made of it. Nothing while it is closed. */
 export function PlayerBar(): ReactElement | null {
   const player = playerOf(useCurrentSession());
-  const { parameter, values, mode, speed, isPlaying, step, ready, error } = useStore(player.store, (state) => state);
-  const parameters = useCurrent(({ document }) => document?.parameters);
+  const { parameter, values, mode, speed, isPlaying, step, ready, missing, error } = useStore(
+    player.store,
+    (state) => state,
+  );
+  const parameters = useWholeParameters();
   if (parameter === null) return null;
-  const choices = (parameters ?? []).filter(isPlayable);
+  const choices = parameters.filter(isPlayable);
   const current = choices.find(({ name }) => name === parameter);
   return (
     <section className="player" aria-label="Player">
@@ -88,10 +91,12 @@ export function PlayerBar(): ReactElement | null {
           onChoose={(next) => player.open(parameter, Number(next))}
         />
       </div>
-      <Recording player={player} isReady={ready === values.length} />
+      <Recording player={player} isReady={ready > 0 && ready + missing === values.length} />
       <p className="player-state" role="status" data-tone={error ? "error" : undefined}>
         {error ||
-          (ready < values.length ? `${ready} of ${values.length} steps are here` : stepText(step, values, current))}
+          (ready + missing < values.length
+            ? `${ready} of ${values.length} steps are here`
+            : stepText(step, values, current))}
       </p>
     </section>
   );
@@ -131,7 +136,8 @@ function Recording({ player, isReady }: { player: Player; isReady: boolean }): R
     setError("");
     work()
       .catch((reason: unknown) => {
-        if (!request.current.signal.aborted) setError(reason instanceof Error ? reason.message : String(reason));
+        if (!request.current.signal.aborted && !(reason instanceof Stopped))
+          setError(reason instanceof Error ? reason.message : String(reason));
       })
       .finally(() => setDoing(""));
   };

@@ -3,7 +3,7 @@ import { sameValues } from "../model/parameters";
 import { addVariant, removeVariant, renameVariant, type Variant, variantDocument, variantsOf } from "../model/variants";
 import { comparisonOf } from "../session/comparison";
 import { IconButton } from "../widgets/Button";
-import { useCurrent, useCurrentSession } from "../widgets/context";
+import { useCurrent, useCurrentSession, useWholeParameters } from "../widgets/context";
 import { GraphPicture } from "../widgets/GraphPicture";
 import { Icon } from "../widgets/Icon";
 import { ContactSheetButton } from "./ContactSheet";
@@ -14,7 +14,8 @@ export function Variants(): ReactElement | null {
   const session = useCurrentSession();
   const open = useCurrent((state) => state.document);
   const values = useCurrent((state) => state.values);
-  if (!open || open.parameters.length === 0) return null;
+  const isEmpty = useWholeParameters().length === 0;
+  if (!open || isEmpty) return null;
   const variants = variantsOf(open);
   return (
     <section className="variants" aria-label="Variants">
@@ -58,7 +59,7 @@ function Card({ variant, place, isChosen }: CardProps): ReactElement | null {
   const open = useCurrent((state) => state.document);
   if (!open) return null;
   const json = variantDocument(open, variant);
-  const key = JSON.stringify([open.json["nodes"], open.json["parameters"], variant.values]);
+  const key = JSON.stringify([open.json["nodes"], open.json["groups"], open.json["parameters"], variant.values]);
   return (
     <>
       <button
@@ -76,8 +77,17 @@ function Card({ variant, place, isChosen }: CardProps): ReactElement | null {
         defaultValue={variant.name}
         key={variant.name}
         spellCheck={false}
-        onBlur={(event) => session.edit("Rename a variant", renameVariant(place, event.currentTarget.value.trim()))}
-        onKeyDown={(event) => event.key === "Enter" && event.currentTarget.blur()}
+        onBlur={(event) => {
+          const field = event.currentTarget;
+          const name = field.value.trim();
+          // Without a name it keeps the one that it has.
+          field.value = name || variant.name;
+          session.edit("Rename a variant", renameVariant(place, name));
+        }}
+        onKeyDown={(event) => {
+          if (event.key === "Escape") event.currentTarget.value = variant.name;
+          if (event.key === "Enter" || event.key === "Escape") event.currentTarget.blur();
+        }}
       />
       <IconButton
         className="reset variant-compare"

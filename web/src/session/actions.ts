@@ -2,14 +2,15 @@
 
 import type { GraphDocument } from "../model/document";
 import { type Edit, inOrder, moveNodes, removeNodes, setBypass } from "../model/edit";
-import { addFrame, addNote, freeName, removeFrame, removeNote, setFlag } from "../model/edit_ui";
+import { addFrame, addNote, changeFrame, freeName, removeFrame, removeNote, setFlag, setMark } from "../model/edit_ui";
 import { disconnect, removeAndHeal } from "../model/edit_wires";
 import { plural } from "../model/format";
 import { layeredLayout, NODE_WIDTH, nodeHeight, nodeWidth, roomFor } from "../model/layout";
 import { boundsOf, freePlace } from "../model/place";
-import { type Box, frameKey, noteKey, type Position } from "../model/ui";
+import { type Box, FRAME_COLORS, frameKey, noteKey, type Position } from "../model/ui";
 import type { Editor } from "./editor";
 
+const COLORS: readonly string[] = FRAME_COLORS;
 const FRAME_PADDING = 24;
 const FRAME_HEAD = 30;
 const NOTE_SIZE = { width: 200, height: 96 };
@@ -54,6 +55,33 @@ export function toggleFlag(editor: Editor, flag: "preview" | "collapsed", ids?: 
   const on = !chosen.every((id) => marked.has(id));
   const words = flag === "preview" ? (["Preview", "Stop the preview"] as const) : (["Collapse", "Expand"] as const);
   editor.session.edit(words[on ? 0 : 1], setFlag(chosen, flag, on));
+}
+
+/** Gives the selected nodes the next color; behind the last one comes none. */
+export function recolor(editor: Editor): void {
+  const { document, selection, selected } = editor.session.store.get();
+  if (!document || selection.size === 0) return;
+  const present = document.colors.get(selected ?? "") ?? "";
+  const next = COLORS[COLORS.indexOf(present) + 1] ?? "";
+  editor.session.edit("Color", setMark(selection, "color", next));
+  editor.say(next ? `Colored ${next}` : "In the usual color");
+}
+
+/** Collapses the selected nodes and frames, or expands them again. */
+export function collapse(editor: Editor): void {
+  const { document, areas } = editor.session.store.get();
+  toggleFlag(editor, "collapsed");
+  for (const { id } of document?.frames ?? []) if (areas.has(frameKey(id))) toggleFrame(editor, id);
+}
+
+/** Shows a frame's head in place of its nodes, or the nodes again. */
+export function toggleFrame(editor: Editor, id: string): void {
+  const frame = editor.session.store.get().document?.frames.find((one) => one.id === id);
+  if (!frame) return;
+  const collapsed = !frame.collapsed;
+  editor.session.edit(collapsed ? "Collapse the frame" : "Expand the frame", changeFrame(id, { collapsed }));
+  if (collapsed) editor.session.select([frameKey(id)]);
+  editor.say(collapsed ? `Collapsed ${frame.title}: ${plural(frame.nodes.length, "node")}` : `Expanded ${frame.title}`);
 }
 
 /** A frame around the selected nodes, or an empty one where the pointer is. */

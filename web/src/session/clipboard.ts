@@ -4,12 +4,14 @@ import { type Clip, copyText, DUPLICATE_SHIFT, type Pasted, paste, readClip } fr
 import type { GraphDocument } from "../model/document";
 import { literalText, plural } from "../model/format";
 import { viewGraph } from "../model/graph";
+import { wouldHoldItself } from "../model/group_files";
 import type { Json } from "../model/json";
 import { NODE_WIDTH, roomFor } from "../model/layout";
 import { boundsOf, freePlace } from "../model/place";
 import type { Box, Position } from "../model/ui";
 import { occupied, remove } from "./actions";
 import type { Editor } from "./editor";
+import { HOLDS_ITSELF } from "./grouping";
 
 /** The selected nodes, frames and notes as text; undefined if nothing is selected. */
 export function selectionText(editor: Editor): string | undefined {
@@ -76,6 +78,11 @@ function place(
 ): void {
   const { values } = editor.session.store.get();
   const trial = paste(document, clip, shift, keepIncoming, values).edit(document);
+  const types = [...trial.nodes.values()].flatMap(({ id, type }) => (document.nodes.has(id) ? [] : [type]));
+  if (wouldHoldItself(trial, types)) {
+    editor.say(HOLDS_ITSELF, "refused");
+    return;
+  }
   const added = roomOf(editor, trial, document);
   const bounds = boundsOf([...added, ...shifted([...clip.frames, ...clip.notes], shift)]);
   const free = bounds && freePlace(bounds, bounds, occupied(editor, document));

@@ -1,10 +1,12 @@
 // Two settings of one graph, looked at together: the present values, and those of a variant.
 
+import { isSameGraph } from "../model/document";
 import type { ParameterValues } from "../model/parameters";
 import { createStore, type Store } from "../model/store";
 import { evaluate } from "../net/api";
 import { problemText } from "../net/problem";
 import type { Session } from "./session";
+import type { PictureViewer } from "./state";
 
 export type ComparedHow = "beside" | "over";
 
@@ -31,12 +33,14 @@ export class Comparison {
     ...{ name: null, how: "beside", isLoading: false, error: "" },
   });
   private request = new AbortController();
+  /** The file of the other one, once it has come. */
+  private model: Uint8Array<ArrayBuffer> | undefined;
 
   constructor(private readonly session: Session) {
     let { document } = session.store.get();
     session.store.subscribe(() => {
       const now = session.store.get().document;
-      const isSame = ["nodes", "parameters"].every((name) => now?.json[name] === document?.json[name]);
+      const isSame = isSameGraph(now, document);
       document = now;
       // The other one was made by another graph.
       if (!isSame) this.close();
@@ -61,15 +65,17 @@ export class Comparison {
         this.store.set({ isLoading: false, error });
         return;
       }
-      const picture = await viewer.decode(answer.model);
-      if (signal.aborted) picture.dispose();
-      else {
-        viewer.compare(picture, this.store.get().how);
-        this.store.set({ isLoading: false });
-      }
-    } catch (error) {
-      if (!signal.aborted) throw error;
+      this.model = answer.model;
+      await this.draw(viewer, signal);
+      if (!signal.aborted) this.store.set({ isLoading: false });
+    } catch {
+      if (!signal.aborted) this.store.set({ isLoading: false, error: `${name} cannot be drawn.` });
     }
+  }
+
+  /** Another view has taken the place of the one that both were drawn in. */
+  drawAgain(viewer: PictureViewer): void {
+    if (this.model) void this.draw(viewer, this.request.signal).catch(() => undefined);
   }
 
   set(how: ComparedHow): void {
@@ -80,7 +86,18 @@ export class Comparison {
   close(): void {
     if (this.store.get().name === null) return;
     this.request.abort();
+    this.model = undefined;
     this.store.set({ name: null, isLoading: false, error: "" });
-    void this.session.viewer.then((viewer) => viewer.compare(null, "beside"));
+    void this.session.viewer.then(
+      (viewer) => viewer.compare(null, "beside"),
+      () => undefined,
+    );
+  }
+
+  private async draw(viewer: PictureViewer, signal: AbortSignal): Promise<void> {
+    // The decoder keeps what it is given.
+    const picture = this.model && (await viewer.decode(this.model.slice()));
+    if (signal.aborted) picture?.dispose();
+    else if (picture) viewer.compare(picture, this.store.get().how);
   }
 }

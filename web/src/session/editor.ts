@@ -100,6 +100,8 @@ const TIMES = "dini.canvas.times";
 export class Editor {
   readonly store: Store<EditorState>;
   canvas: Canvas | undefined;
+  /** What is given the focus once the next canvas is there: a node, or the canvas itself. */
+  nextFocus: { node: string | null } | undefined;
   private notices = 0;
   private learned: Habits | undefined;
 

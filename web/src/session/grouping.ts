@@ -2,8 +2,10 @@
 
 import { addNodes, freeId, inOrder } from "../model/edit";
 import { plural } from "../model/format";
-import { broughtGroups, groupFile, makeGroup, outerGroups, toggleOutputs, ungroup } from "../model/groups";
+import { broughtGroups, groupFile, outerGroups, wouldHoldItself } from "../model/group_files";
+import { toggleOutputs } from "../model/groups";
 import { asObject, type Json } from "../model/json";
+import { makeGroup, ungroup } from "../model/make_group";
 import { GROUP_PREFIX, groupNamed } from "../model/scope";
 import { saveBlob } from "./download";
 import type { Editor } from "./editor";
@@ -11,6 +13,9 @@ import type { Session } from "./session";
 
 /** Between a graph and a group that is added to it. */
 const ROOM = 260;
+
+/** What is said where a group would be put into itself. */
+export const HOLDS_ITSELF = "A group cannot hold itself. Leave the group first.";
 
 /** Puts the selected nodes into a group. */
 export function groupSelection(editor: Editor): void {
@@ -65,6 +70,8 @@ export function enterOrLeave(editor: Editor): boolean {
 
 export function enter(editor: Editor, id: string): void {
   editor.closeAll();
+  // What has the focus goes with its canvas; without one, no key would lead on or out.
+  editor.nextFocus = { node: null };
   editor.session.enter(id);
   editor.say(`In the group ${id}. Tab leaves it.`);
 }
@@ -72,6 +79,7 @@ export function enter(editor: Editor, id: string): void {
 export function leave(editor: Editor, steps = 1): void {
   editor.closeAll();
   editor.session.leave(steps);
+  editor.nextFocus = { node: editor.session.store.get().selected };
   editor.say("Left the group");
 }
 
@@ -100,6 +108,8 @@ export function addGroups(session: Session, json: Json): string | undefined {
   const outer = outerGroups(groups);
   if (!document || outer.length === 0 || Object.keys(asObject(root["nodes"])).length > 0) return undefined;
   const { edit, typeOf } = broughtGroups(document, groups, asObject(asObject(root["ui"])["groups"]));
+  const types = outer.map((name) => typeOf(GROUP_PREFIX + name));
+  if (wouldHoldItself(edit(document), types)) return HOLDS_ITSELF;
   const places = [...document.positions.values()];
   const [x, y] = [
     Math.max(0, ...places.map((place) => place.x + ROOM)),

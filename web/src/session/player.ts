@@ -1,16 +1,17 @@
 // Plays a parameter: the models of all its steps come from one batch of the server, are decoded a little ahead, and are
 // shown in their order. A step that is not there yet is waited for and never left out.
 
+import { isSameGraph, lookedAt } from "../model/document";
+import type { Parameter } from "../model/parameters";
 import { type PlayMode, roundOf, stepValues } from "../model/steps";
 import { createStore, type Store } from "../model/store";
-import { evaluate } from "../net/api";
 import { problemText } from "../net/problem";
 import type { EvaluateBody } from "../net/requests";
-import { fetchArtifact, type SweepLine, sweep } from "../net/sweeps";
+import { type SweepLine, sweep } from "../net/sweeps";
+import { modelOf } from "./batch";
 import type { Session } from "./session";
 import type { Picture, PictureViewer } from "./state";
 
-const DRAFT = { quality: "draft", triangles: 20_000 } as const;
 /** So many are decoded before their time has come. */
 const AHEAD = 3;
 
@@ -27,6 +28,8 @@ export interface PlayerState {
   step: number;
   /** How many steps have come from the server. */
   ready: number;
+  /** How many steps there is no model of; they are left out. */
+  missing: number;
   error: string;
 }
 
@@ -43,10 +46,24 @@ type Bytes = Uint8Array<ArrayBuffer>;
 
 export class Player {
   readonly store: Store<PlayerState> = createStore<PlayerState>({
-    ...{ parameter: null, values: [], mode: "loop", speed: 12, isPlaying: false, step: -1, ready: 0, error: "" },
+    ...{
+      parameter: null,
+      values: [],
+      mode: "loop",
+      speed: 12,
+      isPlaying: false,
+      step: -1,
+      ready: 0,
+      missing: 0,
+      error: "",
+    },
   });
-  private frames: Promise<Bytes>[] = [];
-  private give: ((bytes: Bytes) => void)[] = [];
+  private frames: Promise<Bytes | undefined>[] = [];
+  private give: ((bytes: Bytes | undefined) => void)[] = [];
+  /** Where it is in the round: on the way there or back. */
+  private place = -1;
+  /** The batch has ended before its time. */
+  private isBroken = false;
   private loading = new AbortController();
   private running = new AbortController();
 
@@ -54,7 +71,7 @@ export class Player {
     let { document, values } = session.store.get();
     session.store.subscribe(() => {
       const state = session.store.get();
-      const isSame = state.document === document && state.values === values;
+      const isSame = isSameGraph(state.document, document) && state.values === values;
       ({ document, values } = state);
       // Another graph has other steps.
       if (!isSame && this.store.get().parameter !== null) this.close();
@@ -64,7 +81,7 @@ export class Player {
   /** Asks for the steps of a parameter and waits to be started. */
   open(name: string, count: number): void {
     this.close();
-    const parameter = this.session.store.get().document?.parameters.find((one) => one.name === name);
+    const parameter = parametersOf(this.session).find((one) => one.name === name);
     const body = this.session.drawnBody();
     if (!parameter || !body) return;
     const values = stepValues(parameter, count);
@@ -75,7 +92,8 @@ export class Player {
         }),
     );
     this.loading = new AbortController();
-    this.store.set({ parameter: name, values, step: -1, ready: 0, error: "" });
+    [this.place, this.isBroken] = [-1, false];
+    this.store.set({ parameter: name, values, step: -1, ready: 0, missing: 0, error: "" });
     void this.load(body, name, values).catch(() => undefined);
   }
 
@@ -87,7 +105,10 @@ export class Player {
   }
 
   play(): void {
-    if (this.store.get().parameter === null || this.store.get().isPlaying) return;
+    const { parameter, isPlaying, values } = this.store.get();
+    if (parameter === null || isPlaying) return;
+    // What did not come is asked for again.
+    if (this.isBroken) this.open(parameter, values.length);
     this.store.set({ isPlaying: true });
     this.running = new AbortController();
     const { signal } = this.running;
@@ -106,6 +127,7 @@ export class Player {
     this.pause();
     this.running = new AbortController();
     const { signal } = this.running;
+    this.place = step;
     const viewer = await this.session.viewer;
     const picture = await this.decode(viewer, step);
     if (signal.aborted) picture?.dispose();
@@ -119,17 +141,23 @@ export class Player {
     const { signal } = this.running;
     const { values, mode } = this.store.get();
     const viewer = await this.session.viewer;
-    this.store.set({ isPlaying: true });
-    for (const step of roundOf(values.length, mode)) {
-      const picture = await this.decode(viewer, step);
-      if (!picture || signal.aborted) {
-        picture?.dispose();
-        throw new Error("The recording was stopped.");
+    if (!signal.aborted) this.store.set({ isPlaying: true });
+    try {
+      for (const step of roundOf(values.length, mode)) {
+        const picture = await this.decode(viewer, step);
+        if (signal.aborted) {
+          picture?.dispose();
+          throw new Stopped();
+        }
+        if (!picture) continue;
+        this.put(viewer, picture, step);
+        await each(viewer, step);
+        if (signal.aborted) throw new Stopped();
       }
-      this.put(viewer, picture, step);
-      await each(viewer, step);
+    } finally {
+      // Whoever stopped it may play already.
+      if (!signal.aborted) this.store.set({ isPlaying: false });
     }
-    this.store.set({ isPlaying: false });
   }
 
   /** Ends it: the parameter keeps the value of the step that is shown, if that is wanted. */
@@ -138,10 +166,11 @@ export class Player {
     if (name === null) return;
     this.pause();
     this.loading.abort();
+    this.giveUp();
     this.frames = [];
     this.give = [];
-    this.store.set({ parameter: null, values: [], step: -1, ready: 0 });
-    const parameter = this.session.store.get().document?.parameters.find((one) => one.name === name);
+    this.store.set({ parameter: null, values: [], step: -1, ready: 0, missing: 0, error: "" });
+    const parameter = parametersOf(this.session).find((one) => one.name === name);
     const value = values[step];
     if (keep && parameter && value !== undefined) this.session.setParameter(parameter, value, false);
     else if (step >= 0) this.session.showAgain();
@@ -166,21 +195,12 @@ export class Player {
   }
 
   private async fetch(line: SweepLine, body: EvaluateBody, signal: AbortSignal): Promise<void> {
-    if (line.error) {
-      this.fail(`Step ${line.index + 1} cannot be shown. ${line.error}`);
+    const found = await modelOf(line, body, signal);
+    if ("error" in found) {
+      this.miss(line.index, `Step ${line.index + 1} cannot be shown. ${found.error}`);
       return;
     }
-    let bytes = line.sha256 ? await fetchArtifact(line.sha256, signal) : undefined;
-    if (!bytes) {
-      // The server has forgotten it already.
-      const answer = await evaluate(body, DRAFT, signal);
-      bytes = answer.kind === "model" ? answer.model : undefined;
-    }
-    if (!bytes) {
-      this.fail(`Step ${line.index + 1} did not come.`);
-      return;
-    }
-    this.give[line.index]?.(bytes);
+    this.give[line.index]?.(found.bytes);
     this.store.set({ ready: this.store.get().ready + 1 });
   }
 
@@ -189,7 +209,8 @@ export class Player {
     const { values, mode, step, speed } = this.store.get();
     const round = roundOf(values.length, mode);
     // It goes on where it was, or from the beginning after the end.
-    let at = Math.max(0, round.indexOf(step)) + (step < 0 ? 0 : 1);
+    const last = round[this.place] === step ? this.place : round.indexOf(step);
+    let at = last + 1;
     if (mode === "once" && at >= round.length) at = 0;
     const ahead: Promise<Picture | undefined>[] = [];
     const stepAt = (place: number): number => round[place % round.length] ?? 0;
@@ -201,17 +222,27 @@ export class Player {
         while (ahead.length < AHEAD && !isEnd(next)) ahead.push(this.decode(viewer, stepAt(next++)));
         const picture = await ahead.shift();
         await untilTime(due, signal);
-        if (!picture || signal.aborted) {
+        if (signal.aborted) {
           picture?.dispose();
           return;
         }
-        this.put(viewer, picture, stepAt(at));
-        at++;
+        const shown = at++;
+        if (!picture) {
+          if (this.isBroken || this.store.get().missing === values.length) break;
+          continue;
+        }
+        this.put(viewer, picture, stepAt(shown));
+        this.place = shown % round.length;
         due = Math.max(performance.now(), due + 1000 / speed);
       }
       this.store.set({ isPlaying: false });
     } finally {
-      for (const one of ahead) void one.then((picture) => picture?.dispose());
+      for (const one of ahead) {
+        void one.then(
+          (picture) => picture?.dispose(),
+          () => undefined,
+        );
+      }
     }
   }
 
@@ -226,11 +257,36 @@ export class Player {
     this.store.set({ step });
   }
 
+  /** One step has no model: it is left out, and said once. */
+  private miss(step: number, why: string): void {
+    const { parameter, missing, error } = this.store.get();
+    if (parameter === null) return;
+    this.give[step]?.(undefined);
+    this.store.set({ missing: missing + 1, error: error || why });
+  }
+
+  /** Nothing more will come. */
   private fail(error: string): void {
     if (this.store.get().parameter === null) return;
+    this.isBroken = true;
     this.pause();
+    this.giveUp();
     this.store.set({ error });
   }
+
+  /** Nobody waits any longer for what has not come. */
+  private giveUp(): void {
+    for (const give of this.give) give(undefined);
+  }
+}
+
+/** A recording that a person has ended, or whose graph has changed. */
+export class Stopped extends Error {}
+
+/** The parameters of the whole graph, whatever of it is looked at. */
+function parametersOf(session: Session): readonly Parameter[] {
+  const { document } = session.store.get();
+  return document ? lookedAt(document, []).parameters : [];
 }
 
 /** Resolves with the first frame of the page at or after a time, or when it is no longer waited for. */

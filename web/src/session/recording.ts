@@ -8,6 +8,7 @@ import { problemText } from "../net/problem";
 import { sweepToGlb } from "../net/sweeps";
 import { saveBlob } from "./download";
 import type { Player } from "./player";
+import type { PictureViewer } from "./state";
 
 const BITS_PER_SECOND = 12_000_000;
 const VIDEO_TYPES = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm"];
@@ -20,26 +21,39 @@ export async function recordVideo(player: Player): Promise<void> {
   const canvas = document.createElement("canvas");
   const parts: Blob[] = [];
   let recorder: MediaRecorder | undefined;
-  await player.walk(async (viewer) => {
+  let stream: MediaStream | undefined;
+  const record = async (viewer: PictureViewer): Promise<void> => {
     const still = viewer.still();
     if (!recorder) {
       // A canvas that changes its size would begin another video.
       [canvas.width, canvas.height] = [still.width, still.height];
-      recorder = new MediaRecorder(canvas.captureStream(), { mimeType: type, videoBitsPerSecond: BITS_PER_SECOND });
+      stream = canvas.captureStream();
+      recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: BITS_PER_SECOND });
       recorder.ondataavailable = ({ data }) => parts.push(data);
       canvas.getContext("2d")?.drawImage(still, 0, 0);
       recorder.start();
     }
     canvas.getContext("2d")?.drawImage(still, 0, 0, canvas.width, canvas.height);
     await new Promise((done) => window.setTimeout(done, 1000 / speed));
-  });
-  const used = recorder;
-  if (!used) return;
-  await new Promise<void>((done) => {
-    used.onstop = () => done();
-    used.stop();
-  });
+  };
+  try {
+    await player.walk(record);
+    await ended(recorder);
+  } finally {
+    // Also where it was stopped: a stream that nobody ends goes on taking pictures.
+    for (const track of stream?.getTracks() ?? []) track.stop();
+  }
+  if (parts.length === 0) return;
   saveBlob(new Blob(parts, { type: "video/webm" }), `${nameOf(player)}.webm`);
+}
+
+/** Ends a recording and waits for its last part. */
+async function ended(recorder: MediaRecorder | undefined): Promise<void> {
+  if (!recorder || recorder.state === "inactive") return;
+  await new Promise<void>((done) => {
+    recorder.onstop = () => done();
+    recorder.stop();
+  });
 }
 
 /** Plays one round and saves a picture of each step, in one archive. */

@@ -1,6 +1,7 @@
 // While the hand rests on the label of a parameter, the model shows how it moves with that parameter: dark where it
 // rests, yellow where it is fastest.
 
+import { isSameGraph } from "../model/document";
 import type { Store } from "../model/store";
 import { fetchSensitivity } from "../net/api";
 import type { PictureViewer, SessionState } from "./state";
@@ -20,7 +21,7 @@ export class Sensitivity {
     let [document, values] = [store.get().document, store.get().values];
     store.subscribe(() => {
       const state = store.get();
-      const isSame = state.document === document && state.values === values;
+      const isSame = isSameGraph(state.document, document) && state.values === values;
       [document, values] = [state.document, state.values];
       // What is shown would be that of another model.
       if (!isSame) this.hide();

@@ -1,13 +1,18 @@
 // The open graph and every way it changes: by editing, by its parameters, by opening another. Plain TypeScript: React
 // reads the store, the viewer is handed in once it has loaded.
 
-import { type Catalogue, readCatalogue } from "../model/catalogue";
-import { type CameraPlace, emptyDocument, type GraphDocument, lookedAt, readDocument } from "../model/document";
-import { type DrawnGraph, drawnGraph } from "../model/drawn_graph";
+import { readCatalogue } from "../model/catalogue";
+import {
+  type CameraPlace,
+  emptyDocument,
+  type GraphDocument,
+  isSameGraph,
+  lookedAt,
+  readDocument,
+} from "../model/document";
 import { type Edit, moveNodes, setInput } from "../model/edit";
 import { changeParameter } from "../model/edit_parameters";
-import { fileOutput, viewGraph } from "../model/graph";
-import { withGroups } from "../model/group_cards";
+import { viewGraph } from "../model/graph";
 import { History } from "../model/history";
 import { asArray, asObject, type Json } from "../model/json";
 import { layeredLayout } from "../model/layout";
@@ -19,20 +24,22 @@ import {
   sameValues,
   withValue,
 } from "../model/parameters";
-import { groupNamed, type Inside, prefixOf } from "../model/scope";
+import { type Inside, prefixOf } from "../model/scope";
 import { createStore, type Store } from "../model/store";
 import { getJson } from "../net/api";
 import { localProblem } from "../net/problem";
 import type { EvaluateBody } from "../net/requests";
-import { validate } from "../net/validation";
+import { Catalogues } from "./catalogues";
+import { Drawing } from "./drawing";
 import { finest, inOrderOfFigures, readExample } from "./examples";
+import { placeInside, placeOf } from "./places";
 import { Renderer } from "./renderer";
 import { Sensitivity } from "./sensitivity";
 import { EMPTY, type Origin, type PictureViewer, type SessionState, type Sight } from "./state";
 import { Thumbnails } from "./thumbnails";
+import { WholeCheck } from "./whole_check";
 
 const RETRY_MILLISECONDS = 1500;
-const VALIDATE_MILLISECONDS = 150;
 
 /** What undo brings back. */
 interface Snapshot {
@@ -57,13 +64,9 @@ export class Session {
   private readonly history = new History<Snapshot>();
   private saved: Json;
   private savedValues: ParameterValues = {};
-  /** The server's catalogue, without the groups of a document. */
-  private nodes: Catalogue | undefined;
-  private grouped: { groups: Json; inside: readonly Inside[]; catalogue: Catalogue } | undefined;
-  private validateTimer = 0;
-  /** What is drawn in a graph that makes no file; empty in others. */
-  private drawnSource = "";
-  private validation: AbortController | undefined;
+  private readonly catalogues = new Catalogues();
+  private readonly drawing = new Drawing(this.store, this.catalogues, this.renderer);
+  private readonly check = new WholeCheck(this.store);
   /** How the document that is opened next is looked at. */
   private sight: Sight | undefined;
 
@@ -75,8 +78,9 @@ export class Session {
     try {
       const [nodes, list] = await Promise.all([getJson("v1/nodes"), getJson("v1/examples")]);
       const examples = inOrderOfFigures(asArray(asObject(list)["examples"]).map(readExample));
-      this.nodes = readCatalogue(nodes);
-      this.store.set({ catalogue: this.nodes, examples, away: false });
+      const catalogue = readCatalogue(nodes);
+      this.catalogues.nodes = catalogue;
+      this.store.set({ catalogue, examples, away: false });
       this.sight = sight;
       const isOpen = first && this.openDocument(first.json, first.origin) === undefined;
       const example = examples.find((item) => item.id === wanted) ?? finest(examples);
@@ -117,6 +121,12 @@ export class Session {
     this.store.set({ origin, exampleId: exampleOf(origin), isChanged: false, isAdjusted: false });
   }
 
+  /** The present document is kept nowhere any more. */
+  markUnkept(): void {
+    this.saved = undefined;
+    this.store.set({ origin: { kind: "new" }, exampleId: null, isChanged: true });
+  }
+
   /** Changes the document. An edit that answers the document it was given changes nothing. */
   edit(label: string, change: Edit, { gesture, moving = false, values: given }: EditOptions = {}): void {
     const { document, values } = this.store.get();
@@ -146,8 +156,10 @@ export class Session {
       this.edit(`Change ${parameter.label}`, change, { gesture, moving });
       return;
     }
+    const next = withValue(values, parameter, value);
+    if (sameValues(next, values)) return;
     this.history.record({ document, values }, `Change ${parameter.label}`, gesture);
-    this.replace({ document, values: withValue(values, parameter, value) }, moving);
+    this.replace({ document, values: next }, moving);
   }
 
   resetParameters(): void {
@@ -176,8 +188,8 @@ export class Session {
   /** Looks into the group that a node stands for. */
   enter(id: string): void {
     const { document } = this.store.get();
-    const group = groupNamed(document?.nodes.get(id)?.type ?? "");
-    if (document && group !== undefined) this.lookAt([...document.inside, { id, group }], []);
+    const inside = document && placeInside(document, id);
+    if (inside) this.lookAt(inside, []);
   }
 
   /** Looks at what is around the group, so many steps out; selects where it came from. */
@@ -191,18 +203,10 @@ export class Session {
   /** Selects a node by its path, "ring/circle", in the group where it stands. False if there is none. */
   goTo(path: string): boolean {
     const { document } = this.store.get();
-    if (!document) return false;
-    const ids = path.split("/");
-    let at = lookedAt(document, []);
-    for (const id of ids.slice(0, -1)) {
-      const group = groupNamed(at.nodes.get(id)?.type ?? "");
-      if (group === undefined) return false;
-      at = lookedAt(at, [...at.inside, { id, group }]);
-    }
-    const id = ids.at(-1) ?? "";
-    if (!at.nodes.has(id)) return false;
-    if (prefixOf(at.inside) === prefixOf(document.inside)) this.select([id]);
-    else this.lookAt(at.inside, [id]);
+    const place = document && placeOf(document, path);
+    if (!document || !place) return false;
+    if (prefixOf(place.inside) === prefixOf(document.inside)) this.select([place.id]);
+    else this.lookAt(place.inside, [place.id]);
     return true;
   }
 
@@ -225,8 +229,8 @@ export class Session {
   retry(): void {
     if (!this.store.get().document) return;
     this.renderer.giveUp();
-    this.evaluate(false);
-    this.validateSoon();
+    this.drawing.evaluate(false);
+    this.check.soon();
   }
 
   /** Selects nodes by their names, frames and notes by their keys, and nothing else. */
@@ -239,23 +243,17 @@ export class Session {
     const kept = selected !== null && nodes.has(selected) && nodes.size > 1 ? selected : last;
     if (isSameSet(nodes, selection) && isSameSet(others, areas)) return;
     this.store.set({ selection: nodes, areas: others, selected: kept });
-    this.drawSelected();
+    this.drawing.followSelection();
   }
 
   /** What evaluates the present state elsewhere; undefined where there is nothing that leaves the graph. */
   body(): EvaluateBody | undefined {
-    const { document, catalogue, values } = this.store.get();
-    if (!document || !catalogue) return undefined;
-    const output = fileOutput(lookedAt(document, []), catalogue);
-    if (output === undefined) return undefined;
-    return { graph: document.json, parameters: values, output };
+    return this.drawing.fileBody();
   }
 
   /** What is drawn now, as it is sent: also where no node of the document makes a file. */
   drawnBody(): EvaluateBody | undefined {
-    const { document, catalogue, view, values, selected } = this.store.get();
-    const drawn = document && catalogue && view && drawnGraph(document, catalogue, view, selected);
-    return drawn ? { ...drawn, parameters: values } : undefined;
+    return this.drawing.drawnBody();
   }
 
   /** The view of the model, once there is one. Rejects where it cannot start. */
@@ -288,7 +286,7 @@ export class Session {
 
   private open(read: GraphDocument, origin: Origin, values: ParameterValues = {}): void {
     const { opened } = this.store.get();
-    const catalogue = this.catalogueOf(read);
+    const catalogue = this.catalogues.of(read);
     if (!catalogue) return;
     const document = this.placed(read);
     this.saved = document.json;
@@ -310,8 +308,8 @@ export class Session {
       ...{ selection: new Set<string>(), areas: new Set<string>(), selected: null, ...this.steps() },
     });
     if (sight) this.select(sight.selection);
-    this.evaluate(false);
-    this.validateSoon();
+    this.drawing.evaluate(false);
+    this.check.soon();
   }
 
   private travel(step: (present: Snapshot) => Snapshot | undefined): void {
@@ -322,22 +320,23 @@ export class Session {
 
   private replace({ document, values }: Snapshot, moving: boolean): void {
     const before = this.store.get();
-    const catalogue = this.catalogueOf(document);
+    const catalogue = this.catalogues.of(document);
     if (!catalogue || !before.document) return;
-    const selection = new Set([...before.selection].filter((id) => document.nodes.has(id)));
+    // In another group the same names are other nodes.
+    const isHere = prefixOf(document.inside) === prefixOf(before.document.inside);
+    const isLeft = (id: string): boolean => isHere && document.nodes.has(id);
+    const selection = new Set([...before.selection].filter(isLeft));
     this.store.set({
       ...{ document, values, catalogue, view: viewGraph(document, catalogue, before.view ?? undefined) },
       ...{ isChanged: document.json !== this.saved, isAdjusted: !sameValues(values, this.savedValues) },
       ...this.steps(),
       selection: selection.size === before.selection.size ? before.selection : selection,
-      selected: before.selected !== null && document.nodes.has(before.selected) ? before.selected : null,
+      areas: isHere ? before.areas : new Set<string>(),
+      selected: before.selected !== null && isLeft(before.selected) ? before.selected : null,
     });
-    const isSameGraph = ["nodes", "parameters", "groups"].every(
-      (name) => document.json[name] === before.document?.json[name],
-    );
-    if (isSameGraph && values === before.values) return;
-    this.evaluate(moving);
-    this.validateSoon();
+    if (isSameGraph(document, before.document) && values === before.values) return;
+    this.drawing.evaluate(moving);
+    this.check.soon();
   }
 
   private steps(): Pick<SessionState, "canUndo" | "canRedo" | "undoLabel" | "redoLabel"> {
@@ -345,20 +344,9 @@ export class Session {
     return { undoLabel, redoLabel, canUndo: undoLabel !== undefined, canRedo: redoLabel !== undefined };
   }
 
-  /** The catalogue with the groups of a document; the same object as long as they are the same. */
-  private catalogueOf(document: GraphDocument): Catalogue | undefined {
-    const groups = document.json["groups"];
-    const { inside } = document;
-    if (!this.nodes) return undefined;
-    if (!this.grouped || this.grouped.groups !== groups || this.grouped.inside !== inside) {
-      this.grouped = { groups, inside, catalogue: withGroups(this.nodes, document) };
-    }
-    return this.grouped.catalogue;
-  }
-
   /** The document with a place for every node. */
   private placed(document: GraphDocument): GraphDocument {
-    const catalogue = this.catalogueOf(document);
+    const catalogue = this.catalogues.of(document);
     if (!catalogue || document.positions.size === document.nodes.size) return document;
     return moveNodes(layeredLayout(viewGraph(document, catalogue)))(document);
   }
@@ -369,7 +357,7 @@ export class Session {
     const next = this.placed(lookedAt(document, inside));
     // Places that a group is given because it has none are no change of the person's.
     if (this.saved === document.json) this.saved = next.json;
-    const catalogue = this.catalogueOf(next);
+    const catalogue = this.catalogues.of(next);
     if (!catalogue) return;
     this.store.set({
       ...{ document: next, catalogue, view: viewGraph(next, catalogue) },
@@ -377,62 +365,6 @@ export class Session {
     });
     this.select(selection);
   }
-
-  /** What is drawn: of the whole document, whatever of it is looked at. */
-  private drawnOf(document: GraphDocument): DrawnGraph | undefined {
-    const { view, selected } = this.store.get();
-    const whole = lookedAt(document, []);
-    const catalogue = this.nodes && withGroups(this.nodes, whole);
-    if (!catalogue || !view) return undefined;
-    if (whole === document) return drawnGraph(document, catalogue, view, selected);
-    return drawnGraph(whole, catalogue, viewGraph(whole, catalogue), document.inside[0]?.id ?? null);
-  }
-
-  private evaluate(moving: boolean): void {
-    const { document, values } = this.store.get();
-    const drawn = document && this.drawnOf(document);
-    this.drawnSource = drawn && drawn.graph !== document.json ? sourceText(drawn) : "";
-    this.store.set({ drawn: drawn?.output ?? null });
-    if (drawn) {
-      this.store.set({ revision: this.renderer.input({ ...drawn, parameters: values }, moving) });
-      return;
-    }
-    this.renderer.rest();
-    const isStale = this.store.get().shown !== null;
-    this.store.set({
-      problem: isStale ? localProblem("Nothing to show", "No node of this graph makes anything to be seen.") : null,
-    });
-  }
-
-  /** In a graph that makes no file, the selected node is drawn. */
-  private drawSelected(): void {
-    const { document, catalogue, selected } = this.store.get();
-    if (!document || !catalogue || selected === null) return;
-    if (fileOutput(lookedAt(document, []), catalogue) !== undefined) return;
-    const drawn = this.drawnOf(document);
-    if (drawn && sourceText(drawn) !== this.drawnSource) this.evaluate(false);
-  }
-
-  /** Asks what the whole graph looks like to the server, once changes have paused for a moment. */
-  private validateSoon(): void {
-    window.clearTimeout(this.validateTimer);
-    this.validateTimer = window.setTimeout(() => void this.validate(), VALIDATE_MILLISECONDS);
-  }
-
-  private async validate(): Promise<void> {
-    const { document, values } = this.store.get();
-    if (!document) return;
-    this.validation?.abort();
-    const request = new AbortController();
-    this.validation = request;
-    const checked = await validate({ graph: document.json, parameters: values }, request.signal);
-    if (checked && this.validation === request && !request.signal.aborted) this.store.set({ checked });
-  }
-}
-
-/** From where what is drawn comes: the same for the same. */
-function sourceText({ graph, output }: DrawnGraph): string {
-  return JSON.stringify(asObject(graph["nodes"])[output]);
 }
 
 function exampleOf(origin: Origin): string | null {

@@ -3,6 +3,7 @@
 
 import { readDocument } from "../model/document";
 import { fileOutput } from "../model/graph";
+import { withGroups } from "../model/group_cards";
 import type { Json } from "../model/json";
 import type { Store } from "../model/store";
 import { evaluate } from "../net/api";
@@ -12,6 +13,8 @@ const WIDTH = 240;
 const HEIGHT = 150;
 const DRAFT = { quality: "draft", triangles: 20_000 } as const;
 const PAUSE_MILLISECONDS = 60;
+/** Variants have other pictures with every edit; more than this are not looked at together. */
+const MOST_KEPT = 200;
 
 /** Fills in the pictures that the list of examples came without. Ends silently where one cannot be made. */
 export async function makeThumbnails(store: Store<SessionState>, viewer: PictureViewer): Promise<void> {
@@ -42,7 +45,12 @@ export class Thumbnails {
    */
   of(key: string, read: () => Promise<Json>): Promise<string> {
     const known = this.made.get(key);
-    if (known !== undefined) return known;
+    if (known !== undefined) {
+      // The one that was not asked for the longest goes first.
+      this.made.delete(key);
+      this.made.set(key, known);
+      return known;
+    }
     const image = this.last.then(async () => {
       await untilIdle(this.store);
       return draw(await read(), this.store, await this.viewer());
@@ -50,6 +58,11 @@ export class Thumbnails {
     const safe = image.catch(() => "");
     this.made.set(key, safe);
     this.last = safe;
+    const [oldest] = this.made.keys();
+    if (oldest !== undefined && this.made.size > MOST_KEPT) {
+      void this.made.get(oldest)?.then((address) => URL.revokeObjectURL(address));
+      this.made.delete(oldest);
+    }
     return safe;
   }
 }
@@ -59,15 +72,13 @@ async function draw(graph: Json, store: Store<SessionState>, viewer: PictureView
   const result = readDocument(graph);
   if (!catalogue || "error" in result) return "";
   const { document, values } = result;
-  const output = fileOutput(document, catalogue);
+  const output = fileOutput(document, withGroups(catalogue, document));
   if (output === undefined) return "";
   const answer = await evaluate({ graph: document.json, parameters: values, output }, DRAFT);
   if (answer.kind !== "model") return "";
   try {
     const picture = await viewer.decode(answer.model);
-    const address = await viewer.thumbnail(picture, WIDTH, HEIGHT, document.camera ?? null);
-    picture.dispose();
-    return address;
+    return await viewer.thumbnail(picture, WIDTH, HEIGHT, document.camera ?? null).finally(() => picture.dispose());
   } catch {
     return "";
   }

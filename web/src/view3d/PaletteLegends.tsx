@@ -3,6 +3,7 @@ import { type ColorScale, colorScales } from "../model/color_scales";
 import { numberText } from "../model/format";
 import { isNumber } from "../model/json";
 import { inspect } from "../net/validation";
+import { pathOf, valuesOf } from "../session/paths";
 import { useCurrent, useCurrentSession } from "../widgets/context";
 
 /** More would cover what they are about. */
@@ -13,8 +14,9 @@ export function PaletteLegends(): ReactElement | null {
   const document = useCurrent((state) => state.document);
   const catalogue = useCurrent((state) => state.catalogue);
   const view = useCurrent((state) => state.view);
-  const values = useCurrent((state) => state.values);
-  const drawn = useCurrent((state) => state.drawn);
+  const values = useCurrent(valuesOf);
+  // What the model is made of around a group is not looked at in it.
+  const drawn = useCurrent((state) => (state.document?.inside.length === 0 ? state.drawn : null));
   const isShown = useCurrent((state) => state.shown !== null);
   const scales = useMemo(
     () => (document && catalogue && view ? colorScales(document, catalogue, view, values, drawn) : []),
@@ -72,11 +74,17 @@ function useFound({ node, found }: ColorScale): [number, number] | undefined {
   const least = found?.[0];
   const most = found?.[1];
   useEffect(() => {
-    const { document, values } = session.store.get();
+    const state = session.store.get();
+    const { document, values } = state;
     if (!document || revision === undefined || least === undefined || most === undefined) return undefined;
     const request = new AbortController();
     const ask = async (output: string): Promise<number[]> => {
-      const answer = await inspect({ graph: document.json, parameters: values }, node, output, request.signal);
+      const answer = await inspect(
+        { graph: document.json, parameters: values },
+        pathOf(state, node),
+        output,
+        request.signal,
+      );
       return answer && "values" in answer ? answer.values.filter(isNumber) : [];
     };
     void Promise.all([ask(least), ask(most)]).then(([low, high]) => {

@@ -73,6 +73,7 @@ export function ViewPane({ light, picture, controls }: ViewPaneProps): ReactElem
         stop = showGizmosOf(session, made);
         setViewer(made);
         session.viewerLoaded(made);
+        comparisonOf(session).drawAgain(made);
         if (!picture) void makeThumbnails(session.store, made);
       })
       .catch((error: unknown) => {

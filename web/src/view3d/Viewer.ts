@@ -8,11 +8,12 @@ import { ControlGeometry } from "./control_geometry";
 import { ControlMaterials } from "./control_materials";
 import { type DecodedModel, Decoder } from "./decode";
 import { inGraph, tidy } from "./drag";
-import { type Framing, frame, framingOf, PICTURE_ASPECT, samplePositions } from "./framing";
+import { type Framing, frame, framingOf, samplePositions } from "./framing";
 import type { Gizmo } from "./gizmo_values";
 import { type GizmoHost, GizmoLayer } from "./gizmos";
 import { Ground } from "./ground";
 import { HandleLayer } from "./handles";
+import { HomeView } from "./home_view";
 import { InView, MOST_SEEN, type OutOfView } from "./in_view";
 import { Materials } from "./materials";
 import { ModelLook } from "./model_look";
@@ -22,8 +23,9 @@ import { onGround, pictureOf } from "./pictures";
 import { fineRatio, Rest, setRatio } from "./rest";
 import { CameraRig, directionOf, type StandardView } from "./rig";
 import { type Section, SectionPlane } from "./section";
+import { ShownModels } from "./shown_models";
 import { isSoftwareRendering } from "./software";
-import { type ComparedHow, SplitView } from "./split_view";
+import type { ComparedHow } from "./split_view";
 import { StudioLight } from "./studio_light";
 import { drawingSize } from "./thick_lines";
 import { PLAIN, type ViewerHost, type ViewSettings } from "./viewer_settings";
@@ -51,13 +53,9 @@ export class Viewer {
   private readonly rest: Rest;
   /** Pixels of a drawing to one of the page while things move. */
   private readonly ratio: number;
-  private model: DecodedModel | undefined;
-  private sensitivity: DecodedModel | undefined;
+  private readonly models: ShownModels;
   private control: ControlGeometry | undefined;
-  private readonly split = new SplitView(this.scene);
-  private opening: CameraPlace | null = null;
-  /** Where the camera stood when it was last at home. */
-  private readonly homePlace = { position: new Vector3(), target: new Vector3() };
+  private readonly homeView: HomeView;
   private center = new Vector3();
   private radius = 1;
   private requested = 0;
@@ -81,6 +79,7 @@ export class Viewer {
     this.materials = new Materials(this.studio?.environment);
     this.decoder = new Decoder(this.materials);
     this.look = new ModelLook(this.materials);
+    this.models = new ShownModels(this.scene, this.look, host);
     const canvas = this.renderer.domElement;
     this.ratio = this.renderer.getPixelRatio();
     this.rest = new Rest(this.isSoftware && !smooth, {
@@ -91,6 +90,7 @@ export class Viewer {
     });
     const isDamped = !this.isSoftware && !matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.rig = new CameraRig(canvas, isDamped, () => this.draw());
+    this.homeView = new HomeView(this.rig);
     canvas.addEventListener("keydown", (event) => this.rig.onKey(event));
     this.section = new SectionPlane(this.materials, (section) => host.section(section));
     this.gizmos = new GizmoLayer(this.gizmoHost());
@@ -114,33 +114,30 @@ export class Viewer {
 
   /** Replaces the shown model. */
   show(model: DecodedModel): void {
-    this.clearModel();
-    this.model = model;
-    this.scene.add(model.scene);
+    this.models.show(model);
     const points = samplePositions(model.scene, MOST_SEEN);
     this.inView.setModel(points);
     this.studio?.place(points);
     this.materials.setInward(pointsInward(model.meshes.map((mesh) => mesh.geometry)));
-    this.dressModel();
+    this.models.dress(this.settings);
     this.draw();
   }
 
   /** Shows the first model of a document, and puts the camera where the document says. */
   open(model: DecodedModel, camera: CameraPlace | null, place: CameraPlace | null = null): void {
     this.show(model);
-    this.opening = camera;
+    this.homeView.opening = camera;
     this.home();
     // It was found by hand in a view of this shape, so it is not stepped back from.
     if (place) this.moveTo(...framingOf(place, samplePositions(model.scene), Infinity));
   }
 
   get camera(): CameraPlace | null {
-    if (this.isAtHome()) return null;
-    return { position: inGraph(this.rig.perspective.position), target: inGraph(this.rig.target) };
+    return this.homeView.camera;
   }
 
   get pictureCamera(): CameraPlace | null {
-    return this.isAtHome() ? null : this.asPicture();
+    return this.homeView.pictureCamera;
   }
 
   /** Replaces the control geometry over the model. */
@@ -156,10 +153,7 @@ export class Viewer {
 
   /** Shows a model in the colors of its motion in place of the shown one; null brings that back. */
   showSensitivity(model: DecodedModel | null): void {
-    this.clearSensitivity();
-    this.sensitivity = model ?? undefined;
-    if (model) this.scene.add(model.scene);
-    if (this.model) this.model.scene.visible = !model;
+    this.models.showMotion(model);
     this.renderer.domElement.dataset["sensitivity"] = String(model !== null);
     this.draw();
   }
@@ -176,13 +170,13 @@ export class Viewer {
   }
 
   compare(other: DecodedModel | null, how: ComparedHow): void {
-    this.split.set(other);
+    this.models.compare(other);
     this.compareHow(how);
   }
 
   compareHow(how: ComparedHow): void {
-    this.split.setHow(how);
-    this.dressModel();
+    this.models.compareHow(how);
+    this.models.dress(this.settings);
     this.setHandles();
     this.resize();
     this.placeForSplit();
@@ -190,8 +184,8 @@ export class Viewer {
   }
 
   clear(): void {
-    this.clearModel();
-    if (this.split.other) this.compare(null, "beside");
+    this.models.clear();
+    if (this.models.split.other) this.compare(null, "beside");
     this.control?.dispose();
     this.control = undefined;
     this.draw();
@@ -203,7 +197,7 @@ export class Viewer {
     this.rig.projection = settings.orthographic ? "orthographic" : "perspective";
     const changed = (...names: (keyof ViewSettings)[]): boolean =>
       names.some((name) => settings[name] !== before[name]);
-    if (changed("mode", "light", "curvatureKind")) this.dressModel();
+    if (changed("mode", "light", "curvatureKind")) this.models.dress(settings);
     if (changed("light", "grid", "axes")) this.ground.set(this.radius, this.settings);
     if (changed("light", "section")) this.placeSection();
     if (this.control) this.control.group.visible = settings.control;
@@ -251,18 +245,16 @@ export class Viewer {
 
   /** The view that the document opened with: its own camera's, else the model framed from the standard direction. */
   home(): void {
-    if (!this.opening || !this.model) this.frameAlong(HOME);
-    else this.moveTo(...framingOf(this.opening, samplePositions(this.model.scene), this.rig.perspective.aspect));
-    this.homePlace.position.copy(this.rig.perspective.position);
-    this.homePlace.target.copy(this.rig.target);
+    const { opening } = this.homeView;
+    const { model } = this.models;
+    if (!opening || !model) this.frameAlong(HOME);
+    else this.moveTo(...framingOf(opening, samplePositions(model.scene), this.rig.perspective.aspect));
+    this.homeView.arrive();
   }
 
   /** From now on Home leads to where the camera stands now. Answers that place. */
   keepView(): CameraPlace {
-    this.opening = this.asPicture();
-    this.homePlace.position.copy(this.rig.perspective.position);
-    this.homePlace.target.copy(this.rig.target);
-    return this.opening;
+    return this.homeView.keep();
   }
 
   thumbnail(model: DecodedModel, width: number, height: number, camera: CameraPlace | null): Promise<string> {
@@ -302,21 +294,6 @@ export class Viewer {
     this.renderer.domElement.remove();
   }
 
-  private isAtHome(): boolean {
-    const { position, target } = this.homePlace;
-    // Looking around rounds.
-    const moved = this.rig.perspective.position.distanceTo(position) + this.rig.target.distanceTo(target);
-    return moved < 1e-6 * position.distanceTo(target);
-  }
-
-  /** Where the camera stands, for a picture of the usual shape: a narrower view steps back from there. */
-  private asPicture(): CameraPlace {
-    const { position, aspect } = this.rig.perspective;
-    const back = Math.max(1, PICTURE_ASPECT / aspect);
-    const nearer = position.clone().sub(this.rig.target).divideScalar(back).add(this.rig.target);
-    return { position: inGraph(nearer), target: inGraph(this.rig.target) };
-  }
-
   private gizmoHost(): GizmoHost {
     const { host, rig } = this;
     return {
@@ -329,30 +306,9 @@ export class Viewer {
     };
   }
 
-  private clearSensitivity(): void {
-    if (this.sensitivity) this.scene.remove(this.sensitivity.scene);
-    this.sensitivity?.dispose();
-    this.sensitivity = undefined;
-  }
-
-  private clearModel(): void {
-    this.clearSensitivity();
-    this.look.clear();
-    if (this.model) this.scene.remove(this.model.scene);
-    this.model?.dispose();
-    this.model = undefined;
-  }
-
-  private dressModel(): void {
-    if (!this.model) return;
-    const { other, isSplit } = this.split;
-    this.host.scale(this.look.apply(this.model, this.settings));
-    this.host.deviation(other && !isSplit ? this.look.applyDeviation(this.model, other) : undefined);
-  }
-
   private setHandles(): void {
     // In half the view they would stand in the wrong place.
-    if (this.split.isSplit) this.handles.set([]);
+    if (this.models.split.isSplit) this.handles.set([]);
     else this.handles.set([...(this.settings.section ? [this.section.handle] : []), ...this.gizmos.handles]);
   }
 
@@ -380,9 +336,7 @@ export class Viewer {
     this.gizmos.update();
     const { clientWidth, clientHeight } = this.container;
     setRatio(this.renderer, fine ? Math.max(this.ratio, fineRatio(clientWidth, clientHeight)) : this.ratio);
-    const { split, model } = this;
-    if (split.isSplit) split.render(this.renderer, this.rig.camera, model, clientWidth, clientHeight);
-    else this.renderer.render(this.scene, this.rig.camera);
+    this.models.render(this.renderer, this.rig.camera, clientWidth, clientHeight);
     this.handles.update();
     this.tellInView();
     // What tests watch: that nothing is drawn for nothing, that nothing is kept for nothing, and from where it is seen.
@@ -394,7 +348,8 @@ export class Viewer {
 
   /** Half a view shows less: the model is framed in it, and seen from where it was when the view is whole again. */
   private placeForSplit(): void {
-    const { rig, split, model } = this;
+    const { rig } = this;
+    const { split, model } = this.models;
     if (split.isSplit && !split.wholePlace) {
       split.wholePlace = { position: inGraph(rig.perspective.position), target: inGraph(rig.target) };
       this.frameModel();
@@ -405,7 +360,7 @@ export class Viewer {
   }
 
   private tellInView(): void {
-    const how = this.model ? this.inView.look(this.rig.camera) : "";
+    const how = this.models.model ? this.inView.look(this.rig.camera) : "";
     if (how === this.outOfView) return;
     this.outOfView = how;
     this.host.outOfView(how);
@@ -416,7 +371,7 @@ export class Viewer {
     if (clientWidth === 0 || clientHeight === 0) return;
     this.renderer.setSize(clientWidth, clientHeight, true);
     drawingSize.value.set(clientWidth, clientHeight);
-    this.rig.resize(clientWidth / (this.split.isSplit ? 2 : 1) / clientHeight);
+    this.rig.resize(clientWidth / (this.models.split.isSplit ? 2 : 1) / clientHeight);
     // Setting the size clears the canvas; drawing at once avoids a blank frame.
     this.render();
   }
@@ -428,7 +383,8 @@ export class Viewer {
   }
 
   private frameAlong(direction: Vector3): void {
-    const framing = this.model && frame(samplePositions(this.model.scene), direction, this.rig.perspective);
+    const { model } = this.models;
+    const framing = model && frame(samplePositions(model.scene), direction, this.rig.perspective);
     if (framing) this.moveTo(direction, framing);
   }
 

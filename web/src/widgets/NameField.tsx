@@ -1,18 +1,17 @@
 import { type ReactElement, useRef, useState } from "react";
-import { nameProblem, renameNode } from "../model/edit";
+import { nameProblem } from "../model/edit";
+import { nameNode } from "../model/edit_ui";
 import { useCurrentSession, useEditor } from "./context";
 
-/** The name of a node while it is typed. Enter takes it, Escape leaves it. */
+/** The name of a node while it is typed: an id, or free text beside it. Enter takes it, Escape leaves it. */
 export function NameField({ id }: { id: string }): ReactElement {
   const session = useCurrentSession();
   const editor = useEditor();
-  const [text, setText] = useState(id);
-  const problem = problemOf(text);
-  function problemOf(name: string): string | undefined {
-    if (name === id) return undefined;
-    if (session.store.get().document?.nodes.has(name)) return "Another node has this name.";
-    return nameProblem(name);
-  }
+  const [before] = useState(() => session.store.get().document?.labels.get(id) ?? id);
+  const [text, setText] = useState(before);
+  const wanted = text.trim();
+  const isTaken = wanted !== id && (session.store.get().document?.nodes.has(wanted) ?? false);
+  const problem = isTaken ? "Another node has this name." : undefined;
   // Leaving the field, however it happens, counts once.
   const isDone = useRef(false);
   const close = (): void => {
@@ -24,11 +23,16 @@ export function NameField({ id }: { id: string }): ReactElement {
     if (isDone.current) return;
     if (problem) {
       editor.say(problem, "refused");
-    } else if (text !== id) {
-      session.edit("Rename", renameNode(id, text));
-      editor.unfold([text], editor.store.get().unfolded.has(id));
-      session.select([text]);
-      editor.say(`Renamed to ${text}`);
+    } else if (wanted !== before) {
+      const isId = wanted !== "" && nameProblem(wanted) === undefined;
+      session.edit("Rename", nameNode(id, wanted));
+      if (isId && wanted !== id) {
+        editor.unfold([wanted], editor.store.get().unfolded.has(id));
+        session.select([wanted]);
+      }
+      editor.say(
+        isId ? `Renamed to ${wanted}` : wanted ? `Labeled “${wanted}”; its name stays ${id}` : "The label is gone",
+      );
     }
     close();
   };
@@ -37,7 +41,7 @@ export function NameField({ id }: { id: string }): ReactElement {
       className="name-field nodrag nokey"
       aria-label="Name of the node"
       aria-invalid={problem !== undefined}
-      title={problem}
+      title={problem ?? "A name that others refer to, or any text as a label beside it"}
       autoFocus
       autoComplete="off"
       spellCheck={false}

@@ -1,6 +1,8 @@
 // What components know of the page around them: the session with the open graph, and the state of the editor.
 
 import { createContext, useContext } from "react";
+import { lookedAt } from "../model/document";
+import type { Parameter } from "../model/parameters";
 import type { Editor, EditorState } from "../session/editor";
 import type { Session } from "../session/session";
 import type { SessionState } from "../session/state";
@@ -28,4 +30,11 @@ export function useCurrentSession(): Session {
 /** A part of the session's state; renders again when that part changes. */
 export function useCurrent<Part>(select: (state: SessionState) => Part): Part {
   return useStore(useCurrentSession().store, select);
+}
+
+const NO_PARAMETERS: readonly Parameter[] = [];
+
+/** The parameters of the whole graph, also while one of its groups is looked at. */
+export function useWholeParameters(): readonly Parameter[] {
+  return useCurrent(({ document }) => (document ? lookedAt(document, []).parameters : NO_PARAMETERS));
 }
