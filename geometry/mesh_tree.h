@@ -104,8 +104,8 @@ template <class Visit>
 void MeshTree::visit_near(const Vector& low, const Vector& high, const Visit& visit) const {
   descend(
       [&](const Box& box) {
-        return box.low.x <= high.x && box.low.y <= high.y && box.low.z <= high.z && box.high.x >= low.x &&
-               box.high.y >= low.y && box.high.z >= low.z;
+        return box.bounds.low.x <= high.x && box.bounds.low.y <= high.y && box.bounds.low.z <= high.z &&
+               box.bounds.high.x >= low.x && box.bounds.high.y >= low.y && box.bounds.high.z >= low.z;
       },
       visit);
 }
@@ -122,9 +122,9 @@ void MeshTree::visit_along(const Vector& origin, const Vector& direction, double
   descend(
       [&](const Box& box) {
         double begin = 0, end = most;
-        return within(origin.x, direction.x, box.low.x, box.high.x, begin, end) &&
-               within(origin.y, direction.y, box.low.y, box.high.y, begin, end) &&
-               within(origin.z, direction.z, box.low.z, box.high.z, begin, end) &&
+        return within(origin.x, direction.x, box.bounds.low.x, box.bounds.high.x, begin, end) &&
+               within(origin.y, direction.y, box.bounds.low.y, box.bounds.high.y, begin, end) &&
+               within(origin.z, direction.z, box.bounds.low.z, box.bounds.high.z, begin, end) &&
                begin <= end + 1e-9 * (end + most);  // round-off of either
       },
       [&](std::uint32_t triangle) {
