@@ -113,11 +113,11 @@ class WarpedField : public ScalarField {
   }
 
   PulledBack pulled_back(const Vector& at) const {
-    constexpr double least_weight = 1e-100;
+    constexpr double smallest = 1e-100;
     const std::optional<Generator> sum = sum_at(at);
     if (!sum) return {at, 1};
     const Sphere image = apply(exponential(-strength_ * *sum), Sphere{1, at, 0.5 * squared_length(at)});
-    const double weight = std::max(image.no, least_weight);
+    const double weight = std::max(image.no, smallest);
     const Vector place = image.e / weight;
     return is_finite(place) && std::isfinite(weight) ? PulledBack{place, weight} : PulledBack{at, 1};
   }
