@@ -71,10 +71,12 @@ class Secants {
   std::vector<double> low_, high_;
 };
 
-constexpr std::uint32_t corners = Brick::side + 1;
-constexpr std::size_t corner_count = std::size_t{corners} * corners * corners;
+constexpr std::uint32_t corners_on_edge = Brick::side + 1;
+constexpr std::size_t corner_count = std::size_t{corners_on_edge} * corners_on_edge * corners_on_edge;
 
-std::size_t corner_index(std::uint32_t i, std::uint32_t j, std::uint32_t k) { return i + corners * (j + corners * k); }
+std::size_t corner_index(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+  return i + corners_on_edge * (j + corners_on_edge * k);
+}
 
 class BrickSampler {
  public:
@@ -106,9 +108,9 @@ class BrickSampler {
 
   void sample() {
     std::vector<double> x(corner_count), y(corner_count), z(corner_count);
-    for (std::uint32_t k = 0; k < corners; ++k) {
-      for (std::uint32_t j = 0; j < corners; ++j) {
-        for (std::uint32_t i = 0; i < corners; ++i) {
+    for (std::uint32_t k = 0; k < corners_on_edge; ++k) {
+      for (std::uint32_t j = 0; j < corners_on_edge; ++j) {
+        for (std::uint32_t i = 0; i < corners_on_edge; ++i) {
           const Vector place = corner(i, j, k);
           const std::size_t index = corner_index(i, j, k);
           x[index] = place.x, y[index] = place.y, z[index] = place.z;
@@ -126,9 +128,9 @@ class BrickSampler {
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
       crossing_at_[axis].assign(corner_count, -1);
       const std::array<std::uint32_t, 3> along = {axis == 0, axis == 1, axis == 2};
-      for (std::uint32_t k = 0; k + along[2] < corners; ++k) {
-        for (std::uint32_t j = 0; j + along[1] < corners; ++j) {
-          for (std::uint32_t i = 0; i + along[0] < corners; ++i) {
+      for (std::uint32_t k = 0; k + along[2] < corners_on_edge; ++k) {
+        for (std::uint32_t j = 0; j + along[1] < corners_on_edge; ++j) {
+          for (std::uint32_t i = 0; i + along[0] < corners_on_edge; ++i) {
             const std::size_t lower = corner_index(i, j, k);
             const std::size_t upper = corner_index(i + along[0], j + along[1], k + along[2]);
             if ((values_[lower] < 0) == (values_[upper] < 0)) continue;
