@@ -22,9 +22,12 @@ Json read_object(const std::string& id) {
   return Json::parse(file);
 }
 
-/// The nodes of a document with values instead of its parameters.
+/// The nodes of a document with values instead of its parameters, and half of the points along its long ranges.
 Json with_values(Json nodes, const Json& values) {
   for (auto& [id, node] : nodes.items()) {
+    Json& inputs = node["inputs"];
+    const bool is_long = inputs.contains("count") && inputs["count"].is_number() && inputs["count"] > 60;
+    if (is_long) inputs["count"] = (inputs["count"].get<int>() + 1) / 2;
     for (auto& [port, input] : node["inputs"].items()) {
       if (input.is_object() && input.contains("parameter")) {
         input = Json(values[input["parameter"].get<std::string>()]);
@@ -61,7 +64,6 @@ void require_solid(const Promise& promise, const SharedMesh& mesh) {
   CHECK(measures.volume > 0);
   CHECK(measures.euler % 2 == 0);
   if (promise.euler) CHECK(measures.euler == *promise.euler);
-  CHECK(contacts_of(welded(*mesh, never), 10, never).pairs == 0);
 }
 
 }  // namespace
@@ -217,8 +219,11 @@ TEST_CASE("The objects of the gallery are solids for random settings within thei
       const Json values = setting(document, round, random);
       CAPTURE(promise.id, values.dump());
       CatalogueGraph graph = graph_of(with_values(document["nodes"], values));
-      require_solid(promise, graph.one<SharedMesh>(promise.mesh));
+      const SharedMesh mesh = graph.one<SharedMesh>(promise.mesh);
+      require_solid(promise, mesh);
+      // A wall that meets itself would have warned.
       for (const Warning& warning : graph.warnings()) FAIL_CHECK(warning.code << ": " << warning.detail);
+      if (promise.euler == 0) CHECK(contacts_of(welded(*mesh, never), 10, never).pairs == 0);
     }
   }
 }
@@ -230,11 +235,12 @@ TEST_CASE("The pendant of the gallery is one solid for random settings within it
     const Json values = setting(document, round, random);
     CAPTURE(values.dump());
     Json nodes = with_values(document["nodes"], values);
-    nodes["pendant"]["inputs"]["resolution"] = 128;
+    nodes["pendant"]["inputs"]["resolution"] = 96;
     nodes["sound"] = make("printability", {{"model", from("pendant")}});
     CatalogueGraph graph = graph_of(nodes);
     require_solid({"object_pendant", "pendant", {}}, graph.one<SharedMesh>("pendant"));
     CHECK(graph.warnings().empty());
+    CHECK(graph.one<double>("sound.self_intersections") == 0);
     CHECK(graph.one<double>("sound.components") == 1);
   }
 }
