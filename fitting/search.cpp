@@ -47,13 +47,22 @@ Slopes flat(std::size_t parameters, const Sample& sample) {
           {parameters, std::vector<double>(sample.distances.size())}};
 }
 
-/// Each of length 1; one that is zero stays.
+/// Directions at right angles, of length 1, along which these slopes go: as many as there are independent ones.
 std::vector<std::vector<double>> directions(std::vector<std::vector<double>> slopes) {
+  constexpr double independent = 1e-6;
+  std::vector<std::vector<double>> found;
   for (std::vector<double>& slope : slopes) {
+    const double before = std::sqrt(dot_product(slope, slope));
+    for (const std::vector<double>& direction : found) {
+      const double share = dot_product(slope, direction);
+      for (std::size_t i = 0; i < slope.size(); ++i) slope[i] -= share * direction[i];
+    }
     const double size = std::sqrt(dot_product(slope, slope));
-    if (size > 0) std::ranges::transform(slope, slope.begin(), [&](double each) { return each / size; });
+    if (!(size > independent * before)) continue;
+    for (double& each : slope) each /= size;
+    found.push_back(std::move(slope));
   }
-  return slopes;
+  return found;
 }
 
 /// What a graph that fails is worth: more than anything, and still a number to go back from.
@@ -199,14 +208,14 @@ Place Search::downhill(const Place& start) {
     }
     return scale * merit_of(*sample).objective;
   };
-  // No more conditions may be kept than there are parameters, so of more there are combinations: those by which the
-  // parameters rise at first.
+  // No more conditions can be kept than there are parameters, and the optimizer takes no more: of more there are
+  // combinations, along the directions in which they rise at first.
+  const bool are_combined = has_conditions() && first->conditions.size() > count;
   std::vector<std::vector<double>> combinations;
-  if (has_conditions() && first->conditions.size() > count)
-    combinations = directions(slopes_at(start, *first).conditions);
-  objective.conditions = !has_conditions() ? 0 : combinations.empty() ? first->conditions.size() : count;
+  if (are_combined) combinations = directions(slopes_at(start, *first).conditions);
+  objective.conditions = !has_conditions() ? 0 : are_combined ? combinations.size() : first->conditions.size();
   const auto combined = [&](const std::vector<double>& conditions, std::size_t i) {
-    return combinations.empty() ? conditions[i] : dot_product(combinations[i], conditions);
+    return are_combined ? dot_product(combinations[i], conditions) : conditions[i];
   };
   objective.missing = [&](const Place& place, std::span<double> values, std::span<double> wanted) {
     const Sample* sample = sample_at(place);

@@ -179,8 +179,15 @@ TEST_CASE("A deadline ends a fit with the best so far") {
   request.targets = {{"volume", 0.8}};
   const Result<Json> answer =
       fitting::fit(engine(), request, Job(), {.deadline = Cancel::Clock::now(), .improved = {}});
-  REQUIRE_FALSE(answer);  // there is none yet
-  CHECK(answer.problems().front().code == "deadline");
+  REQUIRE(answer);
+  CHECK((*answer)["outcome"] == "deadline");
+  CHECK((*answer)["evaluations"] == 1);
+  CHECK((*answer)["parameters"] == Json{{"a", 1.7}, {"b", 0.6}, {"c", 1.1}});
+  // One that comes within the first evaluation leaves nothing.
+  const Result<Json> none =
+      fitting::fit(engine(), request, Job{.cancel = Cancel(Cancel::Clock::now()), .progress = {}});
+  REQUIRE_FALSE(none);
+  CHECK(none.problems().front().code == "deadline");
 }
 
 TEST_CASE("The best so far only gets better while it is told, and is the answer in the end") {
