@@ -43,13 +43,13 @@ class Hand {
     await this.key("Enter");
   }
 
-  /** Draws a wire into nothing, and takes what is likeliest to stand there, or what is typed. */
+  /** Draws a wire into nothing, and takes the node whose name is typed. */
   async pull(socket, x, y, text) {
     const from = await middle(socket);
     this.count++;
     await drag(this.page, from, await at(this.page, x, y));
     await this.page.locator("[role=dialog][aria-label^='Add a node'] [role=combobox]:focus").waitFor();
-    if (text !== undefined) await this.type(text);
+    await this.type(text);
     await this.key("Enter");
   }
 
@@ -86,7 +86,7 @@ test("a circle that is boosted to a surface, with two parameters", { timeout: 30
     await hand.press(remedy(page, "boost", "Circle"));
     await hand.press(remedy(page, "boost", "Point pair"));
     await untilGraph(page, ({ nodes }) => nodes.boost.inputs.shape?.from && nodes.boost.inputs.generator?.from);
-    await hand.pull(input(page, "boost", "amount"), 120, 760);
+    await hand.pull(input(page, "boost", "amount"), 320, 760, "range");
     await untilGraph(page, ({ nodes }) => nodes.boost.inputs.amount?.from === "range");
     await hand.pull(output(page, "boost", "shape"), 820, 300, "surface");
     await untilGraph(page, ({ nodes }) => nodes.surface?.inputs.shape?.from !== undefined);
@@ -109,7 +109,7 @@ test("a sphere that is warped by three pairs, colored by its curvature", { timeo
   withEditor(used, SIZE, async (page) => {
     const hand = new Hand(page);
     await hand.begin("warp", 460, 260);
-    await hand.pull(input(page, "warp", "shape"), 120, 160, "sphere mesh");
+    await hand.pull(input(page, "warp", "shape"), 320, 160, "sphere mesh");
     await untilGraph(page, ({ nodes }) => nodes.warp.inputs.shape?.from === "sphere_mesh");
     await hand.press(remedy(page, "warp", "Point pair"));
     await untilGraph(page, ({ nodes }) => nodes.point_pair !== undefined);
@@ -138,7 +138,7 @@ test("fibers of a circle as tubes", { timeout: 300_000 }, (t) =>
     await hand.begin("hopf", 460, 260);
     await hand.press(remedy(page, "hopf", "Circle"));
     await untilGraph(page, ({ nodes }) => nodes.hopf.inputs.shape?.from === "circle");
-    await hand.pull(input(page, "hopf", "theta"), 120, 760);
+    await hand.pull(input(page, "hopf", "theta"), 320, 760, "range");
     await untilGraph(page, ({ nodes }) => nodes.hopf.inputs.theta?.from === "range");
     await hand.pull(output(page, "hopf", "circle"), 820, 300, "tube");
     await untilGraph(page, ({ nodes }) => nodes.tube?.inputs.shape?.from !== undefined);
