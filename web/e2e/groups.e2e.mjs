@@ -157,3 +157,25 @@ test("a group is saved to a file and comes back from it into another graph", { t
     assert.deepEqual(taken.groups, groups);
   }),
 );
+
+test("a group is entered, gone through and left with the keyboard alone", { timeout: 300_000 }, () =>
+  withEditor(used, SIZE, async (page) => {
+    const [one, two] = chosenOf(await untilGraph(page, ({ nodes }) => nodes !== undefined));
+    await chooseAll(page, [one, two]);
+    await page.keyboard.press("Control+g");
+    await untilSelected(page, ["group"]);
+    // From here on the pointer says nothing.
+    await page.mouse.move(2, 2);
+    const focused = (name) => page.waitForFunction((id) => document.activeElement?.dataset.id === id, name);
+    await node(page, "group").focus();
+    await page.keyboard.press("Tab");
+    await groupPath(page).waitFor();
+    await page.waitForFunction(() => document.activeElement?.matches(".graph-pane"));
+    await page.keyboard.press("ArrowRight");
+    await focused(one);
+    await page.keyboard.press("Tab");
+    await groupPath(page).waitFor({ state: "detached" });
+    await untilSelected(page, ["group"]);
+    await focused("group");
+  }),
+);

@@ -185,6 +185,8 @@ export class Viewer {
 
   clear(): void {
     this.models.clear();
+    // Where this document was seen from is no place for the next one.
+    this.models.split.wholePlace = undefined;
     if (this.models.split.other) this.compare(null, "beside");
     this.control?.dispose();
     this.control = undefined;
