@@ -4,8 +4,8 @@
 
 #include "geometry/validate.h"
 #include "graph/node_builder.h"
-#include "nodes/solids.h"
 #include "nodes/mesh_reach.h"
+#include "nodes/solids.h"
 
 namespace dini {
 

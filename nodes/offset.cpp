@@ -1,8 +1,8 @@
 #include "geometry/displacement.h"
 #include "graph/node_builder.h"
-#include "nodes/solids.h"
 #include "nodes/costs.h"
 #include "nodes/mesh_reach.h"
+#include "nodes/solids.h"
 
 namespace dini {
 
