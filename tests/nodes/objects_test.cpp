@@ -174,7 +174,6 @@ TEST_CASE("Cap closes a pipe and counts its caps, and too many rings are refused
 }
 
 TEST_CASE("A mesh that no wall and no cap fits is refused with its place") {
-  // A ball and the same ball moved onto one of its triangles would do; two lists of one face are simpler.
   const Json nodes = {{"sheet", make("grid", {{"count_u", 3}, {"count_v", 3}})},
                       {"skin", make("surface", {{"shape", from("sheet.points")}})},
                       {"twice", make("merge", {{"meshes", {from("skin"), from("skin")}}})},
