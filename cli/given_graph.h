@@ -35,8 +35,8 @@ class GraphArguments {
   const std::string& path() const { return path_; }
   const Console& console() const { return console_; }
 
-  /// Reads all of it. What is wrong is told on standard error, and to `failed` if it is given; the exit code for that is
-  /// the error.
+  /// Reads all of it. What is wrong is told on standard error, and to `failed` if it is given; the exit code for that
+  /// is the error.
   Expected<GivenGraph, int> load(
       const EngineMaker& make_engine,
       const std::function<void(const Problems& problems, const SourceText* source)>& failed = {}) const;

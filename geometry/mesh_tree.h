@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/cancel.h"
 #include "geometry/bounding_box.h"
+#include "geometry/cancel.h"
 #include "geometry/mesh.h"
 
 namespace dini {
