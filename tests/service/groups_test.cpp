@@ -118,8 +118,8 @@ TEST_CASE("A place that is not there is told by what was asked for") {
   CHECK(told({.graph = graph, .measures = {"flower.hihg"}}) ==
         "unknown-port /measures/0: flower, an instance of a group, has no output \"hihg\"; did you mean \"high\"?");
   CHECK(told({.graph = graph, .preview = {"flower.x"}}).starts_with("unknown-port /preview/0: flower, an instance"));
-  CHECK(told({.graph = graph, .output = "flower.low"}) ==
-        "unknown-output /output: \"flower.low\" is no export node of the graph; there is flower/file");
+  CHECK(told({.graph = graph, .output = "flower.low"})
+            .starts_with("unknown-output /output: \"flower.low\" is no export node of the graph"));
   CHECK(told({.graph = graph, .output = "flower/file.nonsense"}).starts_with("unknown-output /output"));
   const std::string file = file_of(engine(), {.graph = graph});
   // Named alone, an instance means that of its outputs which is a file.
