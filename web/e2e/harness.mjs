@@ -107,7 +107,7 @@ export async function openPage(browser, url, options = {}) {
   if (count) await context.addInitScript(countThings);
   context.setDefaultTimeout(LONGEST_WAIT);
   const page = await context.newPage();
-  options.beforeOpening?.(page);
+  await options.beforeOpening?.(page);
   const offences = [];
   const origin = new URL(url).origin;
   page.on("console", (message) => {

@@ -3,6 +3,7 @@
 import { Scene, Vector3, type WebGLRenderer } from "three";
 import type { CameraPlace } from "../model/document";
 import type { ControlInfo } from "../session/state";
+import { AmbientOcclusion } from "./ambient_occlusion";
 import { makeRenderer } from "./canvas";
 import { ControlGeometry } from "./control_geometry";
 import { ControlMaterials } from "./control_materials";
@@ -39,6 +40,7 @@ export class Viewer {
   private readonly rig: CameraRig;
   /** Light that is computed, where there is a graphics processor for it. */
   private readonly studio: StudioLight | undefined;
+  private readonly occlusion: AmbientOcclusion | undefined;
   private readonly materials: Materials;
   private readonly controlMaterials = new ControlMaterials();
   private readonly decoder: Decoder;
@@ -77,6 +79,7 @@ export class Viewer {
     this.renderer = makeRenderer(container, label, smooth ? "smooth" : this.isSoftware ? "plain" : "usual");
     this.studio = this.isSoftware || smooth ? undefined : new StudioLight(this.renderer);
     this.materials = new Materials(this.studio?.environment);
+    this.occlusion = this.studio && new AmbientOcclusion(this.materials.planes);
     this.decoder = new Decoder(this.materials);
     this.look = new ModelLook(this.materials);
     this.models = new ShownModels(this.scene, this.look, host);
@@ -290,6 +293,7 @@ export class Viewer {
     this.rig.dispose();
     this.materials.dispose();
     this.studio?.dispose();
+    this.occlusion?.dispose();
     this.controlMaterials.dispose();
     this.decoder.dispose();
     this.renderer.dispose();
@@ -339,12 +343,14 @@ export class Viewer {
     const { clientWidth, clientHeight } = this.container;
     setRatio(this.renderer, fine ? Math.max(this.ratio, fineRatio(clientWidth, clientHeight)) : this.ratio);
     this.models.render(this.renderer, this.rig.camera, clientWidth, clientHeight);
+    const occluded = this.occlusion !== undefined && this.models.isPlain(this.settings);
+    if (occluded) this.occlusion?.apply(this.renderer, this.scene, this.rig.camera, this.radius);
     this.handles.update();
     this.tellInView();
     // What tests watch: that nothing is drawn for nothing, that nothing is kept for nothing, and from where it is seen.
     const { geometries, textures } = this.renderer.info.memory;
     const eye = this.rig.perspective.position.toArray().map((value) => value.toPrecision(5));
-    Object.assign(this.renderer.domElement.dataset, { frames: ++this.frames, geometries, textures, eye });
+    Object.assign(this.renderer.domElement.dataset, { frames: ++this.frames, geometries, textures, eye, occluded });
     this.rest.drawn(fine);
   }
 

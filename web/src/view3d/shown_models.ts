@@ -2,6 +2,7 @@
 // it is compared with. Each is let go when another takes its place.
 
 import type { Camera, Scene, WebGLRenderer } from "three";
+import { OCCLUDING_LAYER } from "./ambient_occlusion";
 import type { DecodedModel } from "./decode";
 import type { ModelLook } from "./model_look";
 import { type ComparedHow, SplitView } from "./split_view";
@@ -29,6 +30,9 @@ export class ShownModels {
   show(model: DecodedModel): void {
     this.clear();
     this.shown = model;
+    for (const mesh of model.meshes) {
+      if (![mesh.material].flat().some(({ transparent }) => transparent)) mesh.layers.enable(OCCLUDING_LAYER);
+    }
     this.scene.add(model.scene);
   }
 
@@ -55,6 +59,12 @@ export class ShownModels {
     const { other, isSplit } = this.split;
     this.host.scale(this.look.apply(this.shown, settings));
     this.host.deviation(other && !isSplit ? this.look.applyDeviation(this.shown, other) : undefined);
+  }
+
+  /** The shown model alone, in its own colors: what tells of numbers by colors is not darkened. */
+  isPlain({ mode }: ViewSettings): boolean {
+    const isOwn = mode === "shaded" || mode === "shaded-wire";
+    return isOwn && this.shown !== undefined && this.moving === undefined && this.split.other === undefined;
   }
 
   render(renderer: WebGLRenderer, camera: Camera, width: number, height: number): void {

@@ -5,7 +5,7 @@ import {
   Group,
   Mesh,
   NeutralToneMapping,
-  PCFSoftShadowMap,
+  PCFShadowMap,
   PlaneGeometry,
   PMREMGenerator,
   ShadowMaterial,
@@ -40,7 +40,7 @@ export class StudioLight {
     // Keeps the colors of what is not glaring as they are.
     renderer.toneMapping = NeutralToneMapping;
     renderer.shadowMap.enabled = true;
-    renderer.shadowMap.type = PCFSoftShadowMap;
+    renderer.shadowMap.type = PCFShadowMap;
     const generator = new PMREMGenerator(renderer);
     const room = new RoomEnvironment();
     this.target = generator.fromScene(room, ROOM_BLUR);
