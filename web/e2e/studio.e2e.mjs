@@ -14,6 +14,8 @@ const withStudio = (run) =>
     used,
     {
       hash: RING,
+      // Drawn by the processor it takes long: the picture is small.
+      ...{ width: 960, height: 540 },
       beforeOpening: (page) =>
         page.addInitScript((wanted) => {
           const { getParameter } = WebGL2RenderingContext.prototype;
