@@ -15,7 +15,7 @@ struct SmoothOptions {
 /// The positions of a mesh smoothed: each vertex moves towards the middle of its neighbors, all at once, again and
 /// again. Vertices at one position are one, so that seams stay closed. Edges of one triangle, or of more than two, are
 /// the border; where more than two of them meet a vertex stays. Steps that keep the volume are those of Taubin, "A
-/// signal processing approach to fair surface design" (1995), with a pass band of 0.1. Stopped early: positions that
+/// signal processing approach to fair surface design" (1995), with a pass band of 0.02. Stopped early: positions that
 /// mean nothing.
 Column<Point> smoothed_positions(const Mesh& mesh, const SmoothOptions& options, const Cancel& cancel);
 

@@ -132,7 +132,7 @@ class Lengths {
   }
 
  private:
-  static constexpr std::size_t looks_per_piece = 16;
+  static constexpr std::size_t looks_per_piece = 64;
 
   std::pair<std::size_t, double> place(double look) const {
     const double pieces = look / looks_per_piece;

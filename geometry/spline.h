@@ -32,7 +32,7 @@ struct SplineOptions {
 /// An open smooth curve has no curvature at its ends. Points that agree with the one before them are one; a single
 /// point, or none but equal ones, gives that point `count` times, and two an even straight line, closed there and back.
 /// Points are finite and below 1e18; no points give none. Even lengths are right to a part of the square of the bend of
-/// a sixteenth of the step between given points. Stopped early: points that mean nothing.
+/// a 64th of the step between given points. Stopped early: points that mean nothing.
 Column<Point> spline_points(const Column<Point>& given, const SplineOptions& options, const Cancel& cancel);
 
 }  // namespace dini

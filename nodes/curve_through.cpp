@@ -76,7 +76,7 @@ void add_curve_through(Registry& registry) {
           .makes_curves()
           .cost([](const RunSize& size) {
             const auto points = static_cast<double>(size.consumed.front().size);
-            return RunCost{40 * size.values + 400 * points, 8 * size.values + 400 * points};
+            return RunCost{40 * size.values + 2000 * points, 8 * size.values + 1000 * points};
           })
           .output("points", "The curve, over the new axis."));
 }

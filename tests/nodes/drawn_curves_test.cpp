@@ -98,7 +98,7 @@ TEST_CASE("A curve by length has even steps, and its ends") {
       if (!closed) require_close(points.back(), point_of(items.back()), 1e-12);
       const double mean = length_of(points, closed) / (closed ? 1000 : 999);
       for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        CHECK(distance(points[i], points[i + 1]) == Approx(mean).epsilon(0.05));
+        CHECK(distance(points[i], points[i + 1]) == Approx(mean).epsilon(0.1));
       }
     }
   }

@@ -132,7 +132,7 @@ TEST_CASE("A roughened closed mesh stays closed, and moves by the noise along it
   }
   CHECK(most > 0.05);
   nodes["it"]["inputs"]["amplitude"] = 0;
-  CHECK(graph_of(nodes).one<SharedMesh>("it")->positions == ball->positions);
+  CHECK((graph_of(nodes).one<SharedMesh>("it")->positions == ball->positions));
   // The faces of a box have vertices of their own along its edges.
   const Json box = {{"box", make("box_mesh", {{"segments", 12}})}, {"it", make("roughen", {{"shape", from("box")}})}};
   CHECK(measures_of(*graph_of(box).one<SharedMesh>("it")).closed);
@@ -184,7 +184,7 @@ TEST_CASE("Smoothing rounds a box without opening it, and at full strength stays
   }
 }
 
-TEST_CASE("A flat sheet smoothed with its border stays, without it its corners stay") {
+TEST_CASE("A flat sheet smoothed with its border stays, without it the border gets round") {
   Json nodes = {{"g", make("grid", {{"count_u", 6}, {"count_v", 6}})},
                 {"sheet", make("surface", {{"shape", from("g")}})},
                 {"it", make("smooth", {{"shape", from("sheet")}, {"iterations", 50}})}};
@@ -198,7 +198,7 @@ TEST_CASE("A flat sheet smoothed with its border stays, without it its corners s
   nodes["it"]["inputs"].update({{"keep_border", false}, {"keep_volume", false}});
   const Measures rounded = measures_of(*graph_of(nodes).one<SharedMesh>("it"));
   CHECK(rounded.area < 3.9);
-  CHECK(rounded.area > 1);
+  CHECK(rounded.area > 0.5);
   CHECK(rounded.boundary_edges == 20);
 }
 
@@ -210,7 +210,7 @@ TEST_CASE("Smoothing nothing and smoothing not at all give what was there") {
                       {"empty", make("tube", {{"shape", from("same")}})},
                       {"it", make("smooth", {{"shape", from("empty")}})}};
   CatalogueGraph graph = graph_of(nodes);
-  CHECK(graph.one<SharedMesh>("none")->positions == graph.one<SharedMesh>("ball")->positions);
-  CHECK(graph.one<SharedMesh>("weak")->positions == graph.one<SharedMesh>("ball")->positions);
+  CHECK((graph.one<SharedMesh>("none")->positions == graph.one<SharedMesh>("ball")->positions));
+  CHECK((graph.one<SharedMesh>("weak")->positions == graph.one<SharedMesh>("ball")->positions));
   CHECK(graph.one<SharedMesh>("it")->triangles.empty());
 }
