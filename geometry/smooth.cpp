@@ -11,7 +11,7 @@ namespace dini {
 namespace {
 
 constexpr double longest_way = 2.0 / 3;  ///< Both steps together then make nothing rougher.
-constexpr double pass_band = 0.02;       ///< of frequencies that stay, where 2 is a zigzag; they grow by 5 % in 1000 steps
+constexpr double pass_band = 0.02;  ///< of frequencies that stay, where 2 is a zigzag; they grow by 5 % in 1000 steps
 
 /// The vertices that each vertex is drawn to, by the label of its position; none for those that stay.
 class Neighbors {

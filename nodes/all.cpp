@@ -1,6 +1,5 @@
 #include "nodes/all.h"
 
-#include "nodes/more.h"
 #include "nodes/solids.h"
 
 namespace dini {

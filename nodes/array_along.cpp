@@ -5,7 +5,6 @@
 #include "graph/kept_axes.h"
 #include "nodes/all.h"
 #include "nodes/copies.h"
-#include "nodes/more.h"
 
 namespace dini {
 

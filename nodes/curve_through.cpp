@@ -4,7 +4,6 @@
 #include "geometry/validate.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
-#include "nodes/more.h"
 
 namespace dini {
 

@@ -6,7 +6,6 @@
 #include "geometry/normals.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
-#include "nodes/more.h"
 #include "nodes/shapes.h"
 
 namespace dini {

@@ -3,7 +3,6 @@
 #include "geometry/contours.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
-#include "nodes/more.h"
 
 namespace dini {
 

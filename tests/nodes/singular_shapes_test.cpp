@@ -254,9 +254,10 @@ TEST_CASE("Singular inputs: a zero radius") {
 
 TEST_CASE("Singular inputs: a zero direction") {
   const Json zero = {0, 0, 0};
-  const Json others = {
-      {"spot", spot}, {"none", make("point_pair", {{"direction", zero}})}, {"tau", make("point_pair")},
-      {"ball", make("sphere_mesh", {{"segments", 6}, {"rings", 4}})}};
+  const Json others = {{"spot", spot},
+                       {"none", make("point_pair", {{"direction", zero}})},
+                       {"tau", make("point_pair")},
+                       {"ball", make("sphere_mesh", {{"segments", 6}, {"rings", 4}})}};
   const auto refused = [&](const char* type, const char* port, Json inputs = Json::object()) {
     return [=] {
       Json given = inputs;
