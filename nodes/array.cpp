@@ -2,7 +2,6 @@
 
 #include "nodes/all.h"
 #include "nodes/copies.h"
-#include "nodes/more.h"
 
 namespace dini {
 

@@ -5,7 +5,6 @@
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 #include "nodes/mirrors.h"
-#include "nodes/more.h"
 #include "nodes/shapes.h"
 
 namespace dini {
