@@ -40,10 +40,16 @@ Attempt<std::tuple<SharedMesh, double>> closed_by_caps(const Context& context, c
   return std::tuple(SharedMesh(std::make_shared<const Mesh>(std::move(result.mesh))), static_cast<double>(result.caps));
 }
 
+/// A flat cap has a vertex for each of its border's and one more, which is little beside a mesh that is not nearly all
+/// border; a dome has its rings of them.
 RunCost cost_of_cap(const RunSize& size) {
-  const auto rings = static_cast<double>(integer_at(size.literals, "rings"));
-  const double most = std::min((rings + 2) * size.given_vertices, std::max(size.given_vertices, few_cap_vertices));
-  return {400 * size.given_vertices, 300 * size.given_vertices, 104 * most};
+  RunCost cost{400 * size.given_vertices, 450 * size.given_vertices};
+  if (text_at(size.literals, "kind") == "dome") {
+    const auto rings = static_cast<double>(integer_at(size.literals, "rings"));
+    const double most = std::min((rings + 1) * size.given_vertices, std::max(size.given_vertices, few_cap_vertices));
+    cost.kept_bytes = 104 * most;
+  }
+  return cost;
 }
 
 }  // namespace
