@@ -210,7 +210,7 @@ class FoldedField : public ScalarField {
 
 TEST_CASE("A surface that is too large is left before all of it is made") {
   Asked all, few;
-  ImplicitOptions options = cube(1, 64);
+  ImplicitOptions options = cube(1, 40);
   implicit_mesh(std::make_shared<FoldedField>(all, 1), options, never_stopped);
   options.most_vertices = 100;
   const ImplicitSurface surface = implicit_mesh(std::make_shared<FoldedField>(few, 1), options, never_stopped);
@@ -222,7 +222,7 @@ TEST_CASE("A surface that is too large is left before all of it is made") {
 TEST_CASE("What is left of a field in parts of the box takes so much memory and no more, and changes nothing") {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 2);
   Asked wide, narrow;
-  ImplicitOptions options = cube(1, 64);
+  ImplicitOptions options = cube(1, 24);
   const Mesh free = implicit_mesh(std::make_shared<FoldedField>(wide, 1), options, never_stopped).mesh;
   options.most_field_bytes = 3 * FoldedField::part_bytes;
   const Mesh bounded = implicit_mesh(std::make_shared<FoldedField>(narrow, 1), options, never_stopped).mesh;
