@@ -28,7 +28,7 @@ Mesh waves(std::size_t side) {
       mesh.triangles.push_back({a, d, c});
     }
   }
-  mesh.tile_ends = {mesh.triangles.size()};
+  mesh.tile_ends.push_back(mesh.triangles.size());
   return mesh;
 }
 
