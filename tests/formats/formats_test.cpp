@@ -218,9 +218,10 @@ TEST_CASE("An end that is no format is told before anything is done") {
     words.insert(words.end(), wrong.begin(), wrong.end());
     const Outcome outcome = run(words);
     CHECK(outcome.code == 2);
-    CHECK(outcome.err.find(
-              ".glb (glb), .gltf (gltf), .obj (obj), .stl (stl), .ply (ply), .3mf (3mf), .counts (counts)") !=
-          std::string::npos);
+    CHECK(
+        outcome.err.find(
+            ".glb (glb), .gltf (gltf), .obj (obj), .stl (stl), .ply (ply), .3mf (3mf), .svg (svg), .counts (counts)") !=
+        std::string::npos);
     CHECK_FALSE(std::filesystem::exists(wrong[1]));
     CHECK_FALSE(std::filesystem::exists(report));  // it is not that of this run
   }

@@ -98,7 +98,7 @@ TEST_CASE("A wrong body of a fit or of derivatives is refused with the member th
   CHECK(fit({{"target_mesh", 1}}) == "/target_mesh type-mismatch");
   CHECK(fit({{"mesh", "skin"}, {"targets", targets}}) == "/mesh required-input-missing");
   CHECK(refused("/v1/fit", Json::array()).ends_with("type-mismatch"));
-  CHECK(refused("/v1/fit", {{"vary", {{"reach", Json::array()}}}}) == "/graph required-member-missing");
+  CHECK(refused("/v1/fit", {{"vary", {{"reach", Json::array()}}}}) == "/graph required-input-missing");
   const auto gradient = [&](Json body) {
     body["graph"] = example_graph();
     return refused("/v1/gradient", body);

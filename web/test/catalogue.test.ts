@@ -7,10 +7,10 @@ test("the catalogue lists the formats that models are written in, the usual one 
   assert.equal(catalogue.formats[0]?.name, "glb");
   assert.deepEqual(
     catalogue.formats.map(({ extension }) => extension),
-    [".glb", ".gltf", ".obj", ".stl", ".ply", ".3mf"],
+    [".glb", ".gltf", ".obj", ".stl", ".ply", ".3mf", ".svg"],
   );
   for (const format of catalogue.formats) {
-    assert.match(format.mediaType, /^model\//);
+    assert.match(format.mediaType, /^(model|image)\//);
     assert.match(format.description, /\.$/);
   }
 });

@@ -242,3 +242,10 @@ test("only what an edit touches is a new object", () => {
   );
   assert.equal(changed.positions, document.positions);
 });
+
+test("a node that takes one wire only keeps the first of several", () => {
+  const two = { model: [{ from: "a" }, { from: "b" }] };
+  const nodes = { a: { type: "sphere_mesh" }, b: { type: "box_mesh" }, out: { type: "export", inputs: two } };
+  const changed = replaceNode(catalogue, "out", "printability")(open({ format: 1, nodes }));
+  assert.deepEqual(changed.nodes.get("out")?.inputs.get("model"), [{ kind: "link", node: "a" }]);
+});

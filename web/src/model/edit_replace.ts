@@ -6,7 +6,7 @@ import { readSources, type Source } from "./document";
 import { changeNode, type Edit } from "./edit";
 import { connect, disconnect } from "./edit_wires";
 import { withGroupOutputs } from "./group_outputs";
-import { asObject, type JsonObject } from "./json";
+import { asObject, type Json, type JsonObject } from "./json";
 
 export function replaceNode(catalogue: Catalogue, id: string, type: string): Edit {
   return (document) => {
@@ -21,7 +21,10 @@ export function replaceNode(catalogue: Catalogue, id: string, type: string): Edi
       const oldTypes = old?.inputs.find((item) => item.name === input.name)?.types ?? [];
       const fits = (source: Source): boolean =>
         source.kind === "link" ? accepts(input, types.possible(source.node, source.output)) : accepts(input, oldTypes);
-      if (value !== undefined && readSources(value).every(fits)) inputs[input.name] = value;
+      if (value === undefined || !readSources(value).every(fits)) continue;
+      // Where one wire is taken only, the first of several stays.
+      const isList = !input.several && Array.isArray(value) && readSources(value).length > 1;
+      inputs[input.name] = isList ? (value[0] as Json) : value;
     }
     let changed = changeNode(document, id, ({ type: _, inputs: __, ...rest }) => ({ ...rest, type, inputs }));
     // A wire that now starts or ends at what is not there is judged anew, the last of an input first.

@@ -76,7 +76,7 @@ export class Viewer {
     private readonly host: ViewerHost,
   ) {
     this.isSoftware = isSoftwareRendering();
-    this.renderer = makeRenderer(container, label, smooth ? "smooth" : this.isSoftware ? "plain" : "usual");
+    this.renderer = makeRenderer(container, label, smooth ? "fine" : this.isSoftware ? "plain" : "usual");
     this.studio = this.isSoftware || smooth ? undefined : new StudioLight(this.renderer);
     this.materials = new Materials(this.studio?.environment);
     this.occlusion = this.studio && new AmbientOcclusion(this.materials.planes);

@@ -9,11 +9,11 @@ import { WebGLRenderer } from "three";
 export function makeRenderer(
   container: HTMLElement,
   label: string,
-  quality: "smooth" | "plain" | "usual",
+  quality: "fine" | "plain" | "usual",
 ): WebGLRenderer {
   const antialias = quality !== "plain";
   const renderer = new WebGLRenderer({ antialias, alpha: true, powerPreference: "high-performance" });
-  const ratios = { smooth: 2, plain: 1, usual: Math.min(2, window.devicePixelRatio) };
+  const ratios = { fine: 2, plain: 1, usual: Math.min(2, window.devicePixelRatio) };
   renderer.setPixelRatio(ratios[quality]);
   renderer.setClearColor(0x000000, 0);
   renderer.localClippingEnabled = true;
