@@ -86,6 +86,7 @@ std::vector<Json> large_graphs(const Subject& subject, std::size_t size) {
                                                     : size;
     Json literals = consumed_names(subject);
     if (makes_meshes) literals.update(counts_for(*subject.type, numbers_per_mesh));
+    if (makes_fields) literals.update(counts_for(*subject.type, numbers_per_field));
     graphs.push_back(wired_nodes(subject, {.driven = card.name, .drive = {{"count", values}}, .literals = literals}));
   }
   return graphs;
