@@ -28,6 +28,7 @@ Attempt<std::tuple<SharedMesh, double>> closed_by_caps(const Context& context, c
                                                        const CapInputs& in) {
   const std::size_t most = std::max(shape->positions.size(), static_cast<std::size_t>(few_cap_vertices));
   CappedMesh result = capped(*shape, {in.kind, static_cast<std::size_t>(in.rings), most}, context.cancel());
+  if (context.cancel().stopped()) return std::tuple(shape, 0.0);
   if (result.fault) return Failure{"degenerate", "no cap can close this mesh: " + *result.fault, "shape"};
   if (result.too_large) {
     return Failure{"limit-exceeded",

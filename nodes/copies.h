@@ -42,7 +42,7 @@ Attempt<Made<Shape>> moved_copies(const Context& context, const Shape& shape, st
 
 /// Copies of a mesh share all but positions and normals with it; a field that is moved holds more than its wire counts.
 inline RunCost cost_of_copies(const RunSize& size) {
-  return {0, 48 * size.vertices, 240 * size.fields - 56 * size.vertices};
+  return {0, 48 * size.vertices, 450 * size.fields - 56 * size.vertices};
 }
 
 /// The functions of a node that copies: `copies<Shape>` for every kind of shape.

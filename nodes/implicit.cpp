@@ -124,7 +124,7 @@ std::tuple<double, Vector> looked_up(const Context& context, const SharedField& 
 RunCost cost_of_field(const RunSize& size) {
   double points = 0;
   for (const Axis& axis : size.consumed) points += static_cast<double>(axis.size);
-  return {20 * points, 0, 240 + 216 * points};
+  return {20 * points, 0, 240 + 200 * points};
 }
 
 }  // namespace

@@ -18,8 +18,10 @@ struct SmoothInputs {
 SharedMesh smoothed(const Context& context, const SharedMesh& shape, const SmoothInputs& in) {
   if (in.iterations == 0 || in.strength == 0) return shape;
   const SmoothOptions options{static_cast<std::size_t>(in.iterations), in.strength, in.keep_volume, in.keep_border};
-  const std::shared_ptr<Mesh> moved = with_positions(
-      context, *shape, smoothed_positions(*shape, options, context.cancel()), Column<Vector>(*shape->normals));
+  Column<Point> positions = smoothed_positions(*shape, options, context.cancel());
+  if (context.cancel().stopped()) return shape;
+  const std::shared_ptr<Mesh> moved =
+      with_positions(context, *shape, std::move(positions), Column<Vector>(*shape->normals));
   moved->normals = smooth_normals(*moved, context.cancel());
   return moved;
 }

@@ -50,11 +50,13 @@ Attempt<std::tuple<SharedMesh, double>> thickened(const Context& context, const 
                    "thickness"};
   }
   const WallSurface surface = wall_surface(*shape, context.cancel());
+  if (context.cancel().stopped()) return std::tuple(shape, 0.0);
   if (surface.fault) return Failure{"degenerate", "no wall can stand along this mesh: " + *surface.fault, "shape"};
   const double front = in.side == WallSide::inside ? 0 : in.side == WallSide::both ? 0.5 : 1;
   Wall wall{front * in.thickness, (1 - front) * in.thickness, {}};
   if (in.field) wall.shares = shares_by_field(in, surface.welded, context.cancel());
   auto mesh = std::make_shared<const Mesh>(wall_along(surface, wall, context.cancel()));
+  if (context.cancel().stopped()) return std::tuple(shape, 0.0);
   if (!is_mesh_within_reach(*mesh)) {
     return Failure{"out-of-range", "the wall would reach beyond 1e18 m", "thickness"};
   }
