@@ -133,7 +133,9 @@ std::optional<Vector> place_of_contact(const WallSurface& surface, const Wall& w
 WallSurface wall_surface(const Mesh& mesh, const Cancel& cancel) {
   WallSurface surface{mesh, welded(mesh, cancel), {}, {}, {}, {}};
   const WeldedMesh& bare = surface.welded;
+  if (cancel.stopped()) return surface;
   surface.sides = sides_of(bare.triangles, bare.positions.size(), cancel);
+  if (cancel.stopped()) return surface;
   if (!surface.sides.faults.empty()) {
     const std::uint32_t side = surface.sides.faults.front();
     surface.fault = "the edge from " + place_text(bare.positions[start_of(bare.triangles, side)]) + " to " +
@@ -153,7 +155,9 @@ WallSurface wall_surface(const Mesh& mesh, const Cancel& cancel) {
 Mesh wall_along(const WallSurface& surface, const Wall& wall, const Cancel& cancel) {
   if (surface.welded.triangles.empty() || cancel.stopped()) return {};
   const std::vector<Vector> front = sheet_at(surface, wall, wall.front), back = sheet_at(surface, wall, -wall.back);
+  if (cancel.stopped()) return {};
   Mesh mesh = two_sheets(surface, front, back);
+  if (cancel.stopped()) return {};
   mesh.normals = normals_of_sheets(surface, wall, mesh, cancel);
   if (cancel.stopped()) return {};
   add_border_strips(surface, front, back, mesh);
