@@ -100,7 +100,8 @@ void add_array_along(Registry& registry) {
           .consumed_axis("over", "The axis of the curve; empty means the last.")
           .axes([](const Literals&, const std::string&) { return std::vector<Axes>{{kept_axes()}}; })
           .cost([](const RunSize& size) {
-            return RunCost{400 * size.values, 48 * size.vertices + 400 * size.values};
+            const RunCost copies = cost_of_copies(size);
+            return RunCost{400 * size.values, copies.bytes + 400 * size.values, copies.kept_bytes};
           })
           .output("shape", "The copies, over the axis of the curve."));
 }
