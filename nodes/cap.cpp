@@ -42,9 +42,9 @@ Attempt<std::tuple<SharedMesh, double>> closed_by_caps(const Context& context, c
 }
 
 /// A flat cap has a vertex for each of its border's and one more, which is little beside a mesh that is not nearly all
-/// border; a dome has its rings of them.
+/// border, and a mesh without borders is passed on as it is; a dome has its rings of them.
 RunCost cost_of_cap(const RunSize& size) {
-  RunCost cost{400 * size.given_vertices, 360 * size.given_vertices};
+  RunCost cost{400 * size.given_vertices, 360 * size.given_vertices, -30 * size.given_vertices};
   if (text_at(size.literals, "kind") == "dome") {
     const auto rings = static_cast<double>(integer_at(size.literals, "rings"));
     const double most = std::min((rings + 1) * size.given_vertices, std::max(size.given_vertices, few_cap_vertices));
