@@ -54,6 +54,7 @@ Attempt<SharedMesh> reflect_mesh(const Context& context, const SharedMesh& shape
     }
   });
   const std::shared_ptr<Mesh> reflected = with_positions(context, *shape, std::move(positions), std::move(normals));
+  if (cancel.stopped()) return SharedMesh(reflected);
   // A reflection turns what runs counter-clockwise into what runs clockwise.
   NumberList<std::array<std::uint32_t, 3>> turned(reflected->triangles.size());
   for_chunks(cancel, turned.size(), [&](std::size_t begin, std::size_t end) {
