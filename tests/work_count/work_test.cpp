@@ -19,8 +19,9 @@ constexpr std::uint64_t most_after_stop = 4'000'000;
 constexpr std::uint64_t most_after_stop_of_solids = 24'000'000;
 
 std::uint64_t most_after_stop_of(const std::string& type) {
-  static const std::set<std::string> solids = {"cap", "mirror", "offset", "printability", "slice", "smooth", "thicken"};
-  return solids.contains(type) ? most_after_stop_of_solids : most_after_stop;
+  static const std::set<std::string> slow = {"array_along",  "cap",   "mirror", "offset",
+                                             "printability", "slice", "smooth", "thicken"};
+  return slow.contains(type) ? most_after_stop_of_slow : most_after_stop;
 }
 
 /// What is stopped has to be much more than that, or nothing is shown.
