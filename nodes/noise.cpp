@@ -44,6 +44,7 @@ Point roughened_point(const Point& shape, const RoughenInputs& in) {
 SharedMesh roughened_mesh(const Context& context, const SharedMesh& shape, const RoughenInputs& in) {
   // Normals that vertices at one place share: along the own ones of a box its faces would come apart.
   const Column<Vector> ways = smooth_normals(*shape, context.cancel());
+  if (context.cancel().stopped()) return shape;
   const NoiseSettings settings = in.settings();
   Column<Point> positions(ways.size());
   for_chunks(context.cancel(), ways.size(), [&](std::size_t begin, std::size_t end) {
@@ -52,6 +53,7 @@ SharedMesh roughened_mesh(const Context& context, const SharedMesh& shape, const
       positions.set(i, to_point(place + in.amplitude * layered_noise(place, settings) * ways[i]));
     }
   });
+  if (context.cancel().stopped()) return shape;
   const std::shared_ptr<Mesh> moved = with_positions(context, *shape, std::move(positions), Column<Vector>(ways));
   moved->normals = smooth_normals(*moved, context.cancel());
   return moved;
