@@ -8,6 +8,7 @@ namespace dini {
 
 Column<Vector> smooth_normals(const Mesh& mesh, const Cancel& cancel) {
   const std::vector<std::uint32_t> labels = position_labels(mesh.positions, cancel);
+  if (cancel.stopped()) return Column<Vector>(mesh.positions.size());
   Zeroed<Vector> sums(mesh.positions.size());
   const auto& triangles = *mesh.triangles;
   compute_in_order<std::array<Vector, 3>>(
