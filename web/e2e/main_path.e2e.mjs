@@ -205,7 +205,7 @@ test("the export writes the formats that the server lists, and the graph", () =>
     const dialog = page.getByRole("dialog", { name: "Export" });
     const format = dialog.getByRole("combobox", { name: "Format" });
     const formats = await format.locator("option").evaluateAll((options) => options.map(({ value }) => value));
-    assert.deepEqual(formats, ["glb", "gltf", "obj", "stl", "ply", "3mf", "json"]);
+    assert.deepEqual(formats, ["glb", "gltf", "obj", "stl", "ply", "3mf", "svg", "json"]);
     await format.selectOption("stl");
     const [download] = await Promise.all([
       page.waitForEvent("download"),

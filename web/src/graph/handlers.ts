@@ -10,6 +10,7 @@ import {
   type FocusEvent as ReactFocusEvent,
   type MouseEvent as ReactMouseEvent,
   type PointerEvent as ReactPointerEvent,
+  type TouchEvent as ReactTouchEvent,
   useMemo,
   useRef,
 } from "react";
@@ -38,6 +39,7 @@ export function useHandlers(flow: Flow | null) {
   const editor = useEditor();
   const pulled = useRef<ViewWire | undefined>(undefined);
   const press = useRef<{ timer: number; at: Position } | null>(null);
+  const isLongPress = useRef(false);
   return useMemo(() => {
     const openMenu = (
       event: { clientX: number; clientY: number; preventDefault(): void },
@@ -122,9 +124,11 @@ export function useHandlers(flow: Flow | null) {
         },
         onPointerDown: (event: ReactPointerEvent) => {
           cancelPress();
+          isLongPress.current = false;
           if (event.pointerType !== "touch") return;
           const { target, currentTarget, clientX, clientY } = event;
           const timer = window.setTimeout(() => {
+            isLongPress.current = true;
             const options = { bubbles: true, cancelable: true, view: window, clientX, clientY, button: 2 };
             if (target instanceof Element && currentTarget.contains(target)) {
               target.dispatchEvent(new MouseEvent("contextmenu", options));
@@ -143,6 +147,11 @@ export function useHandlers(flow: Flow | null) {
         },
         onPointerUp: cancelPress,
         onPointerCancel: cancelPress,
+        onTouchEndCapture: (event: ReactTouchEvent) => {
+          // The press of a mouse that browsers make of a lifted finger would take the focus from the menu and close it.
+          if (isLongPress.current && event.cancelable) event.preventDefault();
+          isLongPress.current = false;
+        },
       },
     };
   }, [editor, flow]);
