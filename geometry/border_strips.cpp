@@ -1,5 +1,7 @@
 #include "geometry/border_strips.h"
 
+#include "geometry/chunks.h"
+
 namespace dini {
 
 namespace {
@@ -7,19 +9,14 @@ namespace {
 /// The cosine of the angle from which on a corner of a border shows.
 constexpr double even = 0.766;
 
-/// Meshes below this have room for corners however much border they have.
-constexpr std::size_t few_vertices = 10'000;
-
 /// The strips of a wall while their vertices are added to a mesh.
 class Strips {
  public:
-  Strips(const WallSurface& surface, const std::vector<Vector>& front, const std::vector<Vector>& back, Mesh& mesh)
-      : surface_(surface), front_(front), back_(back), mesh_(mesh), vertex_at_(front.size()) {
-    for (std::size_t i = surface.welded.vertex_of.size(); i-- > 0;) {
-      if (surface.welded.vertex_of[i] != none_of_them) vertex_at_[surface.welded.vertex_of[i]] = i;
-    }
+  Strips(const WallSurface& surface, const std::vector<Vector>& front, const std::vector<Vector>& back, Mesh& mesh,
+         const Cancel& cancel)
+      : surface_(surface), front_(front), back_(back), mesh_(mesh), vertex_at_(first_vertices(surface.welded, cancel)) {
     const std::size_t vertices = surface.mesh.positions.size(), border = surface.sides.borders.size();
-    keeps_corners_ = vertices < few_vertices || 4 * border <= vertices;
+    keeps_corners_ = vertices < few_strip_vertices || 4 * border <= vertices;
   }
 
   void add_loop(const std::vector<std::uint32_t>& loop) {
@@ -54,14 +51,16 @@ class Strips {
     }
   }
 
-  void write() {
+  void write(const Cancel& cancel) {
     Column<Point> positions(next_);
     Column<Vector> normals(next_);
     const std::size_t before = mesh_.positions.size();
-    for (std::size_t i = 0; i < before; ++i) {
-      positions.set(i, mesh_.positions[i]);
-      normals.set(i, mesh_.normals[i]);
-    }
+    for_chunks(cancel, before, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        positions.set(i, mesh_.positions[i]);
+        normals.set(i, mesh_.normals[i]);
+      }
+    });
     for (std::size_t i = before; i < next_; ++i) {
       positions.set(i, to_point(added_positions_[i - before]));
       normals.set(i, added_normals_[i - before]);
@@ -104,11 +103,14 @@ class Strips {
 }  // namespace
 
 void add_border_strips(const WallSurface& surface, const std::vector<Vector>& front, const std::vector<Vector>& back,
-                       Mesh& sheets) {
+                       Mesh& sheets, const Cancel& cancel) {
   if (surface.borders.loops.empty()) return;
-  Strips strips(surface, front, back, sheets);
-  for (const std::vector<std::uint32_t>& loop : surface.borders.loops) strips.add_loop(loop);
-  strips.write();
+  Strips strips(surface, front, back, sheets, cancel);
+  for (const std::vector<std::uint32_t>& loop : surface.borders.loops) {
+    if (cancel.stopped()) return;
+    strips.add_loop(loop);
+  }
+  strips.write(cancel);
 }
 
 }  // namespace dini

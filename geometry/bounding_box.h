@@ -19,6 +19,14 @@ struct BoundingBox {
     high = {std::max(high.x, point.x), std::max(high.y, point.y), std::max(high.z, point.z)};
   }
 
+  /// Whether two boxes have a place in common.
+  bool meets(const BoundingBox& other) const {
+    return low.x <= other.high.x && low.y <= other.high.y && low.z <= other.high.z && high.x >= other.low.x &&
+           high.y >= other.low.y && high.z >= other.low.z;
+  }
+
+  Vector middle() const { return low + 0.5 * (high - low); }
+
   /// From a point to the nearest place in the box: 0 inside, infinite where there is no point.
   double squared_distance(const Vector& point) const {
     const auto outside = [](double value, double least, double most) {

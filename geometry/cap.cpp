@@ -5,7 +5,6 @@
 #include "geometry/dome.h"
 #include "geometry/merge.h"
 #include "geometry/normals.h"
-#include "geometry/place_text.h"
 #include "geometry/polygon.h"
 
 namespace dini {
@@ -36,11 +35,8 @@ struct Border {
 /// Makes caps for the borders of one mesh.
 class Caps {
  public:
-  Caps(const Mesh& mesh, const WeldedMesh& welded) : mesh_(mesh), welded_(welded), vertex_at_(welded.positions.size()) {
-    for (std::size_t i = welded.vertex_of.size(); i-- > 0;) {
-      if (welded.vertex_of[i] != none_of_them) vertex_at_[welded.vertex_of[i]] = i;
-    }
-  }
+  Caps(const Mesh& mesh, const WeldedMesh& welded, const Cancel& cancel)
+      : mesh_(mesh), welded_(welded), vertex_at_(first_vertices(welded, cancel)) {}
 
   Border border(const std::vector<std::uint32_t>& loop) const {
     Border border;
@@ -153,13 +149,7 @@ CappedMesh capped(const Mesh& mesh, const CapOptions& options, const Cancel& can
   const WeldedMesh surface = welded(mesh, cancel);
   const MeshSides sides = sides_of(surface.triangles, surface.positions.size(), cancel);
   const BorderLoops borders = border_loops(surface, sides, cancel);
-  if (!sides.faults.empty()) {
-    result.fault = "the edge from " + place_text(surface.positions[start_of(surface.triangles, sides.faults[0])]) +
-                   " to " + place_text(surface.positions[end_of(surface.triangles, sides.faults[0])]) +
-                   " has more than two triangles, or two that run along it the same way";
-  } else if (borders.pinched) {
-    result.fault = "borders meet in the vertex at " + place_text(surface.positions[*borders.pinched]);
-  }
+  result.fault = fault_of(surface, sides, borders);
   result.caps = borders.loops.size();
   const std::size_t rings = options.kind == CapKind::dome ? options.rings : 1;
   result.too_large = sides.borders.size() * rings + result.caps > options.most_vertices;
@@ -169,7 +159,7 @@ CappedMesh capped(const Mesh& mesh, const CapOptions& options, const Cancel& can
     return result;
   }
   std::vector<SharedMesh> parts = {std::make_shared<const Mesh>(mesh)};
-  const Caps caps(mesh, surface);
+  const Caps caps(mesh, surface, cancel);
   for (const std::vector<std::uint32_t>& loop : borders.loops) {
     if (cancel.stopped()) return {};
     const Border border = caps.border(loop);

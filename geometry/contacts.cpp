@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/bounding_box.h"
 #include "geometry/chunks.h"
+#include "geometry/clip.h"
+#include "geometry/extremes.h"
 #include "geometry/mesh_tree.h"
 #include "geometry/triangle_pair.h"
 
@@ -17,7 +20,9 @@ constexpr std::size_t triangles_at_once = 256;
 /// zero.
 std::vector<Vector> unit_scaled(const std::vector<Vector>& positions, CancelEvery& steps) {
   double largest = 0;
-  for (const Vector& p : positions) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  for (std::size_t i = 0; i < positions.size() && !steps.stopped(); ++i) {
+    largest = std::max(largest, largest_component(positions[i]));
+  }
   int exponent = 0;
   std::frexp(largest, &exponent);
   const auto taken = [exponent](double value) {
@@ -46,14 +51,12 @@ class Pairs {
   void for_each_of(std::size_t i, CancelEvery& steps, const Found& found) const {
     const PairCorners own = corners(i);
     if (own.axis < 0) return;
-    const auto& [a, b, c] = own.places;
-    const Vector low{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})};
-    const Vector high{std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})};
-    tree_.visit_near(low, high, [&](std::uint32_t other) {
+    const BoundingBox box = box_of(own.places);
+    tree_.visit_near(box, [&](std::uint32_t other) {
       if (steps.stopped()) return false;
       if (other <= i) return true;
       const PairCorners theirs = corners(other);
-      if (theirs.axis < 0 || is_outside(theirs.places, low, high) || !triangles_meet(own, theirs)) return true;
+      if (theirs.axis < 0 || !box.meets(box_of(theirs.places)) || !triangles_meet(own, theirs)) return true;
       return found();
     });
   }
@@ -67,11 +70,10 @@ class Pairs {
     return {vertices, {positions[vertices[0]], positions[vertices[1]], positions[vertices[2]]}, axes_[triangle]};
   }
 
-  static bool is_outside(const std::array<Vector, 3>& places, const Vector& low, const Vector& high) {
-    const auto& [a, b, c] = places;
-    return std::min({a.x, b.x, c.x}) > high.x || std::max({a.x, b.x, c.x}) < low.x ||
-           std::min({a.y, b.y, c.y}) > high.y || std::max({a.y, b.y, c.y}) < low.y ||
-           std::min({a.z, b.z, c.z}) > high.z || std::max({a.z, b.z, c.z}) < low.z;
+  static BoundingBox box_of(const std::array<Vector, 3>& places) {
+    BoundingBox box;
+    for (const Vector& place : places) box.add(place);
+    return box;
   }
 
   MeshTree tree_;
@@ -81,7 +83,7 @@ class Pairs {
 }  // namespace
 
 Contacts contacts_of(const WeldedMesh& mesh, std::size_t most, const Cancel& cancel) {
-  if (mesh.triangles.empty() || most == 0) return {};
+  if (mesh.triangles.empty() || most == 0 || cancel.stopped()) return {};
   const Pairs pairs(mesh, cancel, CancelEvery(cancel));
   std::atomic<std::size_t> count = 0, first = pairs.size();
   for_chunks(cancel, pairs.size(), triangles_at_once, [&](std::size_t begin, std::size_t end) {
@@ -90,9 +92,7 @@ Contacts contacts_of(const WeldedMesh& mesh, std::size_t most, const Cancel& can
       // Once there are enough, only lower triangles matter, for the place.
       if (count.load(std::memory_order_relaxed) >= most && i >= first.load(std::memory_order_relaxed)) return;
       pairs.for_each_of(i, steps, [&] {
-        std::size_t known = first;
-        while (i < known && !first.compare_exchange_weak(known, i)) {
-        }
+        lower_to(first, i);
         return ++count < most;
       });
     }

@@ -3,8 +3,8 @@
 #include <array>
 #include <optional>
 
-#include "geometry/clip.h"
 #include "geometry/frames.h"
+#include "geometry/same_place.h"
 
 namespace dini {
 
@@ -23,13 +23,7 @@ DistinctCurve distinct(const Polyline& curve, CancelEvery& looks) {
   DistinctCurve found;
   const std::size_t count = curve.points.size();
   found.number.resize(count);
-  double largest = 0;
-  for (std::size_t i = 0; i < count && !looks.stopped(); ++i) {
-    largest = std::max(largest, largest_component(to_vector(curve.points[i])));
-  }
-  const auto agree = [&](const Vector& a, const Vector& b) {
-    return !(largest_component(a - b) > relative_round_off * largest);
-  };
+  const SamePlace agree(curve.points, looks);
   std::vector<Vector>& points = found.piece.points;
   for (std::size_t i = 0; i < count && !looks.stopped(); ++i) {
     const Vector place = to_vector(curve.points[i]);

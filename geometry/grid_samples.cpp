@@ -7,6 +7,7 @@
 
 #include "geometry/chunks.h"
 #include "geometry/clip.h"
+#include "geometry/extremes.h"
 #include "geometry/grid_lanes.h"
 #include "geometry/grid_tear.h"
 
@@ -16,13 +17,6 @@ namespace {
 
 kernels::ConstPoints components(const Column<Point>& points, std::size_t begin) {
   return {points.component(0) + begin, points.component(1) + begin, points.component(2) + begin};
-}
-
-/// Raises a number that several threads raise.
-void raise(std::atomic<double>& number, double to) {
-  double known = number;
-  while (to > known && !number.compare_exchange_weak(known, to)) {
-  }
 }
 
 }  // namespace
@@ -68,7 +62,7 @@ void GridSamples::place_samples(const Cancel& cancel) {
   for_chunks(cancel, size(), [&](std::size_t begin, std::size_t end) {
     const grid_lanes::Extent extent = grid_lanes::extent_of(from(begin), end - begin, limit);
     if (extent.inside) {
-      raise(largest, extent.largest);
+      raise_to(largest, extent.largest);
     } else {
       all_inside = false;
     }
@@ -86,7 +80,7 @@ void GridSamples::place_samples(const Cancel& cancel) {
       places_[sample] = squared_length(at) <= limit ? Place::inside : Place::outside;
       if (places_[sample] == Place::inside) most = std::max(most, largest_component(at));
     }
-    raise(largest, most);
+    raise_to(largest, most);
   });
   largest_ = largest;
 }

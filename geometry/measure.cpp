@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
-#include <limits>
 
+#include "geometry/bounding_box.h"
 #include "geometry/compensated_sum.h"
 #include "geometry/corner.h"
 #include "geometry/in_order.h"
@@ -29,23 +29,19 @@ std::vector<Triangle> welded_triangles(const Mesh& mesh, const std::vector<std::
 
 void measure_bounds(const Mesh& mesh, const std::vector<Triangle>& triangles, Measures& measures, CancelEvery& steps) {
   std::vector<bool> used(mesh.positions.size());
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Point low{infinity, infinity, infinity};
-  Point high{-infinity, -infinity, -infinity};
+  BoundingBox bounds;
   for (const Triangle& triangle : triangles) {
     if (steps.stopped()) return;
     for (const std::uint32_t corner : triangle) {
       if (used[corner]) continue;
       used[corner] = true;
       ++measures.vertices;
-      const Point p = mesh.positions[corner];
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+      bounds.add(to_vector(mesh.positions[corner]));
     }
   }
-  measures.minimum = low;
-  measures.maximum = high;
-  measures.diagonal = length(to_vector(high) - to_vector(low));
+  measures.minimum = to_point(bounds.low);
+  measures.maximum = to_point(bounds.high);
+  measures.diagonal = length(bounds.high - bounds.low);
 }
 
 void measure_sums(const Mesh& mesh, const std::vector<Triangle>& triangles, Measures& measures, const Cancel& cancel) {

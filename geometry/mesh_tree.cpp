@@ -51,7 +51,8 @@ MeshTree::MeshTree(std::vector<Vector> positions, Triangles triangles, const Can
     : positions_(std::move(positions)), triangles_(std::move(triangles)), order_(triangles_.size()) {
   std::iota(order_.begin(), order_.end(), 0U);
   std::vector<Vector> middles(triangles_.size());
-  for (std::size_t i = 0; i < triangles_.size(); ++i) {
+  CancelEvery steps(cancel);
+  for (std::size_t i = 0; i < triangles_.size() && !steps.stopped(); ++i) {
     const auto [a, b, c] = corners(i);
     middles[i] = a + b + c;
   }

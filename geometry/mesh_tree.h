@@ -39,10 +39,10 @@ class MeshTree {
   /// tree meets first. Any number of threads may ask at once.
   MeshPlace nearest(const Vector& point) const;
 
-  /// Calls visit(triangle) for the triangles of all boxes that meet the box from `low` to `high`, until it answers
-  /// false. Those of a leaf are asked for together, so some lie beside the box. In one order on every machine.
+  /// Calls visit(triangle) for the triangles of all boxes that meet this one, until it answers false. Those of a leaf
+  /// are asked for together, so some lie beside the box. In one order on every machine.
   template <class Visit>
-  void visit_near(const Vector& low, const Vector& high, const Visit& visit) const;
+  void visit_near(const BoundingBox& box, const Visit& visit) const;
 
   /// Calls visit(triangle, most) for the triangles of all boxes that a ray meets within `most` times the length of its
   /// direction; the answers are how far it is still of interest.
@@ -67,8 +67,6 @@ class MeshTree {
   std::array<Vector, 3> corners(std::size_t triangle) const;
   Box box_around(std::uint32_t begin, std::uint32_t end) const;
 
-  std::vector<Vector> positions_;
-  Triangles triangles_;
   /// Visits the boxes that `enter` lets in, parents first, and the triangles of leaves until `visit` answers false.
   template <class Enter, class Visit>
   void descend(const Enter& enter, const Visit& visit) const;
@@ -76,6 +74,8 @@ class MeshTree {
   /// Halving up to 2^32 triangles opens no more boxes than this at once.
   static constexpr std::size_t most_open = 64;
 
+  std::vector<Vector> positions_;
+  Triangles triangles_;
   std::vector<std::uint32_t> order_;
   std::vector<Box> boxes_;
 };
@@ -101,13 +101,8 @@ void MeshTree::descend(const Enter& enter, const Visit& visit) const {
 }
 
 template <class Visit>
-void MeshTree::visit_near(const Vector& low, const Vector& high, const Visit& visit) const {
-  descend(
-      [&](const Box& box) {
-        return box.bounds.low.x <= high.x && box.bounds.low.y <= high.y && box.bounds.low.z <= high.z &&
-               box.bounds.high.x >= low.x && box.bounds.high.y >= low.y && box.bounds.high.z >= low.z;
-      },
-      visit);
+void MeshTree::visit_near(const BoundingBox& box, const Visit& visit) const {
+  descend([&](const Box& inner) { return inner.bounds.meets(box); }, visit);
 }
 
 template <class Visit>

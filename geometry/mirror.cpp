@@ -6,6 +6,7 @@
 #include "algebra/extract.h"
 #include "algebra/reflection.h"
 #include "geometry/chunks.h"
+#include "geometry/tile_ends.h"
 
 namespace dini {
 
@@ -130,7 +131,7 @@ void reflect_triangles(const Mesh& mesh, const OnMirror& given, const BothHalves
         std::all_of(corners.begin(), corners.end(), [&](std::uint32_t corner) { return given.touches[corner] != 0; });
     if (!is_wall) triangles.push_back(corners);
     while (tile < mesh.tile_ends.size() && mesh.tile_ends[tile] == t + 1) {
-      if (triangles.size() > (ends.empty() ? 0 : ends.back())) ends.push_back(triangles.size());
+      end_tile(ends, triangles.size());
       ++tile;
     }
   }

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/mixed_bits.h"
+
 namespace dini {
 
 namespace {
@@ -13,19 +15,13 @@ constexpr double farthest_cell = 1e12;
 /// One over the largest sum that corners can give (0.0130072, found by search), a little less: values stay in [-1, 1].
 constexpr double scale = 76.8;
 
-std::uint64_t mixed_bits(std::uint64_t bits) {
-  bits = (bits ^ bits >> 30) * 0xBF58476D1CE4E5B9u;
-  bits = (bits ^ bits >> 27) * 0x94D049BB133111EBu;
-  return bits ^ bits >> 31;
-}
-
 /// A corner of a cell by its integer coordinates.
 struct Lattice {
   std::int64_t x, y, z;
 };
 
 std::uint64_t hash_of(const Lattice& at, std::uint64_t seed) {
-  std::uint64_t bits = seed + 0x9E3779B97F4A7C15u;
+  std::uint64_t bits = seed + splitmix_step;
   for (const std::int64_t number : {at.x, at.y, at.z}) {
     bits = mixed_bits(bits ^ static_cast<std::uint64_t>(number) * 0xD6E8FEB86659FD93u);
   }
@@ -78,7 +74,7 @@ double simplex_noise(const Vector& place, std::uint64_t seed) {
 double layered_noise(const Vector& place, const NoiseSettings& settings) {
   double sum = 0, heights = 0, height = 1, frequency = settings.frequency;
   for (int octave = 0; octave < settings.octaves; ++octave) {
-    const std::uint64_t seed = mixed_bits(settings.seed + static_cast<std::uint64_t>(octave) * 0x9E3779B97F4A7C15u);
+    const std::uint64_t seed = mixed_bits(settings.seed + static_cast<std::uint64_t>(octave) * splitmix_step);
     // A shift of its own, a fraction of a cell: all layers together would vanish at the origin.
     constexpr double fraction = 1.0 / 65536;
     const Vector shift{static_cast<double>(seed & 0xffff) * fraction,

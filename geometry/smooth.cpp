@@ -5,6 +5,7 @@
 
 #include "geometry/chunks.h"
 #include "geometry/weld.h"
+#include "geometry/zeroed.h"
 
 namespace dini {
 
@@ -19,7 +20,8 @@ class Neighbors {
   Neighbors(const Mesh& mesh, const std::vector<std::uint32_t>& labels, bool keeps_border, const Cancel& cancel)
       : begins_(labels.size() + 1), counts_(labels.size()) {
     gather(mesh, labels, cancel);
-    for_chunks(cancel, labels.size(), [&](std::size_t begin, std::size_t end) {
+    // Sorting the neighbors takes some times as long as what chunks usually have.
+    for_chunks(cancel, labels.size(), usual_chunk / 4, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) choose(i, keeps_border);
     });
   }
@@ -43,8 +45,9 @@ class Neighbors {
       }
     };
     for_each_corner([&](std::uint32_t at, std::uint32_t, std::uint32_t) { begins_[at + 1] += 2; });
-    for (std::size_t i = 1; i < begins_.size(); ++i) begins_[i] += begins_[i - 1];
-    all_.resize(begins_.back());
+    for (std::size_t i = 1; i < begins_.size() && !looks.stopped(); ++i) begins_[i] += begins_[i - 1];
+    if (cancel.stopped()) return;
+    all_ = Zeroed<std::uint32_t>::unwritten(begins_.back());
     for_each_corner([&](std::uint32_t at, std::uint32_t one, std::uint32_t two) {
       std::uint32_t* const place = all_.data() + begins_[at] + counts_[at];
       place[0] = one;
@@ -78,7 +81,7 @@ class Neighbors {
 
   std::vector<std::size_t> begins_;
   std::vector<std::uint32_t> counts_;
-  NumberList<std::uint32_t> all_;
+  Zeroed<std::uint32_t> all_;
 };
 
 /// One step of all vertices by a factor of the way to the middle of their neighbors.
@@ -101,6 +104,7 @@ Column<Point> smoothed_positions(const Mesh& mesh, const SmoothOptions& options,
   const std::vector<std::uint32_t> labels = position_labels(mesh.positions, cancel);
   if (cancel.stopped()) return *mesh.positions;
   const Neighbors neighbors(mesh, labels, options.keeps_border, cancel);
+  if (cancel.stopped()) return *mesh.positions;
   Column<Point> now = *mesh.positions, next(now.size());
   const double forward = longest_way * options.strength;
   const double backward = forward > 0 ? 1 / (pass_band - 1 / forward) : 0;

@@ -5,8 +5,10 @@
 #include <limits>
 #include <numeric>
 
+#include "geometry/bounding_box.h"
 #include "geometry/compensated_sum.h"
 #include "geometry/corner.h"
+#include "geometry/extremes.h"
 #include "geometry/in_order.h"
 #include "geometry/mesh_tree.h"
 
@@ -36,15 +38,6 @@ class JoinedSets {
  private:
   std::vector<std::uint32_t> parent_;
 };
-
-Vector middle_of_bounds(const std::vector<Vector>& positions) {
-  Vector low{infinite, infinite, infinite}, high = -low;
-  for (const Vector& p : positions) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return low + 0.5 * (high - low);
-}
 
 /// Integrals over a solid: of 1, of the coordinates, of their squares, and of y z, z x and x y.
 using Moments = std::array<double, 10>;
@@ -113,8 +106,10 @@ Soundness soundness_of(const WeldedMesh& mesh, const Cancel& cancel) {
 }
 
 MassProperties mass_properties(const WeldedMesh& mesh, const Cancel& cancel) {
-  if (mesh.triangles.empty()) return {};
-  const Vector middle = middle_of_bounds(mesh.positions);
+  if (mesh.triangles.empty() || cancel.stopped()) return {};
+  BoundingBox bounds;
+  for (const Vector& position : mesh.positions) bounds.add(position);
+  const Vector middle = bounds.middle();
   std::array<CompensatedSum, 10> sums, sizes;
   compute_in_order<Moments>(
       cancel, mesh.triangles.size(),
@@ -141,7 +136,7 @@ MassProperties mass_properties(const WeldedMesh& mesh, const Cancel& cancel) {
 }
 
 double least_thickness(const WeldedMesh& mesh, const Cancel& cancel) {
-  if (mesh.triangles.empty()) return 0;
+  if (mesh.triangles.empty() || cancel.stopped()) return 0;
   constexpr std::size_t rays_at_once = 256;
   const MeshTree tree(mesh.positions, mesh.triangles, cancel);
   std::atomic<double> least = infinite;
@@ -160,9 +155,7 @@ double least_thickness(const WeldedMesh& mesh, const Cancel& cancel) {
         if (triangle != i) found = std::min(found, way_out(corners(triangle), origin, inward));
         return std::min(most, found);
       });
-      double known = least;
-      while (found < known && !least.compare_exchange_weak(known, found)) {
-      }
+      lower_to(least, found);
     }
   });
   return std::isfinite(least.load()) ? least.load() : 0;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/chunks.h"
-#include "geometry/clip.h"
+#include "geometry/same_place.h"
 #include "geometry/sampling.h"
 
 namespace dini {
@@ -144,13 +144,7 @@ class Lengths {
 };
 
 std::vector<Vector> distinct_points(const Column<Point>& given, bool closed, CancelEvery& looks) {
-  double largest = 0;
-  for (std::size_t i = 0; i < given.size() && !looks.stopped(); ++i) {
-    largest = std::max(largest, largest_component(to_vector(given[i])));
-  }
-  const auto agree = [&](const Vector& a, const Vector& b) {
-    return !(largest_component(a - b) > relative_round_off * largest);
-  };
+  const SamePlace agree(given, looks);
   std::vector<Vector> points;
   for (std::size_t i = 0; i < given.size() && !looks.stopped(); ++i) {
     const Vector place = to_vector(given[i]);

@@ -1,11 +1,11 @@
 #pragma once
 
-// A mesh as its surface is: vertices at exactly equal positions are one, and every side of a triangle knows the one
-// that lies against it.
+// A mesh as its surface is: vertices at exactly equal positions are one, and it is known where triangles end alone.
 
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "geometry/cancel.h"
@@ -16,7 +16,7 @@ namespace dini {
 /// Corners as indices, counter-clockwise seen from the front.
 using Corners = std::array<std::uint32_t, 3>;
 
-/// Stands for no vertex, and for no side.
+/// Stands for no vertex, and for no side: the largest number, which is one less than 0.
 inline constexpr std::uint32_t none_of_them = 0xffffffff;
 
 /// The triangles of a mesh between distinct positions.
@@ -29,16 +29,17 @@ struct WeldedMesh {
 /// Welds a mesh. Linear time. Stopped early: an empty one.
 WeldedMesh welded(const Mesh& mesh, const Cancel& cancel);
 
-/// How the sides of triangles lie against one another. Side 3 * t + k runs from corner k of triangle t to the next one.
+/// The first vertex of the mesh at each distinct position. Stopped early: of some.
+std::vector<std::size_t> first_vertices(const WeldedMesh& mesh, const Cancel& cancel);
+
+/// Where the sides of triangles do not lie against one another in pairs. Side 3 * t + k runs from corner k of triangle
+/// t to the next one.
 struct MeshSides {
-  /// For every side the one that runs along the same edge the other way; `none_of_them` at borders and faults.
-  std::vector<std::uint32_t> opposite;
-  std::size_t edges = 0;
   std::vector<std::uint32_t> borders;  ///< sides whose edge has no other triangle, ascending
   std::vector<std::uint32_t> faults;   ///< sides whose edge has more than two triangles, or two that run the same way
 };
 
-/// Finds the sides that lie against one another. Stopped early: meaningless.
+/// Finds the sides that lie against no other, or against too many. Stopped early: meaningless.
 MeshSides sides_of(const std::vector<Corners>& triangles, std::size_t vertices, const Cancel& cancel);
 
 /// The corner at which a side begins, and the one at which it ends.
@@ -57,5 +58,9 @@ struct BorderLoops {
 
 /// Follows the borders. A surface without faults has as many of them begin as end at every vertex.
 BorderLoops border_loops(const WeldedMesh& mesh, const MeshSides& sides, const Cancel& cancel);
+
+/// What keeps anything from being built along a surface or on its borders, in words: an edge with more than two
+/// triangles, or with two that run the same way, or borders that meet in one vertex. Nothing where all is well.
+std::optional<std::string> fault_of(const WeldedMesh& mesh, const MeshSides& sides, const BorderLoops& borders);
 
 }  // namespace dini

@@ -189,13 +189,25 @@ class Inference {
   /// Of one mesh made: by the rule, or by what is given.
   std::size_t vertices_per_run(const VertexRule& rule, std::size_t WireShape::*given) const {
     if (rule) return rule(node_.literals, node_.consumed);
+    const std::size_t factor = node_.type->vertex_factor ? node_.type->vertex_factor(node_.literals) : 1;
+    return factor * given_per_run(given);
+  }
+
+  /// The most that one mesh made has.
+  std::size_t most_vertices_per_run() const {
+    const NodeType& type = *node_.type;
+    if (type.most_of_given) return type.most_of_given(node_.literals, given_per_run(&WireShape::most_vertices));
+    return vertices_per_run(type.most_vertices ? type.most_vertices : type.vertices, &WireShape::most_vertices);
+  }
+
+  /// Of the meshes that one run is given, together.
+  std::size_t given_per_run(std::size_t WireShape::*given) const {
     std::size_t total = 0;
     for (std::size_t port = 0; port < node_.inputs.size(); ++port) {
       const PlannedInput& input = node_.inputs[port];
       const std::size_t meshes = slot(port).is_mixed() ? 1 : std::max<std::size_t>(1, sample_count(input.shape.axes));
       total += input.shape.*given / meshes;
     }
-    if (node_.type->vertex_factor) total *= node_.type->vertex_factor(node_.literals);
     return total;
   }
 
@@ -253,8 +265,7 @@ class Inference {
         shape.vertices = each * samples;
         // A closed grid has two for each vertex.
         if (shape.vertices > limits_.triangles / 2) return too_many("triangles", 2 * shape.vertices, limits_.triangles);
-        const VertexRule& bound = type.most_vertices ? type.most_vertices : type.vertices;
-        shape.most_vertices = samples * vertices_per_run(bound, &WireShape::most_vertices);
+        shape.most_vertices = samples * most_vertices_per_run();
       }
       node_.outputs.push_back(std::move(shape));
     }

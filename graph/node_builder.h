@@ -124,6 +124,8 @@ class NodeBuilder {
   }
   /// The same for a node that refines the meshes it is given.
   NodeBuilder&& vertex_factor(VertexFactor factor) && { return set(type().vertex_factor, std::move(factor)); }
+  /// A bound for a node whose meshes may have more than those it is given by the factor.
+  NodeBuilder&& most_of_given(VertexBound bound) && { return set(type().most_of_given, std::move(bound)); }
   /// What a run needs beyond the usual for its sizes.
   NodeBuilder&& cost(CostRule rule) && { return set(type().cost, std::move(rule)); }
   NodeBuilder&& depends_on_quality() && { return set(type().depends_on_quality, true); }

@@ -54,6 +54,10 @@ using FewestRule = std::function<std::size_t(const Axes& consumed)>;
 /// By how much a node multiplies the vertices of its mesh inputs, from its literals.
 using VertexFactor = std::function<std::size_t(const Literals&)>;
 
+/// The most vertices that one mesh made from meshes with `given` of them has, from the node's literals. It holds for a
+/// family by the mean, so it grows no faster where there are more.
+using VertexBound = std::function<std::size_t(const Literals&, std::size_t given)>;
+
 /// What one run of a node is given and makes, known before anything is computed. Sizes are bounds.
 struct RunSize {
   const Literals& literals;
@@ -104,6 +108,7 @@ struct NodeType {
   VertexRule vertices;
   VertexRule most_vertices;    ///< where `vertices` is no bound; absent where it is
   VertexFactor vertex_factor;  ///< where there is no rule; 1 when absent
+  VertexBound most_of_given;   ///< where the factor is no bound; absent where it is
   CostRule cost;               ///< nothing beyond the usual when absent
   bool depends_on_quality = false;
   FewestRule fewest_triangles;    ///< of each mesh that a draft thins; absent for nodes that make none

@@ -1,7 +1,5 @@
 #include "nodes/all.h"
 
-#include "nodes/solids.h"
-
 namespace dini {
 
 void add_all_nodes(Registry& registry) {

@@ -36,8 +36,12 @@ void add_mesh_tools(Registry& registry);
 void add_mirror(Registry& registry);
 void add_smooth(Registry& registry);
 void add_slice(Registry& registry);
+void add_thicken(Registry& registry);
+void add_offset(Registry& registry);
+void add_cap(Registry& registry);
 void add_import(Registry& registry);
 void add_answers(Registry& registry);
+void add_printability(Registry& registry);
 void add_export(Registry& registry);
 
 /// The families in the order a catalogue shows them, with their titles: [{"name", "title"}].

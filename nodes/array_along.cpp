@@ -1,10 +1,10 @@
 // Copies along a curve.
 
 #include "geometry/curve_frames.h"
-#include "geometry/validate.h"
 #include "graph/kept_axes.h"
 #include "nodes/all.h"
 #include "nodes/copies.h"
+#include "nodes/curve_points.h"
 
 namespace dini {
 
@@ -48,29 +48,14 @@ Versor motion_to(const PlacedFrame& frame) {
   return compose(translation_versor(place), turn);
 }
 
-Attempt<Polyline> placed_curve(const Context& context, const Block<Point, 1>& points) {
-  Polyline curve{Column<Point>(points.size()), points.axis().closed};
-  CancelEvery looks(context.cancel());
-  for (std::size_t i = 0; i < points.size() && !looks.stopped(); ++i) {
-    const Point point = points(i);
-    if (!is_within_reach(point)) {
-      return Failure{"degenerate",
-                     "point " + std::to_string(i) +
-                         " of the curve is at infinity or beyond 1e18 m, where nothing can "
-                         "be placed",
-                     "curve"};
-    }
-    curve.points.set(i, point);
-  }
-  return curve;
-}
-
 template <class Shape>
 struct Along {
   static Attempt<Made<Shape>> make(const Context& context, const Shape& shape, const AlongInputs& in) {
-    const Attempt<Polyline> curve = placed_curve(context, in.curve);
-    if (!curve) return curve.error();
-    const std::vector<PlacedFrame> frames = curve_frames(*curve, in.frames, in.up, context.cancel());
+    Attempt<Column<Point>> points = points_of_curve(
+        context, in.curve, "curve", " of the curve is at infinity or beyond 1e18 m, where nothing can be placed");
+    if (!points) return points.error();
+    const Polyline curve{*std::move(points), in.curve.axis().closed};
+    const std::vector<PlacedFrame> frames = curve_frames(curve, in.frames, in.up, context.cancel());
     return moved_copies(context, shape, in.curve.size(),
                         [&](std::size_t i) { return i < frames.size() ? motion_to(frames[i]) : Versor{}; });
   }

@@ -4,8 +4,8 @@
 
 #include "geometry/validate.h"
 #include "graph/node_builder.h"
+#include "nodes/all.h"
 #include "nodes/mesh_reach.h"
-#include "nodes/solids.h"
 
 namespace dini {
 
@@ -35,10 +35,16 @@ Attempt<std::tuple<SharedMesh, double>> closed_by_caps(const Context& context, c
                    "the caps would have more than " + std::to_string(most) + " vertices; take fewer rings", "rings"};
   }
   if (result.caps == 0) return std::tuple(shape, 0.0);
-  if (!is_mesh_within_reach(result.mesh)) {
+  if (!is_mesh_within_reach(result.mesh, context.cancel())) {
     return Failure{"out-of-range", "a cap would reach beyond 1e18 m", "shape"};
   }
   return std::tuple(SharedMesh(std::make_shared<const Mesh>(std::move(result.mesh))), static_cast<double>(result.caps));
+}
+
+/// All that a mesh may get: a cap for each three vertices of its border, with as many rings as are not refused.
+std::size_t most_vertices_of_capped(const Literals& literals, std::size_t given) {
+  const auto rings = text_at(literals, "kind") == "dome" ? static_cast<std::size_t>(integer_at(literals, "rings")) : 1;
+  return given + std::min((rings + 1) * given, given + static_cast<std::size_t>(few_cap_vertices));
 }
 
 /// A flat cap has a vertex for each of its border's and one more, which is little beside a mesh that is not nearly all
@@ -73,6 +79,7 @@ void add_cap(Registry& registry) {
           .input("kind", &CapInputs::kind, "What closes a border.", defaults("flat"))
           .input("rings", &CapInputs::rings, "Rings of triangles from the border to the apex of a dome.",
                  defaults(8).hard(1, 256).soft(2, 32))
+          .most_of_given(most_vertices_of_capped)
           .cost(cost_of_cap)
           .output("shape", "The mesh with its caps.")
           .output("caps", "How many borders were closed."));

@@ -31,6 +31,7 @@ inline Attempt<SharedField> moved_copy(const Context&, const Versor& versor, con
 template <class Shape, class VersorOf>
 Attempt<Made<Shape>> moved_copies(const Context& context, const Shape& shape, std::size_t count,
                                   const VersorOf& versor_of) {
+  if (context.cancel().stopped()) return Made<Shape>{};
   Made<Shape> copies{Column<Shape>(count)};
   for (std::size_t i = 0; i < count && !context.cancel().stopped(); ++i) {
     Attempt<Shape> copy = moved_copy(context, versor_of(i), shape);

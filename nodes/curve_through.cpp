@@ -1,9 +1,9 @@
 // Smooth curves through given points.
 
 #include "geometry/spline.h"
-#include "geometry/validate.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
+#include "nodes/curve_points.h"
 
 namespace dini {
 
@@ -28,19 +28,11 @@ struct CurveInputs {
 };
 
 Attempt<Made<Point>> curve_through(const Context& context, const CurveInputs& in) {
-  Column<Point> given(in.points.size());
-  CancelEvery looks(context.cancel());
-  for (std::size_t i = 0; i < given.size() && !looks.stopped(); ++i) {
-    const Point point = in.points(i);
-    if (!is_within_reach(point)) {
-      return Failure{"degenerate",
-                     "point " + std::to_string(i) + " is at infinity or beyond 1e18 m, where no curve can go",
-                     "points"};
-    }
-    given.set(i, point);
-  }
+  const Attempt<Column<Point>> given =
+      points_of_curve(context, in.points, "points", " is at infinity or beyond 1e18 m, where no curve can go");
+  if (!given) return given.error();
   const SplineOptions options{in.kind, in.spacing, in.closed, static_cast<std::size_t>(in.count)};
-  return Made<Point>{spline_points(given, options, context.cancel())};
+  return Made<Point>{spline_points(*given, options, context.cancel())};
 }
 
 }  // namespace

@@ -1,27 +1,19 @@
 #include "nodes/mesh_reach.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "geometry/clip.h"
+#include "geometry/chunks.h"
+#include "geometry/same_place.h"
 #include "geometry/validate.h"
 
 namespace dini {
 
-double least_change(const Mesh& mesh) {
-  double largest = 0;
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const Point p = mesh.positions[i];
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  }
-  return relative_round_off * largest;
+double least_change(const Mesh& mesh, const Cancel& cancel) {
+  CancelEvery looks(cancel);
+  return relative_round_off * largest_coordinate_of(mesh.positions, looks);
 }
 
-bool is_mesh_within_reach(const Mesh& mesh) {
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    if (!is_within_reach(mesh.positions[i])) return false;
-  }
-  return true;
+bool is_mesh_within_reach(const Mesh& mesh, const Cancel& cancel) {
+  const Column<Point>& positions = mesh.positions;
+  return !first_where(cancel, positions.size(), [&](std::size_t i) { return !is_within_reach(positions[i]); });
 }
 
 }  // namespace dini

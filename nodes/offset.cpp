@@ -1,8 +1,7 @@
 #include "geometry/displacement.h"
 #include "graph/node_builder.h"
-#include "nodes/costs.h"
+#include "nodes/all.h"
 #include "nodes/mesh_reach.h"
-#include "nodes/solids.h"
 
 namespace dini {
 
@@ -15,7 +14,7 @@ struct MeshOffsetInputs {
 Attempt<SharedMesh> moved_along_normals(const Context& context, const SharedMesh& shape, const MeshOffsetInputs& in) {
   if (in.distance == 0) return shape;
   auto mesh = std::make_shared<const Mesh>(offset(*shape, in.distance, context.cancel()));
-  if (!is_mesh_within_reach(*mesh)) {
+  if (!is_mesh_within_reach(*mesh, context.cancel())) {
     return Failure{"out-of-range", "the mesh would reach beyond 1e18 m", "distance"};
   }
   return SharedMesh(std::move(mesh));

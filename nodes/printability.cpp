@@ -1,7 +1,7 @@
 #include "geometry/contacts.h"
 #include "geometry/solid.h"
 #include "graph/node_builder.h"
-#include "nodes/solids.h"
+#include "nodes/all.h"
 
 namespace dini {
 

@@ -1,6 +1,7 @@
 #include <cstdint>
 
 #include "geometry/chunks.h"
+#include "geometry/mixed_bits.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 
@@ -8,12 +9,9 @@ namespace dini {
 
 namespace {
 
-/// SplitMix64 (Steele, Lea, Flood 2014) by counter: the n-th number of a stream from its seed alone.
+/// SplitMix64 by counter: the n-th number of a stream from its seed alone.
 std::uint64_t mixed(std::uint64_t seed, std::uint64_t counter) {
-  std::uint64_t z = seed + (counter + 1) * 0x9E3779B97F4A7C15u;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-  return z ^ (z >> 31);
+  return mixed_bits(seed + (counter + 1) * splitmix_step);
 }
 
 /// In [0, 1), a multiple of 2^-53.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/chunks.h"
+#include "geometry/tile_ends.h"
 
 namespace dini {
 
@@ -63,8 +64,7 @@ void leave_out_far_triangles(Mesh& mesh, const Cancel& cancel) {
       }
     }
     while (tile < mesh.tile_ends.size() && mesh.tile_ends[tile] == t + 1) {
-      // A tile of which nothing is left is none.
-      if (triangles.size() > (tile_ends.empty() ? 0 : tile_ends.back())) tile_ends.push_back(triangles.size());
+      end_tile(tile_ends, triangles.size());
       ++tile;
     }
   }

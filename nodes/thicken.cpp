@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/border_strips.h"
 #include "geometry/chunks.h"
 #include "geometry/place_text.h"
 #include "geometry/scalar_field.h"
 #include "geometry/validate.h"
 #include "graph/node_builder.h"
+#include "nodes/all.h"
 #include "nodes/mesh_reach.h"
-#include "nodes/solids.h"
 #include "nodes/wall_side.h"
 
 namespace dini {
@@ -23,6 +24,12 @@ struct ThickenInputs {
   double far_thickness, fade;
   bool find_contact;
 };
+
+/// Two sheets, and strips with four vertices for a side of the border, of which there are at most as many as vertices;
+/// in large meshes the strips have fewer.
+std::size_t most_vertices_of_wall(const Literals&, std::size_t given) {
+  return std::min(6 * given, 4 * given + 2 * few_strip_vertices);
+}
 
 /// Of the thickness at one place, by the value of the field there.
 double share_of_thickness(const ThickenInputs& in, double value) {
@@ -42,7 +49,7 @@ std::vector<double> shares_by_field(const ThickenInputs& in, const WeldedMesh& s
 
 Attempt<std::tuple<SharedMesh, double>> thickened(const Context& context, const SharedMesh& shape,
                                                   const ThickenInputs& in) {
-  const double least = least_change(*shape);
+  const double least = least_change(*shape, context.cancel());
   if (std::min(in.thickness, in.field ? in.far_thickness : in.thickness) < least) {
     return Failure{"out-of-range",
                    "the mesh reaches so far from the origin that its coordinates tell no wall below " +
@@ -57,7 +64,7 @@ Attempt<std::tuple<SharedMesh, double>> thickened(const Context& context, const 
   if (in.field) wall.shares = shares_by_field(in, surface.welded, context.cancel());
   auto mesh = std::make_shared<const Mesh>(wall_along(surface, wall, context.cancel()));
   if (context.cancel().stopped()) return std::tuple(shape, 0.0);
-  if (!is_mesh_within_reach(*mesh)) {
+  if (!is_mesh_within_reach(*mesh, context.cancel())) {
     return Failure{"out-of-range", "the wall would reach beyond 1e18 m", "thickness"};
   }
   double fits = in.thickness;
@@ -106,6 +113,7 @@ void add_thicken(Registry& registry) {
           .input("find_contact", &ThickenInputs::find_contact, "Whether to look where the wall meets itself.",
                  defaults(true))
           .vertex_factor([](const Literals&) { return std::size_t{2}; })
+          .most_of_given(most_vertices_of_wall)
           .cost([](const RunSize& size) {
             return RunCost{12'000 * size.given_vertices, 900 * size.given_vertices, 104 * size.given_vertices};
           })

@@ -130,7 +130,7 @@ TEST_CASE("A solid that leaves the box is closed on its sides") {
 TEST_CASE("Every mesh is closed and two-manifold, however little the cells resolve") {
   RandomElements random(11);
   int ambiguous = 0;
-  for (int round = 0; round < 150; ++round) {
+  for (int round = 0; round < 60; ++round) {
     SharedField field;
     if (round % 2 == 0) {
       field = random_field(random, 3);
@@ -159,7 +159,7 @@ TEST_CASE("A mesh is the same on one thread and on two") {
   const auto made = [&](std::size_t threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     tbb::task_arena arena(static_cast<int>(threads));
-    return arena.execute([&] { return implicit_mesh(field, cube(2, 50), never_stopped).mesh; });
+    return arena.execute([&] { return implicit_mesh(field, cube(2, 28), never_stopped).mesh; });
   };
   const Mesh one = made(1), two = made(2);
   CHECK(one.positions.size() > 100);
@@ -210,7 +210,7 @@ class FoldedField : public ScalarField {
 
 TEST_CASE("A surface that is too large is left before all of it is made") {
   Asked all, few;
-  ImplicitOptions options = cube(1, 40);
+  ImplicitOptions options = cube(1, 24);
   implicit_mesh(std::make_shared<FoldedField>(all, 1), options, never_stopped);
   options.most_vertices = 100;
   const ImplicitSurface surface = implicit_mesh(std::make_shared<FoldedField>(few, 1), options, never_stopped);

@@ -63,7 +63,7 @@ TEST_CASE("Every example keeps to the budget of its draft, or says by how much i
   std::map<std::string, Json> all = examples();
   all.merge(examples(std::string(DINI_EXAMPLES) + "/nodes"));
   for (const auto& [id, graph] : all) {
-    for (const std::int64_t budget : {100, 1000, 5000, 20'000}) {
+    for (const std::int64_t budget : {100, 1000, 20'000}) {
       CAPTURE(id, budget);
       const Result<Answered> answer = answered(engine(), draft_of(graph, budget));
       require_none(answer ? Problems{} : answer.problems());

@@ -51,7 +51,8 @@ std::map<std::string, std::string> words_in_sources() {
 
 }  // namespace
 
-TEST_CASE("Every code that the sources use is in the table of problem codes") {
+// One test for both: reading the sources with sanitizers takes long.
+TEST_CASE("Every code that the sources use is in the table of problem codes, and no other") {
   const auto words = words_in_sources();
   CHECK(words.contains("type-mismatch"));
   CHECK(words.contains("degenerate"));
@@ -61,10 +62,6 @@ TEST_CASE("Every code that the sources use is in the table of problem codes") {
     const bool known = find_problem_code(word) != nullptr || other_words.contains(word);
     CHECK(known);
   }
-}
-
-TEST_CASE("Every code of the table is used by the sources") {
-  const auto words = words_in_sources();
   for (const ProblemCode& known : problem_codes()) {
     CAPTURE(known.code);
     CHECK(words.contains(std::string(known.code)));
