@@ -27,6 +27,7 @@ struct EvalOptions {
   bool make_folders = false;
   bool no_draco = false;
   bool embed_graph = false;
+  bool parts = false;
   QualityOption quality;
   std::optional<std::int64_t> triangle_budget;
   std::vector<std::string> preview;
@@ -51,6 +52,7 @@ EvaluateRequest request_of(const EvalOptions& options, const Engine& engine, con
           .quality = options.quality.value(),
           .triangle_budget = options.triangle_budget,
           .preview = options.preview,
+          .parts = options.parts,
           .format = work.target->format->name,
           .draco = !options.no_draco,
           .embed_graph = options.embed_graph,
@@ -96,7 +98,8 @@ void tell(const EvalOptions& options, const EvalWork& work, const Outcome& outco
   }
   if (outcome.code != exit_ok || !says) return;
   std::cout << (is_alone ? "" : printable(work.graph->path) + ": ") << summary_of(outcome.report)
-            << (work.target->path ? " -> " + printable(*work.target->path) : "") << "\n";
+            << (work.target->path ? " -> " + printable(*work.target->path) : "") << "\n"
+            << parts_of(outcome.report);
 }
 
 Told make_all(const EvalOptions& options, const Engine& engine, const Json& parameters,
@@ -215,6 +218,8 @@ void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine
   command->add_flag("--mkdir", options->make_folders, "Make the folders of what is written");
   command->add_flag("--embed-graph", options->embed_graph, "Put the graph document into the file (asset.extras)");
   command->add_option("--report", options->report, "Where the JSON report goes, or - for standard output");
+  auto* parts = command->add_flag("--parts", options->parts,
+                                  "Tell of each part of the model whether it is watertight, how thin it is, and more");
   auto* no_draco = command->add_flag("--no-draco", options->no_draco,
                                      "Leave meshes uncompressed, for programs that cannot read Draco");
   auto* output = command->add_option("--output", options->output, "The export node (default: the only one)");
@@ -223,6 +228,7 @@ void add_eval(CLI::App& program, Command& chosen, const EngineMaker& make_engine
                    "A node, or node.output, to draw with control geometry instead of the model; may be repeated")
       ->allow_extra_args(false)
       ->excludes(output)
+      ->excludes(parts)
       ->excludes(no_draco);
   options->quality.add_option(*command);
   command->add_option("--triangle-budget", options->triangle_budget, "About how many triangles a draft has");

@@ -8,6 +8,7 @@
 
 #include "cli/exit_codes.h"
 #include "cli/terminal.h"
+#include "geometry/counted.h"
 #include "graph/stopped.h"
 
 namespace dini::cli {
@@ -31,6 +32,17 @@ Outcome computed(const Engine& engine, const Result<SharedPrepared>& prepared, c
   if (!computed) return failed(computed.problems(), exit_code_for(computed.problems(), Stage::evaluating));
   return {.report = engine.report(**prepared, **computed, Sent::document),
           .file = (*computed)->model != nullptr ? (*computed)->model : (*computed)->preview};
+}
+
+/// `watertight, 1 piece, 0 self-intersections, least thickness 0.1 m, volume 2.5 m^3`
+std::string solid_text(const Json& part) {
+  const auto count = [&](const char* member, std::string_view one, std::string_view many) {
+    return counted(part.at(member).get<std::size_t>(), one, many);
+  };
+  return (part.at("watertight") == true ? "watertight" : "open, " + count("boundary_loops", "border", "borders")) + ", " +
+         count("components", "piece", "pieces") + ", " +
+         count("self_intersections", "self-intersection", "self-intersections") + ", least thickness " +
+         part.at("least_thickness").dump() + " m, volume " + part.at("volume").dump() + " m^3";
 }
 
 }  // namespace
@@ -68,6 +80,16 @@ std::string summary_of(const Json& report) {
     if (model.contains(measure)) text += (text.back() == ':' ? " " : ", ") + model.at(measure).dump() + " " + measure;
   }
   return printable(text);
+}
+
+std::string parts_of(const Json& report) {
+  std::string text;
+  for (const Json& part : report.value("parts", Json::array())) {
+    const std::string name = "  " + printable(part.at("name").get<std::string>()) + ": ";
+    text += name + (part.at("type") == "mesh" ? solid_text(part) : part.at("count").dump() + " drawn as lines or points");
+    text += "\n";
+  }
+  return text;
 }
 
 std::string times_of(const Json& report) {

@@ -38,6 +38,9 @@ Json report_of(const Outcome& outcome, const SourceText* source);
 /// `out: 1234 bytes, 10 vertices, 12 triangles`
 std::string summary_of(const Json& report);
 
+/// A line for each part that a report tells of: `  skin: watertight, 1 piece, ...`.
+std::string parts_of(const Json& report);
+
 /// The times of the nodes that ran, a line each, the longest first.
 std::string times_of(const Json& report);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/counted.h"
 #include "geometry/validate.h"
 
 namespace dini {

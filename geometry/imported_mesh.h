@@ -72,9 +72,4 @@ inline ImportError too_many(std::size_t limit, std::string_view what) {
           "the file has more than " + std::to_string(limit) + " " + std::string(what) + ", which is the limit"};
 }
 
-/// "1 face is", "2 faces are": the beginning of a sentence about some of the things in a file.
-inline std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-  return std::to_string(count) + " " + std::string(count == 1 ? one : many);
-}
-
 }  // namespace dini

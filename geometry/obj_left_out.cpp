@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/counted.h"
 #include "geometry/imported_mesh.h"
 
 namespace dini {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "geometry/counted.h"
 #include "geometry/text_reader.h"
 
 namespace dini {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/counted.h"
 #include "geometry/text_reader.h"
 
 namespace dini {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/counted.h"
 #include "geometry/normals.h"
 #include "geometry/validate.h"
 

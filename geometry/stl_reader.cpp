@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstring>
 
+#include "geometry/counted.h"
 #include "geometry/face_builder.h"
 #include "geometry/key_numbers.h"
 #include "geometry/raw_mesh.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/counted.h"
 #include "gltf/gltf_extensions.h"
 
 namespace dini {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/counted.h"
 #include "geometry/flat_normals.h"
 #include "geometry/validate.h"
 

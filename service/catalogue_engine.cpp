@@ -186,6 +186,9 @@ std::vector<std::string> CatalogueEngine::blocked(const EvaluateRequest& request
 
 std::vector<std::size_t> CatalogueEngine::wanted_nodes(const PreparedGraph& prepared) const {
   std::vector<std::size_t> wanted = prepared.targets;
+  if (!prepared.part_nodes.empty() && !cache_.contains(prepared.parts_digest)) {
+    wanted.insert(wanted.end(), prepared.part_nodes.begin(), prepared.part_nodes.end());
+  }
   if (prepared.previews.empty() || cache_.contains(prepared.preview_digest)) return wanted;
   const std::vector<std::size_t> drawn = drawn_nodes(prepared);
   wanted.insert(wanted.end(), drawn.begin(), drawn.end());
@@ -205,6 +208,11 @@ SharedComputed CatalogueEngine::find(const Prepared& asked) const {
     found->milliseconds["preview"] = 0;
     found->preview = cache_.find<File>(prepared.preview_digest);
     if (found->preview == nullptr) return nullptr;
+  }
+  if (!prepared.part_nodes.empty()) {
+    found->milliseconds["parts"] = 0;
+    found->parts = cache_.find<ToldParts>(prepared.parts_digest);
+    if (found->parts == nullptr) return nullptr;
   }
   // The checks beside the output must have held too.
   std::optional<Evaluation> evaluation = find_evaluation(prepared.plan, prepared.targets, cache_);
@@ -232,6 +240,18 @@ Result<SharedFile> CatalogueEngine::preview_file(const PreparedGraph& prepared, 
   return made;
 }
 
+Result<std::shared_ptr<const ToldParts>> CatalogueEngine::told_parts(const PreparedGraph& prepared,
+                                                                     const Evaluation& evaluation,
+                                                                     const Cancel& cancel) const {
+  if (auto known = cache_.find<ToldParts>(prepared.parts_digest)) return known;
+  constexpr std::size_t bytes_of_part = 2048;
+  auto told = std::make_shared<const ToldParts>(
+      ToldParts{parts_of(prepared.plan, *prepared.export_node, evaluation, cancel)});
+  if (cancel.stopped()) return stopped_problem(cancel.reason());
+  cache_.insert<ToldParts>(prepared.parts_digest, told, bytes_of_part * (1 + told->list.size()));
+  return told;
+}
+
 Result<SharedComputed> CatalogueEngine::compute(const Prepared& asked, const Job& job) const {
   const PreparedGraph& prepared = own(asked);
   const auto begin = std::chrono::steady_clock::now();
@@ -247,6 +267,13 @@ Result<SharedComputed> CatalogueEngine::compute(const Prepared& asked, const Job
     const NodeRun* run = evaluation->run(prepared.plan.nodes[*prepared.export_node]);
     computed->milliseconds["encode"] = run != nullptr ? run->milliseconds : 0;
   }
+  if (!prepared.part_nodes.empty()) {
+    const auto measuring = std::chrono::steady_clock::now();
+    auto told = told_parts(prepared, *evaluation, job.cancel);
+    if (!told) return told.problems();
+    computed->parts = *std::move(told);
+    computed->milliseconds["parts"] = milliseconds_since(measuring);
+  }
   if (!prepared.previews.empty()) {
     const auto drawing = std::chrono::steady_clock::now();
     Result<SharedFile> drawn = preview_file(prepared, *evaluation, job.cancel);
@@ -260,7 +287,7 @@ Result<SharedComputed> CatalogueEngine::compute(const Prepared& asked, const Job
 
 bool CatalogueEngine::is_shareable(const Prepared& asked) const {
   const PreparedGraph& prepared = own(asked);
-  return prepared.export_node && prepared.previews.empty() && prepared.targets == std::vector{*prepared.export_node};
+  return prepared.export_node && prepared.previews.empty() && prepared.part_nodes.empty() && prepared.targets == std::vector{*prepared.export_node};
 }
 
 std::string CatalogueEngine::kept_form(const Prepared& asked, const Computed& computed) const {

@@ -61,6 +61,8 @@ class CatalogueEngine final : public Engine, public ValueSource {
   std::vector<std::size_t> wanted_nodes(const PreparedGraph& prepared) const;
 
   /// The drawn previews, from the cache or into it.
+  Result<std::shared_ptr<const ToldParts>> told_parts(const PreparedGraph& prepared, const Evaluation& evaluation,
+                                                      const Cancel& cancel) const;
   Result<SharedFile> preview_file(const PreparedGraph& prepared, const Evaluation& evaluation,
                                   const Cancel& cancel) const;
 

@@ -43,6 +43,8 @@ struct EvaluateRequest {
   std::vector<std::string> preview = {};
   /// Outputs whose values the report tells, as "node" or "node.output".
   std::vector<std::string> measures = {};
+  /// Whether the report tells what each part of the model is; refused without an output.
+  bool parts = false;
   /// No model of an output is wanted, only measures and checks.
   bool without_output = false;
   /// The name of the format that the output is written in; empty is the first. Previews are GLB always.

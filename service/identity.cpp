@@ -15,7 +15,7 @@ Digest identity_of(const EvaluateRequest& request) {
   for (const std::string& place : request.preview) digest.text(place);
   digest.integer(request.measures.size());
   for (const std::string& place : request.measures) digest.text(place);
-  digest.integer(request.without_output ? 1 : 0);
+  digest.integer(request.parts ? 1 : 0).integer(request.without_output ? 1 : 0);
   digest.text(request.format).integer(request.draco ? 1 : 0).integer(request.embed_graph ? 1 : 0);
   if (request.embed_graph) digest.text(canonical_json(request.notes));
   return digest.finish();

@@ -10,6 +10,7 @@
 #include "graph/stopped.h"
 #include "service/measures.h"
 #include "service/outputs.h"
+#include "service/parts.h"
 #include "service/places.h"
 #include "service/preview.h"
 #include "service/report.h"
@@ -117,6 +118,14 @@ Json about_file(const PreparedGraph& prepared, const EvaluateRequest& request) {
   return about;
 }
 
+Problem parts_without_output() {
+  return {.code = "unknown-output",
+          .detail = "parts are those of a model, and no output is asked for; name one as `output`",
+          .pointer = "/parts",
+          .in_request = true,
+          .fix = {{{"op", "remove"}, {"path", "/parts"}}}};
+}
+
 /// Memory for a file that needs more than a compressed GLB, whose memory is in the cost of the plan.
 std::size_t more_memory(const PlannedNode& exported, const FileFormat& format, bool draco) {
   constexpr std::size_t uncompressed_bytes = 160;  // two copies of the file, less what Draco needs
@@ -149,6 +158,7 @@ Digest content_digest(const PreparedGraph& prepared) {
   for (const std::size_t target : prepared.targets) {
     digest.digest(prepared.plan.nodes[standing_at(prepared.plan, target)].fingerprint);
   }
+  if (!prepared.part_nodes.empty()) digest.text("parts").digest(prepared.parts_digest);
   return digest.finish();
 }
 
@@ -259,6 +269,13 @@ Result<std::shared_ptr<const PreparedGraph>> prepare_evaluation(const Environmen
   if (!measures) return measures.problems();
   prepared->measures = *std::move(measures);
   for (const Measure& measure : prepared->measures) prepared->targets.push_back(measure.node);
+  if (request.parts) {
+    if (!prepared->export_node) return parts_without_output();
+    Result<std::vector<std::size_t>> nodes = plan_parts(prepared->plan, *prepared->export_node, environment.limits);
+    if (!nodes) return nodes.problems();
+    prepared->part_nodes = *std::move(nodes);
+    prepared->parts_digest = parts_digest(prepared->plan, *prepared->export_node);
+  }
   if (prepared->export_node) want_file(*prepared, **format, request, environment.topologies);
   if (!prepared->previews.empty()) {
     prepared->preview_digest = preview_digest(prepared->plan, prepared->previews, environment.limits);

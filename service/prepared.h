@@ -34,7 +34,9 @@ class PreparedGraph final : public Prepared {
   std::vector<std::size_t> targets;        ///< the export node, everything that always runs with it, what is measured
   std::vector<Preview> previews;           ///< by the ids of their nodes
   std::vector<Measure> measures;           ///< as they were asked for
+  std::vector<std::size_t> part_nodes;     ///< that make the parts of the model; none unless those are to be told
   Digest fingerprint{};                    ///< of what the model depends on, whatever file it is written into
+  Digest parts_digest{};                   ///< of everything that the told parts depend on
   Digest preview_digest{};                 ///< of everything that the drawn previews depend on
   Problems elsewhere;                      ///< of nodes that are not needed
   double milliseconds = 0;                 ///< that preparing took

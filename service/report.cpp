@@ -128,6 +128,7 @@ Json evaluation_report(const PreparedGraph& prepared, const ComputedGraph& compu
     report["model"] = model_json(*computed.model);
   }
   if (!prepared.measures.empty()) report["measures"] = measures_of(prepared, computed.evaluation);
+  if (computed.parts != nullptr) report["parts"] = computed.parts->list;
   if (computed.preview != nullptr) report["preview"] = preview_json(prepared, *computed.preview);
   if (extent == Extent::outcome) return report;
   std::map<std::string, double> milliseconds = computed.milliseconds;

@@ -2,6 +2,7 @@
 
 #include "graph/check.h"
 #include "graph/evaluate.h"
+#include "service/parts.h"
 #include "service/prepared.h"
 #include "service/problem_json.h"
 
@@ -11,6 +12,7 @@ namespace dini {
 class ComputedGraph final : public Computed {
  public:
   Evaluation evaluation;
+  std::shared_ptr<const ToldParts> parts;  ///< null unless they are to be told
 };
 
 /// The report of an evaluation: times, what was cached, types and axes, the file, checks and warnings; see

@@ -22,6 +22,10 @@ const RequestType<EvaluateBody>& request() {
           .member("measures", &EvaluateRequest::measures,
                   "Outputs (`node` or `node.output`) whose values the report tells, in any order.",
                   left_out_means("none"))
+          .member("parts", &EvaluateRequest::parts,
+                  "Whether the report tells of each part of the model how large it is and whether it is a solid, which "
+                  "takes seconds for large models.",
+                  usually(false))
           .member("quality", &EvaluateRequest::quality, "A draft is made faster, of fewer triangles.", usually("final"))
           .member("triangle_budget", &EvaluateRequest::triangle_budget,
                   "How many triangles all meshes of a draft have together at most; refused for a final answer.",

@@ -104,6 +104,27 @@ Json file_with_address() {
   return model({{"address", text("Where the file can be fetched while there is room for it.")}});
 }
 
+/// One part of a model: a mesh, or how many curves or points there are.
+Json told_part() {
+  return object(
+      {{"name", text("Of the part in the file: the node that made it, with its place on every axis, `skin[3,0]`.")},
+       {"type", word({"mesh", "circle", "point"}, "What it is made of; the members below `count` are those of meshes.")},
+       {"count", whole("Of the circles, or of the points."), true},
+       {"vertices", whole("Positions that triangles use; those that are equal count once."), true},
+       {"triangles", whole("Those with three distinct corners."), true},
+       {"area", number("In m^2."), true},
+       {"volume", number("In m^3, positive where faces look outward; enclosed only when `watertight`."), true},
+       {"watertight", yes_no("Whether each edge has two triangles, which run along it in opposite directions."), true},
+       {"boundary_loops", whole("Closed loops of edges with one triangle."), true},
+       {"components", whole("Pieces that do not hang together."), true},
+       {"self_intersections", whole("Pairs of triangles that meet, counted up to 1000."), true},
+       {"least_thickness", number("Of the thinnest wall, in meters; 0 where nothing is opposite."), true},
+       {"center_of_mass", list(number(""), "Of the solid, in meters."), true},
+       {"inertia", list(number(""), "Moments about x, y and z through the center, in m^5: times the density kg m^2."),
+        true}},
+      "What one part of a model is.");
+}
+
 /// What a report and the line of a variant tell alike.
 std::vector<Property> outcome(Json model, bool optional) {
   return {
@@ -124,9 +145,10 @@ Json report() {
       {"engine", text("The version of the engine.")},
       {"etag", text("The tag of the model, with its quotes.")},
       {"quality", word({"draft", "final"}, "What was asked for.")},
-      {"milliseconds", map_of(number(""), "By step: prepare, evaluate, encode, preview; 0 for what was known.")},
+      {"milliseconds", map_of(number(""), "By step: prepare, evaluate, encode, parts, preview; 0 for what was known.")},
       {"cost", reference("Cost")},
       {"nodes", map_of(reference("NodeRun"), "Every node by id.")},
+      {"parts", list(reference("ToldPart"), "What each part of the model is; there when it was asked for."), true},
       {"preview",
        object({{"bytes", whole("Of the file.")},
                {"nodes", list(text(""), "The nodes that are drawn.")},
@@ -233,6 +255,7 @@ const Json& result_schemas() {
                                                   {"Report", report()},
                                                   {"SweepLine", sweep_line()},
                                                   {"SweptOutput", swept_output()},
+                                                  {"ToldPart", told_part()},
                                                   {"AssetSummary", asset_summary()},
                                                   {"NodeCard", node_card()},
                                                   {"Catalogue", catalogue()}});

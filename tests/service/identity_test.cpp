@@ -90,6 +90,7 @@ TEST_CASE("Requests of equal identity are those that ask for the same") {
       with([](Asked& asked) {
         asked.preview = {"ring", "ball"};
       }),
+      with([](Asked& asked) { asked.parts = true; }),
       with([](Asked& asked) { asked.format = "glb"; }),
       with([](Asked& asked) { asked.draco = false; }),
       with([](Asked& asked) { asked.embed_graph = true; }),
@@ -98,7 +99,7 @@ TEST_CASE("Requests of equal identity are those that ask for the same") {
         asked.graph["meta"] = {{"title", "Ball"}};
       }),
   };
-  CHECK(different.size() == 12);
+  CHECK(different.size() == 13);
 }
 
 TEST_CASE("A file that carries its document carries its notes too") {

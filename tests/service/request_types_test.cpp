@@ -121,6 +121,7 @@ TEST_CASE("What the description of a request calls a default is what reading lea
   const RequestDescription& description = evaluate_description();
   CHECK(description.find("quality")->spec.default_value == "final");
   CHECK(evaluate->quality == Quality::final);
+  CHECK(description.find("parts")->spec.default_value == evaluate->parts);
   CHECK(description.find("draco")->spec.default_value == evaluate->draco);
   CHECK(description.find("embed_graph")->spec.default_value == evaluate->embed_graph);
   CHECK(description.find("triangle_budget")->spec.default_value == Detail(Quality::draft).triangle_budget);

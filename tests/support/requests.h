@@ -22,6 +22,7 @@ struct Asked {
   std::optional<std::int64_t> triangle_budget = {};
   std::vector<std::string> preview = {};
   std::vector<std::string> measures = {};
+  bool parts = false;
   bool without_output = false;
   std::string format = {};
   bool draco = true;
@@ -36,6 +37,7 @@ inline EvaluateRequest request_to(const Engine& engine, const Asked& asked) {
           .triangle_budget = asked.triangle_budget,
           .preview = asked.preview,
           .measures = asked.measures,
+          .parts = asked.parts,
           .without_output = asked.without_output,
           .format = asked.format,
           .draco = asked.draco,
