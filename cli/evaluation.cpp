@@ -9,6 +9,7 @@
 #include "cli/exit_codes.h"
 #include "cli/terminal.h"
 #include "geometry/counted.h"
+#include "geometry/place_text.h"
 #include "graph/stopped.h"
 
 namespace dini::cli {
@@ -39,10 +40,10 @@ std::string solid_text(const Json& part) {
   const auto count = [&](const char* member, std::string_view one, std::string_view many) {
     return counted(part.at(member).get<std::size_t>(), one, many);
   };
-  return (part.at("watertight") == true ? "watertight" : "open, " + count("boundary_loops", "border", "borders")) + ", " +
-         count("components", "piece", "pieces") + ", " +
+  return (part.at("watertight") == true ? "watertight" : "open, " + count("boundary_loops", "border", "borders")) +
+         ", " + count("components", "piece", "pieces") + ", " +
          count("self_intersections", "self-intersection", "self-intersections") + ", least thickness " +
-         part.at("least_thickness").dump() + " m, volume " + part.at("volume").dump() + " m^3";
+         short_text(part.at("least_thickness")) + " m, volume " + short_text(part.at("volume")) + " m^3";
 }
 
 }  // namespace
@@ -86,7 +87,8 @@ std::string parts_of(const Json& report) {
   std::string text;
   for (const Json& part : report.value("parts", Json::array())) {
     const std::string name = "  " + printable(part.at("name").get<std::string>()) + ": ";
-    text += name + (part.at("type") == "mesh" ? solid_text(part) : part.at("count").dump() + " drawn as lines or points");
+    text +=
+        name + (part.at("type") == "mesh" ? solid_text(part) : part.at("count").dump() + " drawn as lines or points");
     text += "\n";
   }
   return text;

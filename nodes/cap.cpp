@@ -26,7 +26,9 @@ struct CapInputs {
 
 Attempt<std::tuple<SharedMesh, double>> closed_by_caps(const Context& context, const SharedMesh& shape,
                                                        const CapInputs& in) {
-  const std::size_t most = std::max(shape->positions.size(), static_cast<std::size_t>(few_cap_vertices));
+  // Flat caps have at most a third more vertices than a border, so they are never too large.
+  const std::size_t vertices = shape->positions.size() * (in.kind == CapKind::flat ? 2 : 1);
+  const std::size_t most = std::max(vertices, static_cast<std::size_t>(few_cap_vertices));
   CappedMesh result = capped(*shape, {in.kind, static_cast<std::size_t>(in.rings), most}, context.cancel());
   if (context.cancel().stopped()) return std::tuple(shape, 0.0);
   if (result.fault) return Failure{"degenerate", "no cap can close this mesh: " + *result.fault, "shape"};
@@ -41,9 +43,11 @@ Attempt<std::tuple<SharedMesh, double>> closed_by_caps(const Context& context, c
   return std::tuple(SharedMesh(std::make_shared<const Mesh>(std::move(result.mesh))), static_cast<double>(result.caps));
 }
 
-/// All that a mesh may get: a cap for each three vertices of its border, with as many rings as are not refused.
+/// All that a mesh may get: a vertex for each of its border's, and one for a cap; a dome has as many rings as are not
+/// refused.
 std::size_t most_vertices_of_capped(const Literals& literals, std::size_t given) {
-  const auto rings = text_at(literals, "kind") == "dome" ? static_cast<std::size_t>(integer_at(literals, "rings")) : 1;
+  if (text_at(literals, "kind") != "dome") return 3 * given;
+  const auto rings = static_cast<std::size_t>(integer_at(literals, "rings"));
   return given + std::min((rings + 1) * given, given + static_cast<std::size_t>(few_cap_vertices));
 }
 

@@ -245,8 +245,8 @@ Result<std::shared_ptr<const ToldParts>> CatalogueEngine::told_parts(const Prepa
                                                                      const Cancel& cancel) const {
   if (auto known = cache_.find<ToldParts>(prepared.parts_digest)) return known;
   constexpr std::size_t bytes_of_part = 2048;
-  auto told = std::make_shared<const ToldParts>(
-      ToldParts{parts_of(prepared.plan, *prepared.export_node, evaluation, cancel)});
+  auto told =
+      std::make_shared<const ToldParts>(ToldParts{parts_of(prepared.plan, *prepared.export_node, evaluation, cancel)});
   if (cancel.stopped()) return stopped_problem(cancel.reason());
   cache_.insert<ToldParts>(prepared.parts_digest, told, bytes_of_part * (1 + told->list.size()));
   return told;
@@ -287,7 +287,8 @@ Result<SharedComputed> CatalogueEngine::compute(const Prepared& asked, const Job
 
 bool CatalogueEngine::is_shareable(const Prepared& asked) const {
   const PreparedGraph& prepared = own(asked);
-  return prepared.export_node && prepared.previews.empty() && prepared.part_nodes.empty() && prepared.targets == std::vector{*prepared.export_node};
+  return prepared.export_node && prepared.previews.empty() && prepared.part_nodes.empty() &&
+         prepared.targets == std::vector{*prepared.export_node};
 }
 
 std::string CatalogueEngine::kept_form(const Prepared& asked, const Computed& computed) const {

@@ -122,8 +122,8 @@ Problem parts_without_output() {
   return {.code = "unknown-output",
           .detail = "parts are those of a model, and no output is asked for; name one as `output`",
           .pointer = "/parts",
-          .in_request = true,
-          .fix = {{{"op", "remove"}, {"path", "/parts"}}}};
+          .fix = {{{"op", "remove"}, {"path", "/parts"}}},
+          .in_request = true};
 }
 
 /// Memory for a file that needs more than a compressed GLB, whose memory is in the cost of the plan.

@@ -108,7 +108,8 @@ Json file_with_address() {
 Json told_part() {
   return object(
       {{"name", text("Of the part in the file: the node that made it, with its place on every axis, `skin[3,0]`.")},
-       {"type", word({"mesh", "circle", "point"}, "What it is made of; the members below `count` are those of meshes.")},
+       {"type",
+        word({"mesh", "circle", "point"}, "What it is made of; the members below `count` are those of meshes.")},
        {"count", whole("Of the circles, or of the points."), true},
        {"vertices", whole("Positions that triangles use; those that are equal count once."), true},
        {"triangles", whole("Those with three distinct corners."), true},

@@ -64,11 +64,12 @@ TEST_CASE("Parts are told in lines, and in the report") {
   const TemporaryFile report;
   const Json box = make("box_mesh", {{"segments", 1}});
   const std::string graph =
-      document({{"box", box}, {"ring", make("circle")}, {"out", make("export", {{"model", {from("box"), from("ring")}}})}})
+      document(
+          {{"box", box}, {"ring", make("circle")}, {"out", make("export", {{"model", {from("box"), from("ring")}}})}})
           .dump();
   const Outcome outcome = run({"eval", "-", "--parts", "--report", report.path.string()}, graph);
   REQUIRE(outcome.code == 0);
-  CHECK(outcome.out.find("\n  box: watertight, 1 piece, 0 self-intersections, least thickness 1.0 m, volume ") !=
+  CHECK(outcome.out.find("\n  box: watertight, 1 piece, 0 self-intersections, least thickness 1 m, volume ") !=
         std::string::npos);
   CHECK(outcome.out.find("\n  ring: ") != std::string::npos);
   CHECK(Json::parse(contents(report.path))["parts"][0]["watertight"] == true);

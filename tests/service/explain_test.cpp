@@ -168,16 +168,18 @@ TEST_CASE("No mesh has more vertices than an explanation says, in every example 
 
 TEST_CASE("Walls and caps of meshes that are nearly all border have no more vertices than an explanation says") {
   for (const int count : {2, 3, 40, 9000}) {
-    for (const Json& closed :
-         {make("thicken", {{"shape", from("strip")}, {"thickness", 0.001}}), make("cap", {{"shape", from("strip")}}),
-          make("cap", {{"shape", from("strip")}, {"kind", "dome"}, {"rings", count < 100 ? 200 : 1}})}) {
-      CAPTURE(count, closed.dump());
+    std::vector<Json> closed = {make("thicken", {{"shape", from("strip")}, {"thickness", 0.001}}),
+                                make("cap", {{"shape", from("strip")}})};
+    // A dome of as many rings on a long border would be refused.
+    if (count < 100) closed.push_back(make("cap", {{"shape", from("strip")}, {"kind", "dome"}, {"rings", 200}}));
+    for (const Json& node : closed) {
+      CAPTURE(count, node.dump());
       check_vertices(document({{"grid", make("grid", {{"count_u", count}, {"count_v", 2}})},
                                {"places", make("range", {{"count", count < 100 ? 5 : 1}, {"axis", "place"}})},
                                {"way", make("vector", {{"x", from("places.values")}})},
                                {"moved", make("translate", {{"shape", from("grid.points")}, {"vector", from("way")}})},
                                {"strip", make("surface", {{"shape", from("moved")}, {"over", "u"}, {"along", "v"}})},
-                               {"closed", closed},
+                               {"closed", node},
                                {"out", make("export", {{"model", from("closed")}})}}));
     }
   }

@@ -11,13 +11,14 @@ using namespace dini::support;
 namespace {
 
 Json boxes_and_more() {
-  return document({{"side", make("range", {{"from", 1}, {"to", 2}, {"count", 2}, {"axis", "side"}})},
-                   {"box", make("box_mesh", {{"center", {5, 0, 0}}, {"segments", 2}})},
-                   {"boxes", make("scale", {{"shape", from("box")}, {"factor", from("side.values")}})},
-                   {"sheet", make("grid", {{"count_u", 3}, {"count_v", 4}})},
-                   {"skin", make("surface", {{"shape", from("sheet.points")}})},
-                   {"ring", make("circle")},
-                   {"out", make("export", {{"model", {from("boxes"), from("skin"), from("ring"), from("sheet.points")}}})}});
+  return document(
+      {{"side", make("range", {{"from", 1}, {"to", 2}, {"count", 2}, {"axis", "side"}})},
+       {"box", make("box_mesh", {{"center", {5, 0, 0}}, {"segments", 2}})},
+       {"boxes", make("scale", {{"shape", from("box")}, {"factor", from("side.values")}})},
+       {"sheet", make("grid", {{"count_u", 3}, {"count_v", 4}})},
+       {"skin", make("surface", {{"shape", from("sheet.points")}})},
+       {"ring", make("circle")},
+       {"out", make("export", {{"model", {from("boxes"), from("skin"), from("ring"), from("sheet.points")}}})}});
 }
 
 std::shared_ptr<const Answered> answer_of(const Engine& engine, const Asked& asked) {
