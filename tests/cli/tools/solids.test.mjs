@@ -29,6 +29,7 @@ const solids = [
   { name: "object_pendant" },
   { name: "lamp_shade" },
   { name: "invagination" },
+  { name: "coral" },
 ];
 
 let scratch;
