@@ -214,3 +214,31 @@ test("the export writes the formats that the server lists, and the graph", () =>
     const model = readFileSync(await download.path());
     assert.equal(model.length, 84 + 50 * model.readUInt32LE(80));
   }));
+
+test("the export tells whether a model can be printed, part by part, and again of another quality", () =>
+  withPage({ hash: "#example=object_ring" }, async (page) => {
+    await settled(page);
+    await page.getByRole("button", { name: "Export", exact: true }).click();
+    const dialog = page.getByRole("dialog", { name: "Export" });
+    const check = dialog.getByRole("region", { name: "Check for printing" });
+    await check.getByRole("button", { name: "Check for printing" }).click();
+    await check.getByText("It is closed and meets itself nowhere.").waitFor();
+    const cells = await check.getByRole("row", { name: /^gold/ }).getByRole("cell").allTextContents();
+    assert.deepEqual(cells.slice(0, 3), ["closed", "1", "nowhere"]);
+    assert.match(cells.slice(3).join(", "), /^\d+\u202fmm, [\d.]+\u202fm³$/);
+    await dialog.getByRole("combobox", { name: "Quality" }).selectOption("draft");
+    await check.getByRole("button", { name: "Check for printing" }).waitFor();
+  }));
+
+test("the export says that an open surface cannot be printed", () =>
+  withPage({ hash: "#example=fig11_patch" }, async (page) => {
+    await settled(page);
+    await page.getByRole("button", { name: "Export", exact: true }).click();
+    const check = page.getByRole("region", { name: "Check for printing" });
+    await check.getByRole("button", { name: "Check for printing" }).click();
+    await check.getByText("What is open cannot be printed.").waitFor();
+    await check
+      .getByRole("cell", { name: /^open, 1 border/ })
+      .first()
+      .waitFor();
+  }));

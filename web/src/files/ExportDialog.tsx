@@ -10,7 +10,7 @@ import { documentWithValues } from "../model/saved_values";
 import { evaluate } from "../net/api";
 import { problemText } from "../net/problem";
 import type { Report } from "../net/report";
-import type { Answer, Quality } from "../net/requests";
+import type { Answer, Effort, Quality } from "../net/requests";
 import { saveBlob } from "../session/download";
 import { useCurrent, useCurrentSession } from "../widgets/context";
 import { Dialog } from "../widgets/Dialog";
@@ -21,6 +21,7 @@ import { type ExportOption, exportOptions, withOptions } from "./export_options"
 import { filesOf } from "./Files";
 import { withGraph } from "./glb_graph";
 import { BITS, errorName, type Measured, PrecisionField } from "./PrecisionField";
+import { PrintCheck } from "./PrintCheck";
 
 const GRAPH = "json";
 /** The format that this page puts the graph into. */
@@ -52,14 +53,19 @@ export function ExportDialog(): ReactElement {
   const formatName = format?.name;
   const output = document && catalogue ? fileOutput(document, catalogue) : undefined;
 
+  const asked = useMemo(() => {
+    if (!document || output === undefined || formatName === undefined) return null;
+    const graph = withOptions(document, output, changes);
+    const effort: Effort = { quality, triangles: DRAFT_TRIANGLES, format: formatName };
+    return { body: { graph, parameters: values, output }, effort };
+  }, [document, values, output, quality, changes, formatName]);
+
   useEffect(() => {
-    if (!document || output === undefined || formatName === undefined) return undefined;
+    if (!document || !asked) return undefined;
     const request = new AbortController();
     setAnswer(null);
     const timer = window.setTimeout(() => {
-      const graph = withOptions(document, output, changes);
-      const effort = { quality, triangles: DRAFT_TRIANGLES, format: formatName };
-      evaluate({ graph, parameters: values, output }, effort, request.signal).then(
+      evaluate(asked.body, asked.effort, request.signal).then(
         (found) => {
           setAnswer(found);
           if (found.kind === "model") setMeasured(measuredIn(found.report, document, catalogue, changes));
@@ -71,7 +77,7 @@ export function ExportDialog(): ReactElement {
       window.clearTimeout(timer);
       request.abort();
     };
-  }, [document, catalogue, values, output, quality, changes, formatName, attempt]);
+  }, [asked, document, catalogue, changes, attempt]);
 
   const name = `${fileName(document?.title ?? "")}${format?.extension ?? ".json"}`;
   const model = answer?.kind === "model" ? answer.model : undefined;
@@ -162,6 +168,7 @@ export function ExportDialog(): ReactElement {
           )}
         </p>
       )}
+      {asked && answer?.kind === "model" && <PrintCheck body={asked.body} effort={asked.effort} />}
     </Dialog>
   );
 }

@@ -1,6 +1,6 @@
 // The report that comes with every evaluated model.
 
-import { asArray, asNumber, asObject, asString, isNumber, isObject, type Json } from "../model/json";
+import { asArray, asNumber, asObject, asString, isNumber, isObject, type Json, type JsonObject } from "../model/json";
 import { type ProblemEntry, readEntry } from "./problem";
 
 export interface Axis {
@@ -21,6 +21,18 @@ export interface Check {
   message: string;
 }
 
+/** A part of a model, and of a mesh whether it is a solid; lengths in meters. */
+export interface PartReport {
+  name: string;
+  isMesh: boolean;
+  isWatertight: boolean;
+  borders: number;
+  pieces: number;
+  contacts: number;
+  leastThickness: number;
+  volume: number;
+}
+
 export interface Report {
   quality: string;
   prepare: number;
@@ -34,6 +46,8 @@ export interface Report {
   errors: ReadonlyMap<string, number>;
   checks: Check[];
   warnings: ProblemEntry[];
+  /** Empty unless they were asked for. */
+  parts: PartReport[];
 }
 
 const ERROR_ENDING = "_error";
@@ -66,6 +80,7 @@ export function readReport(json: Json): Report {
         message: asString(item["message"]),
       })),
     warnings: asArray(root["warnings"]).map(readEntry),
+    parts: asArray(root["parts"]).map(asObject).map(readPart),
   };
 }
 
@@ -83,6 +98,19 @@ export function readAxes(json: Json): Axis[] {
       size: asNumber(axis["size"]) ?? 0,
       closed: axis["closed"] === true,
     }));
+}
+
+function readPart(part: JsonObject): PartReport {
+  return {
+    name: asString(part["name"]),
+    isMesh: part["type"] === "mesh",
+    isWatertight: part["watertight"] === true,
+    borders: asNumber(part["boundary_loops"]) ?? 0,
+    pieces: asNumber(part["components"]) ?? 0,
+    contacts: asNumber(part["self_intersections"]) ?? 0,
+    leastThickness: asNumber(part["least_thickness"]) ?? 0,
+    volume: asNumber(part["volume"]) ?? 0,
+  };
 }
 
 function readNode(json: Json): NodeReport {

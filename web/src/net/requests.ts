@@ -13,6 +13,8 @@ export interface EvaluateBody {
   output?: string;
   /** Nodes, or outputs of them, to draw beside the model. */
   preview?: string[];
+  /** Whether the report tells of the parts of the model. */
+  parts?: boolean;
 }
 
 /** What moves with which parameters. */
