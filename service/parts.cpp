@@ -5,6 +5,7 @@
 #include "geometry/contacts.h"
 #include "geometry/measure.h"
 #include "geometry/solid.h"
+#include "graph/cost.h"
 #include "graph/value_json.h"
 #include "nodes/drawn_scene.h"
 #include "service/version.h"
@@ -70,12 +71,17 @@ Result<std::vector<std::size_t>> plan_parts(Plan& plan, std::size_t exported, co
     plan.cost.work += work_of_vertex * model.shape.vertices;
   }
   plan.cost.bytes += bytes_of_vertex * largest;
-  if (parts <= limits.measured_values) return nodes;
-  return Problem{.code = "limit-exceeded",
-                 .detail = "the model has " + std::to_string(parts) + " parts, of at most " +
-                           std::to_string(limits.measured_values) + " a report can tell",
-                 .pointer = "/parts",
-                 .in_request = true};
+  const auto refused = [](std::string detail) {
+    return Problem{.code = "limit-exceeded", .detail = std::move(detail), .pointer = "/parts", .in_request = true};
+  };
+  if (parts > limits.measured_values) {
+    return refused("the model has " + std::to_string(parts) + " parts, of at most " +
+                   std::to_string(limits.measured_values) + " a report can tell");
+  }
+  if (const auto problem = over_limits(plan.cost, limits, "telling of the parts too, the request")) {
+    return refused(problem->detail);
+  }
+  return nodes;
 }
 
 Digest parts_digest(const Plan& plan, std::size_t exported) {

@@ -19,7 +19,8 @@ struct ToldParts {
 inline constexpr std::size_t most_told_intersections = 1000;
 
 /// The nodes that make the parts of an export, by index into the plan; what telling of them needs is added to the
-/// plan's cost. Problem: `limit-exceeded` for more parts than values may be measured.
+/// plan's cost. Problem: `limit-exceeded` for more parts than values may be measured, and for more work or memory than
+/// a request may need.
 Result<std::vector<std::size_t>> plan_parts(Plan& plan, std::size_t exported, const Limits& limits);
 
 /// Everything that the list depends on, before anything is computed.
