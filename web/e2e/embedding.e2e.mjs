@@ -1,6 +1,9 @@
 // Stored graphs in pages of other origins: <model-viewer> by the address of a model, and the page for frames.
 
 import assert from "node:assert/strict";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
 import { after, before, test } from "node:test";
 import { balls, closeSites, Site } from "./embedding.mjs";
 import { eventually, LONGEST_WAIT, launchBrowser, Server } from "./harness.mjs";
@@ -204,10 +207,11 @@ test("an address chooses output, theme and version", () =>
   }));
 
 test("a server that comes back is asked again", async () => {
-  const other = new Server(undefined, []);
-  await other.start();
-  await balls(other.url);
+  const data = mkdtempSync(path.join(tmpdir(), "dini-embedding-"));
+  const other = new Server(undefined, [], data);
   try {
+    await other.start();
+    await balls(other.url);
     const context = await browser.newContext();
     const page = await context.newPage();
     await page.goto(`${other.url}/embed/ring`);
@@ -219,11 +223,11 @@ test("a server that comes back is asked again", async () => {
       .filter({ hasText: /cannot be reached/ })
       .waitFor();
     await other.start();
-    await balls(other.url);
     await page.getByRole("status").waitFor({ state: "detached" });
     await settled(page);
     await context.close();
   } finally {
     await other.stop();
+    rmSync(data, { recursive: true, force: true });
   }
 });

@@ -38,11 +38,16 @@ export class Server {
   #child;
   #examples;
   #more;
+  #data;
 
-  /** `examples`: the folder of the graphs that our own server lists, other than the usual one; `more`: further options. */
-  constructor(examples = path.join(root, "examples"), more = []) {
+  /**
+   * `examples`: the folder of the graphs that our own server lists, other than the usual one; `more`: further options;
+   * `data`: the folder where it keeps graphs beyond its end.
+   */
+  constructor(examples = path.join(root, "examples"), more = [], data = "none") {
     this.#examples = examples;
     this.#more = more;
+    this.#data = data;
   }
 
   async start() {
@@ -53,7 +58,7 @@ export class Server {
     const port = this.url ? new URL(this.url).port : "0";
     const common = ["--port", port, "--port-file", portFile];
     const folders = ["--web", path.join(root, "web/dist"), "--examples", this.#examples];
-    const parts = ["serve", "--data", "none", ...common, "--log-level", "warning", ...folders, ...this.#more];
+    const parts = ["serve", "--data", this.#data, ...common, "--log-level", "warning", ...folders, ...this.#more];
     this.#child = spawn(program, parts, { stdio: ["ignore", "ignore", "inherit"] });
     const limit = Date.now() + LONGEST_WAIT;
     const written = () => existsSync(portFile) && readFileSync(portFile, "utf8").trim() !== "";
