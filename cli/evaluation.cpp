@@ -35,14 +35,14 @@ Outcome computed(const Engine& engine, const Result<SharedPrepared>& prepared, c
           .file = (*computed)->model != nullptr ? (*computed)->model : (*computed)->preview};
 }
 
-/// `watertight, 1 piece, 0 self-intersections, least thickness 0.1 m, volume 2.5 m^3`
+/// `watertight, 1 piece, 0 pairs of triangles meet, least thickness 0.1 m, volume 2.5 m^3`
 std::string solid_text(const Json& part) {
   const auto count = [&](const char* member, std::string_view one, std::string_view many) {
     return counted(part.at(member).get<std::size_t>(), one, many);
   };
   return (part.at("watertight") == true ? "watertight" : "open, " + count("boundary_loops", "border", "borders")) +
          ", " + count("components", "piece", "pieces") + ", " +
-         count("self_intersections", "self-intersection", "self-intersections") + ", least thickness " +
+         count("self_intersections", "pair of triangles meets", "pairs of triangles meet") + ", least thickness " +
          short_text(part.at("least_thickness")) + " m, volume " + short_text(part.at("volume")) + " m^3";
 }
 

@@ -69,7 +69,7 @@ TEST_CASE("Parts are told in lines, and in the report") {
           .dump();
   const Outcome outcome = run({"eval", "-", "--parts", "--report", report.path.string()}, graph);
   REQUIRE(outcome.code == 0);
-  CHECK(outcome.out.find("\n  box: watertight, 1 piece, 0 self-intersections, least thickness 1 m, volume ") !=
+  CHECK(outcome.out.find("\n  box: watertight, 1 piece, 0 pairs of triangles meet, least thickness 1 m, volume ") !=
         std::string::npos);
   CHECK(outcome.out.find("\n  ring: ") != std::string::npos);
   CHECK(Json::parse(contents(report.path))["parts"][0]["watertight"] == true);
