@@ -77,7 +77,8 @@ std::span<const LayerRule> layer_rules() {
         "graph/cache.h", "graph/digest.h", "graph/file.h", "geometry/cancel.h", "geometry/markup.h"}},
       {"cli",
        {"server/", "store/", "queue/", "jobs/", "fitting/", "service/", "golden/", "graph/problem.h", "graph/nearest.h",
-        "graph/stopped.h", "geometry/cancel.h", "geometry/markup.h", "algebra/kernels.h"}},
+        "graph/stopped.h", "geometry/cancel.h", "geometry/counted.h", "geometry/markup.h", "geometry/place_text.h",
+        "algebra/kernels.h"}},
   };
   return rules;
 }
