@@ -1,7 +1,7 @@
-#include "geometry/contacts.h"
-#include "geometry/solid.h"
+#include "geometry/solid_facts.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
+#include "nodes/costs.h"
 
 namespace dini {
 
@@ -14,18 +14,15 @@ struct PrintabilityInputs {
 std::tuple<double, double, double, double, double, Point, Vector, Vector> judged(const Context& context,
                                                                                  const SharedMesh& model,
                                                                                  const PrintabilityInputs& in) {
-  const WeldedMesh mesh = welded(*model, context.cancel());
-  const Soundness sound = soundness_of(mesh, context.cancel());
-  const Contacts contacts = contacts_of(mesh, static_cast<std::size_t>(in.most_intersections), context.cancel());
-  const MassProperties mass = mass_properties(mesh, context.cancel());
-  return {sound.watertight ? 1.0 : 0.0,
-          static_cast<double>(sound.borders),
-          static_cast<double>(sound.components),
-          static_cast<double>(contacts.pairs),
-          least_thickness(mesh, context.cancel()),
-          to_point(mass.center),
-          mass.inertia,
-          mass.products};
+  const SolidFacts facts = solid_facts(*model, static_cast<std::size_t>(in.most_intersections), context.cancel());
+  return {facts.sound.watertight ? 1.0 : 0.0,
+          static_cast<double>(facts.sound.borders),
+          static_cast<double>(facts.sound.components),
+          static_cast<double>(facts.contacts),
+          facts.least_thickness,
+          to_point(facts.mass.center),
+          facts.mass.inertia,
+          facts.mass.products};
 }
 
 }  // namespace
@@ -48,7 +45,7 @@ void add_printability(Registry& registry) {
                  "Pairs of triangles that meet are counted up to this many.",
                  defaults(1000).hard(1, 1'000'000).soft(1, 10'000))
           .cost([](const RunSize& size) {
-            return RunCost{15'000 * size.given_vertices, 700 * size.given_vertices};
+            return RunCost{work_of_solid_facts * size.given_vertices, bytes_of_solid_facts * size.given_vertices};
           })
           .output("watertight", "1 when each edge has two triangles that run along it in opposite directions, else 0.")
           .output("boundary_loops", "Borders: closed loops of edges with one triangle.")

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 
-#include "geometry/contacts.h"
 #include "geometry/measure.h"
-#include "geometry/solid.h"
+#include "geometry/solid_facts.h"
 #include "graph/cost.h"
+#include "graph/request_problem.h"
 #include "graph/value_json.h"
+#include "nodes/costs.h"
 #include "nodes/drawn_scene.h"
 #include "service/version.h"
 
@@ -20,26 +21,21 @@ const std::vector<PlannedItem>& models_of(const Plan& plan, std::size_t exported
 
 Source source_of(const PlannedItem& model) { return std::get<Source>(model.from); }  // an export takes wires only
 
-/// As node `printability` has it.
-constexpr std::size_t work_of_vertex = 15'000;
-constexpr std::size_t bytes_of_vertex = 700;
-
 Json mesh_json(const Mesh& mesh, const Cancel& cancel) {
   const Measures measures = measure(mesh, cancel);
-  const WeldedMesh surface = welded(mesh, cancel);
-  const Soundness sound = soundness_of(surface, cancel);
-  const MassProperties mass = mass_properties(surface, cancel);
+  const SolidFacts facts = solid_facts(mesh, most_told_intersections, cancel);
+  const Vector &center = facts.mass.center, &inertia = facts.mass.inertia;
   return {{"vertices", measures.vertices},
           {"triangles", measures.triangles},
           {"area", measures.area},
           {"volume", measures.volume},
-          {"watertight", sound.watertight},
-          {"boundary_loops", sound.borders},
-          {"components", sound.components},
-          {"self_intersections", contacts_of(surface, most_told_intersections, cancel).pairs},
-          {"least_thickness", least_thickness(surface, cancel)},
-          {"center_of_mass", {mass.center.x, mass.center.y, mass.center.z}},
-          {"inertia", {mass.inertia.x, mass.inertia.y, mass.inertia.z}}};
+          {"watertight", facts.sound.watertight},
+          {"boundary_loops", facts.sound.borders},
+          {"components", facts.sound.components},
+          {"self_intersections", facts.contacts},
+          {"least_thickness", facts.least_thickness},
+          {"center_of_mass", {center.x, center.y, center.z}},
+          {"inertia", {inertia.x, inertia.y, inertia.z}}};
 }
 
 Json part_json(const Part& part, const Cancel& cancel) {
@@ -68,11 +64,11 @@ Result<std::vector<std::size_t>> plan_parts(Plan& plan, std::size_t exported, co
     const std::size_t meshes = is_mesh ? std::max<std::size_t>(1, sample_count(model.shape.axes)) : 1;
     parts += meshes;
     largest = std::max(largest, model.shape.vertices / meshes);
-    plan.cost.work += work_of_vertex * model.shape.vertices;
+    plan.cost.work += static_cast<std::size_t>(work_of_solid_facts) * model.shape.vertices;
   }
-  plan.cost.bytes += bytes_of_vertex * largest;
+  plan.cost.bytes += static_cast<std::size_t>(bytes_of_solid_facts) * largest;
   const auto refused = [](std::string detail) {
-    return Problem{.code = "limit-exceeded", .detail = std::move(detail), .pointer = "/parts", .in_request = true};
+    return request_problem("/parts", "limit-exceeded", std::move(detail));
   };
   if (parts > limits.measured_values) {
     return refused("the model has " + std::to_string(parts) + " parts, of at most " +

@@ -7,6 +7,7 @@
 #include "graph/groups.h"
 #include "graph/nearest.h"
 #include "graph/parameters.h"
+#include "graph/request_problem.h"
 #include "graph/stopped.h"
 #include "service/measures.h"
 #include "service/outputs.h"
@@ -119,11 +120,10 @@ Json about_file(const PreparedGraph& prepared, const EvaluateRequest& request) {
 }
 
 Problem parts_without_output() {
-  return {.code = "unknown-output",
-          .detail = "parts are those of a model, and no output is asked for; name one as `output`",
-          .pointer = "/parts",
-          .fix = {{{"op", "remove"}, {"path", "/parts"}}},
-          .in_request = true};
+  Problem problem = request_problem("/parts", "unknown-output",
+                                    "parts are those of a model, and no output is asked for; name one as `output`");
+  problem.fix = {{{"op", "remove"}, {"path", "/parts"}}};
+  return problem;
 }
 
 /// Memory for a file that needs more than a compressed GLB, whose memory is in the cost of the plan.

@@ -1,5 +1,6 @@
 #include "service/requests/results.h"
 
+#include "service/parts.h"
 #include "service/requests/schema.h"
 
 namespace dini {
@@ -118,7 +119,8 @@ Json told_part() {
        {"watertight", yes_no("Whether each edge has two triangles, which run along it in opposite directions."), true},
        {"boundary_loops", whole("Closed loops of edges with one triangle."), true},
        {"components", whole("Pieces that do not hang together."), true},
-       {"self_intersections", whole("Pairs of triangles that meet, counted up to 1000."), true},
+       {"self_intersections",
+        whole("Pairs of triangles that meet, counted up to " + std::to_string(most_told_intersections) + "."), true},
        {"least_thickness", number("Of the thinnest wall, in meters; 0 where nothing is opposite."), true},
        {"center_of_mass", list(number(""), "Of the solid, in meters."), true},
        {"inertia", list(number(""), "Moments about x, y and z through the center, in m^5: times the density kg m^2."),

@@ -89,15 +89,10 @@ std::string add_random_mesh(Json& nodes, const std::string& prefix, std::mt19937
   return last;
 }
 
-/// All nodes are minutes of work: each quarter of them is a test of its own.
-constexpr std::size_t quarters = 4;
-
 void check_nodes(std::size_t quarter) {
   // What would take long for much is given little: some seconds of work are enough for one node.
   constexpr std::size_t most_work = 2'000'000'000;
-  const std::vector<Subject> all = all_subjects();
-  for (std::size_t index = quarter; index < all.size(); index += quarters) {
-    const Subject& subject = all[index];
+  for (const Subject& subject : quarter_of_subjects(quarter)) {
     for (const std::size_t size : {50'000, 2000}) {
       for (const Json& nodes : large_graphs(subject, size)) {
         CAPTURE(subject.name(), nodes.dump());

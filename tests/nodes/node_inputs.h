@@ -21,6 +21,9 @@ struct Subject {
 /// Every function of every node type.
 std::vector<Subject> all_subjects();
 
+/// Every fourth of them, from the first, second, third or last on: where all are minutes of work, tests take a quarter.
+std::vector<Subject> quarter_of_subjects(std::size_t first);
+
 /// The number that every wired source is made from.
 constexpr double usual_drive = 0.35;
 

@@ -18,11 +18,13 @@ Asked request_for(const Json& graph, Json parameters = Json::object(), Quality q
   return {.graph = graph, .parameters = std::move(parameters), .output = "", .quality = quality};
 }
 
+Asked draft_for(const Json& graph, Json parameters = Json::object()) {
+  return request_for(graph, std::move(parameters), Quality::draft);
+}
+
 /// The draft from an engine that has computed nothing before. Final files, which take minutes with sanitizers, are held
 /// to be the same by scripts/lib/file_hashes.mjs.
-std::string fresh_draft(const Json& graph) {
-  return file_of(*example_engine(), request_for(graph, Json::object(), Quality::draft));
-}
+std::string fresh_draft(const Json& graph) { return file_of(*example_engine(), draft_for(graph)); }
 
 /// Puts the choice of instruction set back.
 struct RestoreInstructionSet {
@@ -73,7 +75,7 @@ TEST_CASE("Previews of every node of the examples can be drawn and are the same 
   const auto lowest = kernels::instruction_sets().back();
   for (const auto& [id, graph] : examples()) {
     CAPTURE(id);
-    Asked request = request_for(graph, Json::object(), Quality::draft);
+    Asked request = draft_for(graph);
     for (const auto& [node, entry] : graph["nodes"].items()) {
       if (request.preview.size() < Limits().previews) request.preview.push_back(node);
     }
@@ -97,10 +99,10 @@ TEST_CASE("Drafts are the same from a cold cache, a warm one, and one that knows
     const auto parameter = graph["parameters"].items().begin();
     const Json other =
         parameter.value().contains("max") ? parameter.value()["max"] : parameter.value()["choices"].back();
-    file_of(engine, request_for(graph, {{parameter.key(), other}}, Quality::draft));
-    const std::string partly = file_of(engine, request_for(graph, Json::object(), Quality::draft));
+    file_of(engine, draft_for(graph, {{parameter.key(), other}}));
+    const std::string partly = file_of(engine, draft_for(graph));
     CHECK(partly == fresh_draft(graph));
-    CHECK(partly == file_of(engine, request_for(graph, Json::object(), Quality::draft)));
+    CHECK(partly == file_of(engine, draft_for(graph)));
   }
 }
 
