@@ -121,7 +121,8 @@ Answered<Reply> Connection::send(const std::vector<std::string>& words) {
   }
   const std::unique_ptr<redisReply, Free> raw(static_cast<redisReply*>(
       redisCommandArgv(context_->context, static_cast<int>(words.size()), starts.data(), sizes.data())));
-  if (raw == nullptr) return lost(context_->context->err == REDIS_ERR_IO ? "no answer in time" : context_->context->errstr);
+  if (raw == nullptr)
+    return lost(context_->context->err == REDIS_ERR_IO ? "no answer in time" : context_->context->errstr);
   if (raw->type == REDIS_REPLY_ERROR) {
     Fault fault = fault_of(text_of(*raw));
     if (fault.kind == Fault::Kind::lost) context_ = nullptr;

@@ -91,7 +91,8 @@ Answered<std::vector<DeadTask>> dead_tasks(Connection& connection) {
       std::map<std::string, std::string> told;
       const std::vector<Reply>& fields = entry.list.at(1).list;
       for (std::size_t i = 0; i + 1 < fields.size(); i += 2) told[fields[i].text] = fields[i + 1].text;
-      tasks.push_back({entry.list.at(0).text, identity, told["sweep"], told["index"], told["deliveries"], told["worker"]});
+      tasks.push_back(
+          {entry.list.at(0).text, identity, told["sweep"], told["index"], told["deliveries"], told["worker"]});
     }
   }
   return tasks;

@@ -28,8 +28,8 @@ class ResultStore {
   std::optional<std::string> find(const std::string& key);
   void keep(const std::string& key, const std::string& bytes);
 
-  /// Whether nobody else computes it at this moment; then others are told for so long that somebody does. True also when
-  /// that cannot be known.
+  /// Whether nobody else computes it at this moment; then others are told for so long that somebody does. True also
+  /// when that cannot be known.
   bool lease(const std::string& key, std::chrono::milliseconds time);
   /// Nobody computes it any more.
   void release(const std::string& key);

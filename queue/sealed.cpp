@@ -19,8 +19,7 @@ std::string sealed(std::string_view media_type, std::string_view engine, std::st
   return head_of(media_type, engine, bytes).append(bytes);
 }
 
-std::optional<std::string_view> unsealed(std::string_view value, std::string_view media_type,
-                                         std::string_view engine) {
+std::optional<std::string_view> unsealed(std::string_view value, std::string_view media_type, std::string_view engine) {
   const auto end = value.find('\n');
   if (end == std::string_view::npos) return std::nullopt;
   const std::string_view bytes = value.substr(end + 1);

@@ -18,7 +18,8 @@ struct Task {
   std::string entry;  ///< of the stream
   std::string sweep;
   std::size_t index = 0;
-  std::size_t deliveries = 1;  ///< to how many it was given, this time included; more than one: others may have died of it
+  std::size_t deliveries =
+      1;  ///< to how many it was given, this time included; more than one: others may have died of it
 };
 
 /// What a worker needs to know of a sweep.
@@ -31,10 +32,10 @@ struct TaskedSweep {
 class TaskTaker {
  public:
   struct Terms {
-    std::string identity;                        ///< of engine and limits: others are given nothing
-    std::string worker;                          ///< its name; no two have the same
-    std::chrono::milliseconds silence{15'000};   ///< after so long without a heartbeat its variants go to others
-    std::size_t most_deliveries = 3;             ///< a variant that was given to so many, and to no avail, is dead
+    std::string identity;                       ///< of engine and limits: others are given nothing
+    std::string worker;                         ///< its name; no two have the same
+    std::chrono::milliseconds silence{15'000};  ///< after so long without a heartbeat its variants go to others
+    std::size_t most_deliveries = 3;            ///< a variant that was given to so many, and to no avail, is dead
   };
 
   TaskTaker(const Address& address, const Patience& patience, Terms terms);

@@ -2,7 +2,7 @@
 # shellcheck shell=bash
 
 tidy_at_most=40
-tidy_folders=(algebra geometry gltf formats graph golden nodes service store jobs server cli)
+tidy_folders=(algebra geometry draco gltf formats graph golden nodes fitting service store jobs queue server cli)
 
 # tidy_base: the commit to compare with: DINI_TIDY_BASE, else where this branch left main, else, on main, the commit before.
 tidy_base() {
