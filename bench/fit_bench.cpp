@@ -23,12 +23,14 @@ Json document(std::int64_t count) {
     const std::string before = k == 0 ? "sheet.points" : "bent" + std::to_string(k - 1);
     nodes["place" + number] = {{"type", "vector"},
                                {"inputs", {{"x", 0.3 * k - 0.5}, {"z", parameter("height" + number)}}}};
-    nodes["pair" + number] = {{"type", "point_pair"},
-                              {"inputs", {{"position", {{"from", "place" + number}}}, {"direction", {0, 0, 1}}}}};
+    nodes["pair" + number] = {{"type", "point_pair"}, {"inputs", {{"direction", {0, 0, 1}}}}};
+    nodes["placed" + number] = {
+        {"type", "translate"},
+        {"inputs", {{"shape", {{"from", "pair" + number}}}, {"vector", {{"from", "place" + number}}}}}};
     nodes["bent" + number] = {{"type", "warp"},
                               {"inputs",
                                {{"shape", {{"from", before}}},
-                                {"generators", {{"from", "pair" + number}}},
+                                {"generators", {{"from", "placed" + number}}},
                                 {"softening", 0.5},
                                 {"strength", parameter("strength" + number)}}}};
     parameters["strength" + number] = {{"type", "number"}, {"default", 0.2}, {"min", -1}, {"max", 1}};
