@@ -10,10 +10,14 @@
 namespace dini::jobs {
 namespace {
 
-/// While a few lines come, while none comes, and while Redis is away.
+/// While lines come, at most while a few come (each time costs Redis as much as a variant does) and while none comes,
+/// and while Redis is away.
 constexpr std::chrono::milliseconds short_pause{4};
+constexpr std::chrono::milliseconds calm_pause{12};
 constexpr std::chrono::milliseconds long_pause{40};
 constexpr std::chrono::milliseconds trouble_pause{200};
+/// Fewer at once, and no worker waits: each has four variants before it.
+constexpr std::size_t few_lines = 4;
 /// So many at once, and workers may be waiting for the next variants.
 constexpr std::size_t many_lines = 6;
 /// The sweep must be asked about so often that it is not taken for abandoned, even while nobody takes its lines.
@@ -121,15 +125,19 @@ void QueuedSweep::run() {
       pause(trouble_pause);
       continue;
     }
-    const bool any = collect();
+    const std::size_t lines = collect();
     hand_on();
-    waited = any ? short_pause : std::min(2 * waited, long_pause);
+    const auto longer = std::max(short_pause, 2 * waited);
+    waited = lines == 0 ? std::min(longer, long_pause) : lines < few_lines ? std::min(longer, calm_pause) : short_pause;
     bool has_room = true;
     {
       const std::lock_guard lock(mutex_);
       has_room = has_room_;
     }
-    if (has_room && have_.size() >= many_lines) continue;
+    if (has_room && have_.size() >= many_lines) {
+      waited = waited.zero();
+      continue;
+    }
     if (next_ < queued_.total) pause(has_room ? waited : room_pause);
   }
   const StopReason why = reason();
@@ -146,23 +154,23 @@ bool QueuedSweep::ready() {
   return is_submitted_;
 }
 
-/// Takes some lines; false when there were none.
-bool QueuedSweep::collect() {
+/// Takes some lines, and says how many.
+std::size_t QueuedSweep::collect() {
   allowed_ = limit();
   const auto collected = tasks_.collect(queued_.id, allowed_, have_);
   if (!collected) {
     pause(trouble_pause);
-    return false;
+    return 0;
   }
   have_.clear();
   if (collected->gone) {
     is_submitted_ = false;
-    return false;
+    return 0;
   }
   for (const queue::CollectedLine& line : collected->lines) accept(line);
   // Lines that Redis had to let go of, or lost some other way, come again only when they are asked for again.
   if (collected->idle && collected->lines.empty() && next_ + early_.size() < allowed_) is_submitted_ = false;
-  return !collected->lines.empty();
+  return collected->lines.size();
 }
 
 void QueuedSweep::accept(const queue::CollectedLine& collected) {
@@ -171,7 +179,7 @@ void QueuedSweep::accept(const queue::CollectedLine& collected) {
   const bool is_known = index < next_ || early_.contains(index);
   if (!is_known) {
     std::optional<store::JobLine> line;
-    if (collected.is_dead()) {
+    if (collected.is_dead) {
       line = failed_line(index, request_.variants.at(index), {poisoned(index)});
     } else if (const auto bytes = queue::unsealed(collected.line, line_record_type, version_)) {
       line = read_line_record(index, *bytes);

@@ -49,7 +49,7 @@ class QueuedSweep final : public Sweep, public std::enable_shared_from_this<Queu
   using Clock = Alarms::Clock;
 
   bool ready();
-  bool collect();
+  std::size_t collect();
   void accept(const queue::CollectedLine& collected);
   void hand_on();
   std::size_t limit() const;

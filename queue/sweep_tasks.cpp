@@ -9,8 +9,6 @@
 namespace dini::queue {
 namespace {
 
-/// What is known of a sweep goes when its owner has not been heard of for so long.
-constexpr std::chrono::milliseconds time_to_live{60'000};
 /// Sweeps of one identity at once.
 constexpr std::size_t most_sweeps = 256;
 /// Lines that are taken at once.
@@ -25,6 +23,10 @@ void append(std::vector<std::string>& words, const std::vector<std::size_t>& num
 }  // namespace
 
 std::string base_of(const std::string& identity) { return "dini:" + identity; }
+
+std::string place_of_line(const std::string& base, const std::string& sweep, std::size_t index) {
+  return base + ":sweep:" + sweep + ":line:" + std::to_string(index);
+}
 
 std::string offered_file(const std::string& sha256) { return "dini:file:" + sha256; }
 
@@ -41,7 +43,7 @@ Answered<SweepTasks::Submitted> SweepTasks::submit(const QueuedSweep& sweep, con
                                     std::to_string(sweep.total),
                                     std::to_string(sweep.first),
                                     std::to_string(most_sweeps),
-                                    std::to_string(time_to_live.count())};
+                                    std::to_string(sweep_time_to_live.count())};
   append(words, have);
   const auto reply = connection_.run(scripts::submit, {}, words);
   if (!reply) return reply.error();
@@ -50,7 +52,7 @@ Answered<SweepTasks::Submitted> SweepTasks::submit(const QueuedSweep& sweep, con
 
 Answered<SweepTasks::Collected> SweepTasks::collect(const std::string& id, std::size_t limit,
                                                     const std::vector<std::size_t>& have) {
-  std::vector<std::string> words = {base_, id, std::to_string(time_to_live.count()), std::to_string(limit),
+  std::vector<std::string> words = {base_, id, std::to_string(sweep_time_to_live.count()), std::to_string(limit),
                                     std::to_string(collected_bytes)};
   append(words, have);
   auto reply = connection_.run(scripts::collect, {}, words);
@@ -59,8 +61,23 @@ Answered<SweepTasks::Collected> SweepTasks::collect(const std::string& id, std::
   const std::string state = reply->list.empty() ? "gone" : reply->list.front().text;
   collected.gone = state == "gone";
   collected.idle = state == "idle";
+  std::vector<std::string> places = {"MGET"};
+  std::vector<std::size_t> long_ones;
   for (std::size_t i = 1; i + 1 < reply->list.size(); i += 2) {
-    collected.lines.push_back({std::stoul(reply->list[i].text), std::move(reply->list[i + 1].text)});
+    const std::size_t index = std::stoul(reply->list[i].text);
+    std::string& line = reply->list[i + 1].text;
+    const bool is_dead = line == "dead", is_long = line == "long";
+    if (is_long) {
+      places.push_back(place_of_line(base_, id, index));
+      long_ones.push_back(collected.lines.size());
+    }
+    collected.lines.push_back({index, is_dead || is_long ? std::string() : std::move(line), is_dead});
+  }
+  if (long_ones.empty()) return collected;
+  auto lines = connection_.call(places);
+  if (!lines) return lines.error();
+  for (std::size_t i = 0; i < lines->list.size(); ++i) {
+    collected.lines[long_ones.at(i)].line = std::move(lines->list[i].text);
   }
   return collected;
 }

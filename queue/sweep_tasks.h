@@ -25,9 +25,8 @@ struct QueuedSweep {
 /// What became of one variant. A line is sealed by whoever made it; nothing has been looked at yet.
 struct CollectedLine {
   std::size_t index = 0;
-  std::string line;
-  /// It has ended as many workers as it may.
-  bool is_dead() const { return line == "dead"; }
+  std::string line = {};  ///< empty when it got lost
+  bool is_dead = false;   ///< it has ended as many workers as it may
 };
 
 /// How the owner of a sweep spreads its variants over the workers of an identity and gets their lines. Everything that
@@ -61,8 +60,13 @@ class SweepTasks {
   std::string base_;
 };
 
+/// What is known of a sweep goes when its owner has not been heard of for so long.
+inline constexpr std::chrono::milliseconds sweep_time_to_live{60'000};
+
 /// The keys of an identity begin with this.
 std::string base_of(const std::string& identity);
+/// Where the line of a variant lies until the owner of the sweep has it.
+std::string place_of_line(const std::string& base, const std::string& sweep, std::size_t index);
 /// Where a file lies that was offered.
 std::string offered_file(const std::string& sha256);
 

@@ -3,6 +3,13 @@
 #include "queue/scripts.h"
 
 namespace dini::queue {
+namespace {
+
+/// Each long text that a script sees has Redis clear away all it remembers of scripts, so a longer line goes as a
+/// command of its own: 0.1 ms more for the network, 0.3 ms less in Redis for 70 kB.
+constexpr std::size_t most_script_bytes = 4096;
+
+}  // namespace
 
 std::string name_of(Lane lane) { return lane == Lane::interactive ? "interactive" : "batch"; }
 
@@ -39,8 +46,15 @@ Answered<std::optional<TaskedSweep>> TaskTaker::find(const std::string& sweep) {
 }
 
 Answered<TaskTaker::Finished> TaskTaker::finish(const Task& task, const std::string& line) {
-  const auto reply = connection_.run(scripts::finish, {},
-                                     {base_, task.lane, task.entry, task.sweep, std::to_string(task.index), line});
+  const bool is_long = line.size() > most_script_bytes;
+  if (is_long) {
+    const auto laid = connection_.call({"SET", place_of_line(base_, task.sweep, task.index), line, "NX", "PX",
+                                        std::to_string(sweep_time_to_live.count())});
+    if (!laid) return laid.error();
+  }
+  const auto reply =
+      connection_.run(scripts::finish, {},
+                      {base_, task.lane, task.entry, task.sweep, std::to_string(task.index), is_long ? "long" : line});
   if (!reply) return reply.error();
   return reply->text == "counted" ? Finished::counted : reply->text == "twice" ? Finished::twice : Finished::unwanted;
 }

@@ -1,14 +1,17 @@
--- What the owner of a sweep does again and again: lets go of the lines that it has, adds variants, takes more lines.
+-- What the owner of a sweep does again and again: lets go of the lines that it has, adds variants, asks for more lines.
 -- base, id, milliseconds to live, variant before which to stop adding, most bytes, then the variants that it has.
 -- "gone" when the sweep is not there, else "here", or "idle" when nothing is computed, and pairs of a variant and its
--- line.
+-- line, or "long" for one that the owner then reads itself, or "dead".
 local base, id, ttl, limit, most = unpack(ARGV, 1, 5)
 local sweep = base .. ':sweep:' .. id
 local lines, seen = sweep .. ':lines', sweep .. ':seen'
 local known = redis.call('HMGET', sweep, 'lane', 'total', 'next', 'open', 'digest')
 if not known[1] then return {'gone'} end
 local stream, total, next, open = base .. ':' .. known[1], tonumber(known[2]), tonumber(known[3]), tonumber(known[4])
-for i = 6, #ARGV do redis.call('HDEL', lines, ARGV[i]) end
+for i = 6, #ARGV do
+  redis.call('HDEL', lines, ARGV[i])
+  redis.call('UNLINK', sweep .. ':line:' .. ARGV[i])
+end
 
 local time = redis.call('TIME')
 local now = time[1] * 1000 + math.floor(time[2] / 1000)
@@ -36,16 +39,21 @@ local function add()
   redis.call('HSET', sweep, 'next', next, 'open', open)
 end
 pcall(add)
-for _, key in ipairs({sweep, lines, seen}) do redis.call('PEXPIRE', key, ttl) end
-pcall(redis.call, 'ZADD', base .. ':sweeps', now + tonumber(ttl), id)
+-- Every line has at least as long as its sweep, so now and then is enough.
+if redis.call('PTTL', sweep) < 0.75 * ttl then
+  for _, key in ipairs({sweep, lines, seen}) do redis.call('PEXPIRE', key, ttl) end
+  for _, field in ipairs(redis.call('HKEYS', lines)) do redis.call('PEXPIRE', sweep .. ':line:' .. field, ttl) end
+  pcall(redis.call, 'ZADD', base .. ':sweeps', now + tonumber(ttl), id)
+end
 
 local told, bytes = {open > 0 and 'here' or 'idle'}, 0
-local fields = redis.call('HRANDFIELD', lines, 64)
-for _, field in ipairs(fields) do
-  local line = redis.call('HGET', lines, field)
-  if bytes > 0 and bytes + #line > tonumber(most) then break end
-  bytes = bytes + #line
-  told[#told + 1] = field
-  told[#told + 1] = line
+local pairs_of = redis.call('HRANDFIELD', lines, 64, 'WITHVALUES')
+for i = 1, #pairs_of, 2 do
+  local size = #pairs_of[i + 1]
+  if pairs_of[i + 1] == 'long' then size = redis.call('STRLEN', sweep .. ':line:' .. pairs_of[i]) end
+  if bytes > 0 and bytes + size > tonumber(most) then break end
+  bytes = bytes + size
+  told[#told + 1] = pairs_of[i]
+  told[#told + 1] = pairs_of[i + 1]
 end
 return told

@@ -3,4 +3,5 @@
 local base, id = unpack(ARGV)
 local sweep = base .. ':sweep:' .. id
 redis.call('ZREM', base .. ':sweeps', id)
+for _, index in ipairs(redis.call('HKEYS', sweep .. ':lines')) do redis.call('UNLINK', sweep .. ':line:' .. index) end
 return redis.call('DEL', sweep, sweep .. ':lines', sweep .. ':seen')

@@ -1,18 +1,21 @@
 -- Keeps what came of a variant, unless somebody else was quicker, and ends the entry.
--- base, lane, entry, sweep, variant, line.
+-- base, lane, entry, sweep, variant, line; instead of a long line, which lies there already, "long".
 -- "counted", "twice", or "unwanted" when the sweep is not there any more.
 local base, lane, entry, id, index, line = unpack(ARGV)
 local stream, sweep = base .. ':' .. lane, base .. ':sweep:' .. id
+local lines, place = sweep .. ':lines', sweep .. ':line:' .. index
 local outcome = 'unwanted'
 if redis.call('EXISTS', sweep) == 1 then
   outcome = 'twice'
   -- First what Redis may have no memory for, so that either all is done or nothing.
   if redis.call('SETBIT', sweep .. ':seen', index, 1) == 0 then
     outcome = 'counted'
-    redis.call('HSET', sweep .. ':lines', index, line)
-    redis.call('PEXPIRE', sweep .. ':lines', math.max(1, redis.call('PTTL', sweep)))
+    redis.call('HSET', lines, index, line)
+    for _, key in ipairs({lines, place}) do redis.call('PEXPIRE', key, math.max(1, redis.call('PTTL', sweep))) end
   end
 end
+-- The line of who was quicker is as good and has the same place.
+if outcome ~= 'counted' and redis.call('HEXISTS', lines, index) == 0 then redis.call('UNLINK', place) end
 if redis.call('XACK', stream, 'workers', entry) == 1 and outcome ~= 'unwanted' then
   redis.call('HINCRBY', sweep, 'open', -1)
 end

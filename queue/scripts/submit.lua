@@ -10,6 +10,7 @@ if redis.call('ZCOUNT', base .. ':workers', now - 15000, '+inf') == 0 then retur
 local known = redis.call('ZSCORE', base .. ':sweeps', id)
 if not known and redis.call('ZCARD', base .. ':sweeps') >= tonumber(most) then return 'full' end
 local sweep = base .. ':sweep:' .. id
+for _, index in ipairs(redis.call('HKEYS', sweep .. ':lines')) do redis.call('UNLINK', sweep .. ':line:' .. index) end
 redis.call('DEL', sweep, sweep .. ':lines', sweep .. ':seen')
 redis.call('HSET', sweep, 'lane', lane, 'body', body, 'digest', digest, 'about', about, 'total', total, 'next', first,
   'open', 0)

@@ -47,6 +47,9 @@ std::optional<queue::Task> take(queue::TaskTaker& taker) {
   return *taken;
 }
 
+/// Longer than what goes through scripts.
+const std::string long_line(100'000, 'l');
+
 }  // namespace
 
 TEST_CASE("Each variant of a sweep is given to one worker, and its line comes back once") {
@@ -138,7 +141,7 @@ TEST_CASE("A variant that ends three workers is dead, listed, and tried again wh
   std::vector<queue::CollectedLine> lines;
   CHECK(support::eventually([&] { return !take(fourth) && !(lines = bench.collect("s")).empty(); }));
   REQUIRE(lines.size() == 1);
-  CHECK(lines.front().is_dead());
+  CHECK(lines.front().is_dead);
 
   queue::Connection connection(bench.redis.address(), {});
   const auto dead = queue::dead_tasks(connection);
@@ -152,7 +155,7 @@ TEST_CASE("A variant that ends three workers is dead, listed, and tried again wh
   REQUIRE(bench.tasks.submit({.id = "t", .body = "body of s", .about = "{}", .total = 1}, {}));
   lines = bench.collect("t");
   REQUIRE(lines.size() == 1);
-  CHECK(lines.front().is_dead());
+  CHECK(lines.front().is_dead);
 
   CHECK(*queue::retry(connection, "1-1") == queue::Retried::none);
   CHECK(*queue::retry(connection, dead->front().entry) == queue::Retried::again);
@@ -187,6 +190,42 @@ TEST_CASE("A Redis that lost everything is given the rest of a sweep again, and 
   CHECK(take(worker)->index == 2);
   CHECK(take(worker)->index == 4);
   CHECK_FALSE(take(worker));
+}
+
+TEST_CASE("A line lives as long as its sweep, and nothing of it stays behind") {
+  Bench bench;
+  auto worker = bench.worker("one");
+  bench.submit("s", 2);
+  const std::string line = queue::place_of_line("dini:1-a", "s", 0);
+  const auto left = [&](const std::string& key) { return bench.redis.call({"PTTL", key}).number; };
+  const auto first = take(worker), second = take(worker);
+  REQUIRE(worker.finish(*first, long_line));
+  CHECK(left(line) > 1000);
+  for (const std::string& key : {std::string("dini:1-a:sweep:s"), line}) bench.redis.call({"PEXPIRE", key, "1000"});
+  CHECK(bench.collect("s").size() == 1);
+  CHECK(left(line) > 1000);
+  CHECK(bench.collect("s", {0}).empty());
+  CHECK(left(line) == -2);
+
+  REQUIRE(worker.finish(*second, long_line));
+  REQUIRE(bench.tasks.drop("s"));
+  CHECK(*worker.finish(*second, "late") == Finished::unwanted);
+  CHECK(bench.redis.call({"EVAL", "return #redis.call('KEYS', '*:line*')", "0"}).number == 0);
+}
+
+TEST_CASE("A line that got lost is told as one, and made again when it is asked for") {
+  Bench bench;
+  auto worker = bench.worker("one");
+  bench.submit("s", 1);
+  REQUIRE(worker.finish(*take(worker), long_line));
+  bench.redis.call({"DEL", queue::place_of_line("dini:1-a", "s", 0)});
+  const auto lost = bench.collect("s");
+  REQUIRE(lost.size() == 1);
+  CHECK(lost.front().line.empty());
+  CHECK_FALSE(lost.front().is_dead);
+  REQUIRE(bench.tasks.redo("s", 0));
+  REQUIRE(worker.finish(*take(worker), long_line));
+  CHECK(bench.collect("s").front().line == long_line);
 }
 
 TEST_CASE("Of a large sweep only a few variants wait at a time") {
