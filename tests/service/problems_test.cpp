@@ -150,7 +150,7 @@ TEST_CASE("A check that cannot run fails the answer, and says why") {
   CHECK(refused.problems()[0].detail == "the check cannot run: it stands behind a node that has a problem");
   CHECK(refused.problems()[0].pointer == "/nodes/limit");
   CHECK(refused.problems()[1].node == "loose");
-  CHECK(refused.problems()[1].detail.starts_with("the check cannot run: value is not given"));
+  CHECK(refused.problems()[1].detail.starts_with("the check cannot run: value is missing"));
   graph["nodes"]["loose"]["bypass"] = true;
   graph["nodes"]["limit"]["bypass"] = true;
   CHECK(prepared_for(engine(), request_for(graph)));

@@ -55,6 +55,14 @@ test("a graph opens at the nodes that its form drives", () => {
   assert.ok(zoomOf(boxes, seen) >= READABLE_ZOOM);
 });
 
+test("a graph opens where the most of what its form drives is together", () => {
+  const boxes = columns(1, 4, 3, 2, 1, 1, 1);
+  const seen = openingNodes(boxes, "6.0", new Set(["1.1", "2.1", "5.0"]), PANE) ?? [];
+  assert.deepEqual(seen.slice(0, 2), ["2.1", "1.1"]);
+  const even = openingNodes(boxes, "6.0", new Set(["1.1", "5.0"]), PANE) ?? [];
+  assert.equal(even[0], "5.0");
+});
+
 test("a graph without an output opens at its rightmost node", () => {
   assert.equal(openingNodes(columns(1, 1, 1, 1, 1, 1), undefined, NONE, PANE)?.[0], "5.0");
 });

@@ -11,8 +11,8 @@ export const LEAST_ZOOM = 0.03;
 export const OPENING_PADDING = 0.06;
 
 /**
- * The nodes to fit into a pane of the given size in pixels: all of them where that stays readable, else those in `wanted`
- * that have room, and others around them; without any, those around `end`. Undefined means all. A pane without a size
+ * The nodes to fit into a pane of the given size in pixels: all of them where that stays readable, else as many in
+ * `wanted` as have room together, and others around them; without any, those around `end`. Undefined means all. A pane without a size
  * shows all.
  */
 export function openingNodes(
@@ -27,23 +27,39 @@ export function openingNodes(
   const fits = (box: Box): boolean => box.width <= width && box.height <= height;
   if (fits([...boxes.values()].reduce(around))) return undefined;
   const entries = [...boxes];
-  const rightmost = (among: typeof entries): (typeof entries)[number] | undefined =>
-    among.length > 0 ? among.reduce((a, b) => (rightOf(b[1]) > rightOf(a[1]) ? b : a)) : undefined;
-  const last =
-    rightmost(entries.filter(([id]) => wanted.has(id))) ?? entries.find(([id]) => id === end) ?? rightmost(entries);
-  if (!last) return undefined;
-  // The wanted ones first, from the end backwards; in one column the nodes nearest to its height first.
-  const level = middleOf(last[1]);
+  const candidates = entries.filter(([id]) => wanted.has(id));
+  if (candidates.length === 0) {
+    const last = entries.find(([id]) => id === end) ?? entries.reduce(righter);
+    return nodesAround(last, entries, wanted, fits);
+  }
+  // Where the most of the wanted ones are together; among such places the last.
+  const count = (ids: string[]): number => ids.filter((id) => wanted.has(id)).length;
+  return candidates
+    .sort((first, second) => rightOf(second[1]) - rightOf(first[1]))
+    .map((start) => nodesAround(start, entries, wanted, fits))
+    .reduce((best, ids) => (count(ids) > count(best) ? ids : best));
+}
+
+type Entry = [id: string, box: Box];
+
+/** Those in sight together with one: the wanted first, from it outwards; in one column the nodes nearest to its height first. */
+function nodesAround(
+  start: Entry,
+  entries: Entry[],
+  wanted: ReadonlySet<string>,
+  fits: (box: Box) => boolean,
+): string[] {
+  const level = middleOf(start[1]);
   const ordered = entries
-    .filter((entry) => entry !== last)
+    .filter((entry) => entry !== start)
     .sort(
       ([first, a], [second, b]) =>
         Number(wanted.has(second)) - Number(wanted.has(first)) ||
-        Math.abs(a.x - last[1].x) - Math.abs(b.x - last[1].x) ||
+        Math.abs(a.x - start[1].x) - Math.abs(b.x - start[1].x) ||
         Math.abs(middleOf(a) - level) - Math.abs(middleOf(b) - level),
     );
-  const chosen = [last[0]];
-  let sight = last[1];
+  const chosen = [start[0]];
+  let sight = start[1];
   for (const [id, box] of ordered) {
     const larger = around(sight, box);
     if (!fits(larger)) continue;
@@ -51,6 +67,10 @@ export function openingNodes(
     sight = larger;
   }
   return chosen;
+}
+
+function righter(a: Entry, b: Entry): Entry {
+  return rightOf(b[1]) > rightOf(a[1]) ? b : a;
 }
 
 /** The smallest box around two. */
