@@ -2,7 +2,6 @@
 
 import {
   BufferGeometry,
-  CanvasTexture,
   Color,
   Float32BufferAttribute,
   Group,
@@ -12,8 +11,9 @@ import {
   type Mesh,
   type Object3D,
   Sprite,
-  SpriteMaterial,
+  Vector3,
 } from "three";
+import { makeAxisLetter } from "./axis_letters";
 
 export interface OverlayColors {
   grid: string;
@@ -66,15 +66,12 @@ export function makeGrid(cell: number, color: string): LineSegments {
 export function makeAxes(length: number, colors: readonly [string, string, string]): Group {
   const group = new Group();
   ["X", "Y", "Z"].forEach((letter, index) => {
-    const end = [0, 0, 0];
-    end[index] = length;
+    const end = new Vector3().setComponent(index, length);
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new Float32BufferAttribute([0, 0, 0, ...end], 3));
     const color = colors[index] ?? "#ffffff";
     group.add(new LineSegments(geometry, new LineBasicMaterial({ color, transparent: true, opacity: 0.9 })));
-    const label = makeLabel(letter, color);
-    label.position.fromArray(end).multiplyScalar(1.06);
-    group.add(label);
+    group.add(makeAxisLetter(letter, color, end.clone().multiplyScalar(1.06)));
   });
   return group;
 }
@@ -89,22 +86,4 @@ export function remove(object: Object3D | undefined): void {
     drawn.geometry?.dispose();
     drawn.material?.dispose();
   });
-}
-
-/** A letter of constant size on the screen. */
-function makeLabel(text: string, color: string): Sprite {
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = 64;
-  const context = canvas.getContext("2d");
-  if (context) {
-    context.font = "600 44px 'Inter Variable', sans-serif";
-    context.textAlign = "center";
-    context.textBaseline = "middle";
-    context.fillStyle = color;
-    context.fillText(text, 32, 34);
-  }
-  const map = new CanvasTexture(canvas);
-  const sprite = new Sprite(new SpriteMaterial({ map, sizeAttenuation: false, transparent: true, depthWrite: false }));
-  sprite.scale.setScalar(0.022);
-  return sprite;
 }
