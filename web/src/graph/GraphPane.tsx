@@ -12,6 +12,7 @@ import { type FlowNode, useFlowNodes } from "./flow_nodes";
 import { useWires } from "./flow_wires";
 import { GroupPath } from "./GroupPath";
 import { useHandlers } from "./handlers";
+import { useInSight } from "./in_sight";
 import { NodeView } from "./NodeView";
 import { Overlays } from "./Overlays";
 import { LEAST_ZOOM } from "./opening";
@@ -21,8 +22,6 @@ import { type WireEdge, WireView } from "./WireView";
 
 const NODE_TYPES = { graph: NodeView, frame: FrameView, note: NoteView };
 const EDGE_TYPES = { wire: WireView };
-/** Nodes outside the pane are left out from this number on; below it, bringing them back costs more than it saves. */
-const ONLY_VISIBLE_FROM = 150;
 /** The middle and the right button move the canvas while the left one draws boxes. */
 const OTHER_BUTTONS = [1, 2];
 
@@ -46,6 +45,7 @@ export function GraphPane(): ReactElement {
   // Until the canvas of a graph that was just opened is there, the last one must not be asked for places.
   const flow = made?.opened === opened ? made.flow : null;
   const { noteMove, fitAll } = useCanvas(flow, element);
+  const { isCut, noteRest } = useInSight(flow, element, count);
   useTouchpad(flow, element, noteMove);
   const handlers = useHandlers(flow);
   return (
@@ -69,6 +69,7 @@ export function GraphPane(): ReactElement {
           onNodesChange={onNodesChange}
           {...handlers.flow}
           onMove={noteMove}
+          onMoveEnd={noteRest}
           fitView={isFull.current.value}
           fitViewOptions={opening}
           minZoom={LEAST_ZOOM}
@@ -86,7 +87,7 @@ export function GraphPane(): ReactElement {
           reconnectRadius={6}
           edgesFocusable={false}
           disableKeyboardA11y
-          onlyRenderVisibleElements={count > ONLY_VISIBLE_FROM}
+          onlyRenderVisibleElements={isCut}
           attributionPosition="bottom-left"
         >
           <FarTitles />

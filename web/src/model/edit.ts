@@ -1,6 +1,8 @@
 // Changes of a document, each a pure function: the document given is left as it is, and what a change does not touch
 // stays the same object. The JSON is what is changed; everything else is read from it again.
 
+import { withAxesAfter } from "./axis_names";
+import type { Catalogue } from "./catalogue";
 import { type CameraPlace, type GraphDocument, rewritten, rewrittenWhole, type Triple } from "./document";
 import { withLinks, withoutLinks } from "./edit_links";
 import { withGroupOutputs } from "./group_outputs";
@@ -62,7 +64,8 @@ export function removeNodes(ids: Iterable<string>): Edit {
   };
 }
 
-export function renameNode(from: string, to: string): Edit {
+/** Calls a node otherwise, and with it all that refers to it: wires, frames, and with a catalogue the names of its axes. */
+export function renameNode(from: string, to: string, catalogue: Catalogue | null = null): Edit {
   return (document) => {
     if (from === to || !document.nodes.has(from) || document.nodes.has(to) || nameProblem(to)) return document;
     const nodes: JsonObject = {};
@@ -79,7 +82,8 @@ export function renameNode(from: string, to: string): Edit {
     const changed: JsonObject = { ...ui, nodes: Object.fromEntries(places) as JsonObject };
     if (frames !== undefined) changed["frames"] = frames;
     const led = withGroupOutputs(document, (link) => (link.node === from ? { ...link, node: to } : link));
-    return rewritten(led, { nodes, ui: changed });
+    const told = catalogue ? withAxesAfter(document, nodes, catalogue, from, to) : nodes;
+    return rewritten(led, { nodes: told, ui: changed });
   };
 }
 

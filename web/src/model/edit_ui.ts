@@ -1,5 +1,6 @@
 // Changes below `ui`: flags of nodes, frames and notes. None of them changes what is computed.
 
+import type { Catalogue } from "./catalogue";
 import type { GraphDocument } from "./document";
 import { type Edit, inOrder, moveNodes, nameProblem, renameNode, withUi } from "./edit";
 import { asArray, asObject, asString, type Json, type JsonObject } from "./json";
@@ -36,10 +37,10 @@ export function setMark(ids: Iterable<string>, mark: "color" | "label", value: s
  * What was typed as the name of a node: its new id, if it can be one, or else its label, while the id stays what others
  * refer to. Without any text the label goes.
  */
-export function nameNode(id: string, text: string): Edit {
+export function nameNode(id: string, text: string, catalogue: Catalogue | null = null): Edit {
   const isId = text !== "" && nameProblem(text) === undefined;
   if (!isId) return setMark([id], "label", text.slice(0, LONGEST_LABEL));
-  return inOrder(setMark([id], "label", ""), renameNode(id, text));
+  return inOrder(setMark([id], "label", ""), renameNode(id, text, catalogue));
 }
 
 export function addFrame(frame: Frame): Edit {

@@ -1,5 +1,6 @@
 // Making groups of nodes and taking them apart, as changes of the document.
 
+import { firstOf, withAxisNames } from "./axis_names";
 import type { Catalogue, NodeCard } from "./catalogue";
 import { type GraphDocument, readLink, rewritten, rewrittenWhole } from "./document";
 import { addNodes, type Edit, freeId, inOrder, removeNodes } from "./edit";
@@ -211,18 +212,6 @@ function withValues(item: JsonObject, change: (value: Json, port: string) => Jso
   return { ...item, inputs };
 }
 
-/** The node with other names of axes at the inputs that name some. */
-function withAxisNames(item: JsonObject, catalogue: Catalogue, change: (axis: string) => string): JsonObject {
-  let changed = item;
-  for (const card of catalogue.nodes.get(asString(item["type"]))?.inputs ?? []) {
-    const isAxis = card.types.includes("text") && (card.makesAxis || card.emptyMeans !== "");
-    const value = asObject(item["inputs"])[card.name];
-    if (!isAxis || typeof value !== "string" || change(value) === value) continue;
-    changed = { ...changed, inputs: { ...asObject(changed["inputs"]), [card.name]: change(value) } };
-  }
-  return changed;
-}
-
 /** Of the chosen nodes, those that feed no other one. */
 function lastOf(document: GraphDocument, ids: ReadonlySet<string>): string[] {
   const fed = new Set<string>();
@@ -236,9 +225,4 @@ function lastOf(document: GraphDocument, ids: ReadonlySet<string>): string[] {
 
 function cardOf(document: GraphDocument, catalogue: Catalogue, id: string): NodeCard | undefined {
   return catalogue.nodes.get(document.nodes.get(id)?.type ?? "");
-}
-
-/** The node that a path begins with. */
-function firstOf(path: string): string {
-  return path.split("/")[0] ?? "";
 }

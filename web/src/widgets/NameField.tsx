@@ -25,7 +25,7 @@ export function NameField({ id }: { id: string }): ReactElement {
       editor.say(problem, "refused");
     } else if (wanted !== before) {
       const isId = wanted !== "" && nameProblem(wanted) === undefined;
-      session.edit("Rename", nameNode(id, wanted));
+      session.edit("Rename", nameNode(id, wanted, session.store.get().catalogue));
       if (isId && wanted !== id) {
         editor.unfold([wanted], editor.store.get().unfolded.has(id));
         session.select([wanted]);
