@@ -73,6 +73,19 @@ async function measure(count, maps) {
         return Math.round(a * Number.parseFloat(getComputedStyle(title).fontSize));
       });
   await eventually(letters, 12, "the size of the titles on the screen");
+  // Moved a little, it brings no nodes and takes none away.
+  const center = { x: area.x + area.width / 2, y: area.y + area.height / 2 };
+  await page.mouse.move(center.x, center.y);
+  await page.mouse.down({ button: "middle" });
+  await page.mouse.move(center.x + area.width / 4, center.y + area.height / 4, { steps: 4 });
+  await page.mouse.up({ button: "middle" });
+  const isOutside = (id) =>
+    page.locator(`.react-flow__node[data-id="${id}"]`).evaluate((node) => {
+      const [at, sight] = [node.getBoundingClientRect(), node.closest(".react-flow").getBoundingClientRect()];
+      return at.top > sight.bottom;
+    });
+  await eventually(() => isOutside(`n${count - 1}`), true, "the last node out of sight");
+  assert.equal(await page.locator(".react-flow__node").count(), count);
   await page.keyboard.press("Control+f");
   await page.getByRole("combobox", { name: "Find a node" }).fill(`n${count - 1}`);
   await page.keyboard.press("Enter");

@@ -14,6 +14,6 @@ test("what a pane shows a part of is in sight", () => {
   assert.equal(shareInSight(ROW, { x: 0, y: -50, zoom: 1 }, PANE), 0);
 });
 
-test("nothing is out of sight of an empty graph", () => {
-  assert.equal(shareInSight([], { x: 0, y: 0, zoom: 1 }, PANE), 1);
+test("nothing is in sight of an empty graph", () => {
+  assert.equal(shareInSight([], { x: 0, y: 0, zoom: 1 }, PANE), 0);
 });

@@ -22,7 +22,7 @@ export function shareInSight(
     const [left, top] = [x + zoom * box.x, y + zoom * box.y];
     return left < pane.width && top < pane.height && left + zoom * box.width > 0 && top + zoom * box.height > 0;
   });
-  return boxes.length > 0 ? seen.length / boxes.length : 1;
+  return boxes.length > 0 ? seen.length / boxes.length : 0;
 }
 
 interface InSight {
@@ -44,7 +44,8 @@ export function useInSight(flow: Flow | null, element: RefObject<HTMLElement | n
         height: measured?.height ?? 0,
       }));
       const share = shareInSight(boxes, viewport, { width: pane.clientWidth, height: pane.clientHeight });
-      setMost((wasMost) => share >= (wasMost ? LEFT_OUT_BELOW : DRAWN_FROM));
+      // Of a small graph nothing is said: much may be added to it before the canvas rests again.
+      setMost((wasMost) => boxes.length > LEFT_OUT_FROM && share >= (wasMost ? LEFT_OUT_BELOW : DRAWN_FROM));
     },
     [flow, element],
   );
