@@ -173,10 +173,10 @@ class Resolver {
       add(resolved, card.name, [&] {
         Json fix = missing_input(id_, entry_, card);
         const std::string more = card.spec.takes_several && listed_[port] ? "; the list is empty" : "";
-        return problem("required-input-missing", card.name,
-                       card.name + " is missing: " + (fix.is_null() ? "connect a " : "it takes a ") +
-                           names_of(card.types) + more,
-                       std::move(fix));
+        return problem(
+            "required-input-missing", card.name,
+            card.name + " is missing: " + (fix.is_null() ? "connect a " : "it takes a ") + names_of(card.types) + more,
+            std::move(fix));
       });
       return;
     }
