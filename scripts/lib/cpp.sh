@@ -13,6 +13,8 @@ cpp_build() {
   cmake --build --preset "$preset" "${targets[@]}" -- -k 0
 }
 
+# The folders of the program; those of its tests and benchmarks stand beside them.
+program_folders=(algebra geometry draco gltf formats graph golden nodes fitting service store jobs queue server cli)
+
 # cpp_sources: every C++ file of the project, NUL-separated; what npm installs below tests/ is not ours.
-cpp_folders=(algebra geometry draco gltf formats graph golden nodes fitting service store jobs queue server cli tests bench)
-cpp_sources() { find "${cpp_folders[@]}" -name node_modules -prune -o \( -name '*.h' -o -name '*.cpp' \) -print0 | sort -z; }
+cpp_sources() { find "${program_folders[@]}" tests bench -name node_modules -prune -o \( -name '*.h' -o -name '*.cpp' \) -print0 | sort -z; }

@@ -1,8 +1,9 @@
 # Sourced by scripts/test: clang-tidy on what changed, so that it stays short. scripts/lint checks everything.
 # shellcheck shell=bash
 
+source scripts/lib/cpp.sh
+
 tidy_at_most=40
-tidy_folders=(algebra geometry draco gltf formats graph golden nodes fitting service store jobs queue server cli)
 
 # tidy_base: the commit to compare with: DINI_TIDY_BASE, else where this branch left main, else, on main, the commit before.
 tidy_base() {
@@ -19,14 +20,14 @@ tidy_base() {
 tidy_sources() {
   local base file
   base=$(tidy_base) || return 1
-  { git diff --name-only --diff-filter=d "$base" -- "${tidy_folders[@]}" &&
-    git ls-files --others --exclude-standard -- "${tidy_folders[@]}"; } |
+  { git diff --name-only --diff-filter=d "$base" -- "${program_folders[@]}" &&
+    git ls-files --others --exclude-standard -- "${program_folders[@]}"; } |
     while read -r file; do
       case $file in
         *.cpp) echo "$file" ;;
         *.h)
           if [[ -f ${file%.h}.cpp ]]; then echo "${file%.h}.cpp"; else
-            grep -rlF --include='*.cpp' "\"$file\"" "${tidy_folders[@]}" | sort | head -n 1
+            grep -rlF --include='*.cpp' "\"$file\"" "${program_folders[@]}" | sort | head -n 1
           fi
           ;;
       esac

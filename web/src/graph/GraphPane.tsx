@@ -45,7 +45,7 @@ export function GraphPane(): ReactElement {
   // Until the canvas of a graph that was just opened is there, the last one must not be asked for places.
   const flow = made?.opened === opened ? made.flow : null;
   const { noteMove, fitAll } = useCanvas(flow, element);
-  const { isCut, noteRest } = useInSight(flow, element, count);
+  const { isCut, noteRest } = useInSight(element, count);
   useTouchpad(flow, element, noteMove);
   const handlers = useHandlers(flow);
   return (

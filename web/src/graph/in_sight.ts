@@ -3,7 +3,7 @@
 import type { Viewport } from "@xyflow/react";
 import { type RefObject, useCallback, useState } from "react";
 import type { Box } from "../model/ui";
-import type { Flow } from "./flow";
+import { useEditor } from "../widgets/context";
 
 /** Nodes out of sight are left out from this number on; below it, bringing them back costs more than it saves. */
 const LEFT_OUT_FROM = 150;
@@ -32,22 +32,24 @@ interface InSight {
   noteRest(event: unknown, viewport: Viewport): void;
 }
 
-export function useInSight(flow: Flow | null, element: RefObject<HTMLElement | null>, count: number): InSight {
+/** `count`: of all nodes. */
+export function useInSight(element: RefObject<HTMLElement | null>, count: number): InSight {
+  const editor = useEditor();
+  const isLarge = count > LEFT_OUT_FROM;
   const [isMost, setMost] = useState(false);
   const noteRest = useCallback(
     (_event: unknown, viewport: Viewport) => {
       const pane = element.current;
-      if (!flow || !pane) return;
-      const boxes = flow.getNodes().map(({ position, measured, width }) => ({
-        ...position,
-        width: measured?.width ?? width ?? 0,
-        height: measured?.height ?? 0,
-      }));
-      const share = shareInSight(boxes, viewport, { width: pane.clientWidth, height: pane.clientHeight });
       // Of a small graph nothing is said: much may be added to it before the canvas rests again.
-      setMost((wasMost) => boxes.length > LEFT_OUT_FROM && share >= (wasMost ? LEFT_OUT_BELOW : DRAWN_FROM));
+      if (!isLarge || !pane || !editor.canvas) {
+        setMost(false);
+        return;
+      }
+      const { clientWidth: width, clientHeight: height } = pane;
+      const share = shareInSight([...editor.canvas.boxes().values()], viewport, { width, height });
+      setMost((wasMost) => share >= (wasMost ? LEFT_OUT_BELOW : DRAWN_FROM));
     },
-    [flow, element],
+    [editor, element, isLarge],
   );
-  return { isCut: count > LEFT_OUT_FROM && !isMost, noteRest };
+  return { isCut: isLarge && !isMost, noteRest };
 }

@@ -12,8 +12,8 @@ export const OPENING_PADDING = 0.06;
 
 /**
  * The nodes to fit into a pane of the given size in pixels: all of them where that stays readable, else as many in
- * `wanted` as have room together, and others around them; without any, those around `end`. Undefined means all. A pane without a size
- * shows all.
+ * `wanted` as have room together, and others around them; without any, those around `end`. Undefined means all. A pane
+ * without a size shows all.
  */
 export function openingNodes(
   boxes: ReadonlyMap<string, Box>,

@@ -3,7 +3,7 @@
 import type { Catalogue } from "./catalogue";
 import type { GraphDocument } from "./document";
 import { asObject, asString, type JsonObject } from "./json";
-import { groupNamed } from "./scope";
+import { firstOf, groupNamed } from "./scope";
 
 /** The node with other names of axes at the inputs that name some. */
 export function withAxisNames(item: JsonObject, catalogue: Catalogue, change: (axis: string) => string): JsonObject {
@@ -35,9 +35,4 @@ export function withAxesAfter(
   return Object.fromEntries(
     Object.entries(nodes).map(([id, item]) => [id, withAxisNames(asObject(item), catalogue, renamed)]),
   );
-}
-
-/** The node that a path begins with. */
-export function firstOf(path: string): string {
-  return path.split("/")[0] ?? "";
 }

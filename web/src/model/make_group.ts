@@ -1,6 +1,6 @@
 // Making groups of nodes and taking them apart, as changes of the document.
 
-import { firstOf, withAxisNames } from "./axis_names";
+import { withAxisNames } from "./axis_names";
 import type { Catalogue, NodeCard } from "./catalogue";
 import { type GraphDocument, readLink, rewritten, rewrittenWhole } from "./document";
 import { addNodes, type Edit, freeId, inOrder, removeNodes } from "./edit";
@@ -9,7 +9,7 @@ import { drawingOf, middleOf, moved, placesIn, withDrawing } from "./group_drawi
 import { withDefinitions } from "./group_files";
 import { withGroupOutputs } from "./group_outputs";
 import { asArray, asObject, asString, isObject, type Json, type JsonObject } from "./json";
-import { GROUP_PREFIX, groupNamed } from "./scope";
+import { firstOf, GROUP_PREFIX, groupNamed } from "./scope";
 
 export interface MadeGroup {
   edit: Edit;

@@ -123,3 +123,8 @@ function typeFor(value: Json): string {
   if (typeof value === "string") return "text";
   return Array.isArray(value) ? "vector" : "number";
 }
+
+/** The node that a path begins with. */
+export function firstOf(path: string): string {
+  return path.split("/")[0] ?? "";
+}

@@ -3,6 +3,7 @@ import { lookedAt } from "../model/document";
 import { plural } from "../model/format";
 import type { ParameterValue } from "../model/parameters";
 import { patchDocument } from "../model/patch";
+import { firstOf } from "../model/scope";
 import { isSameEntry, type ProblemEntry, parameterOf } from "../net/problem";
 import type { SessionState } from "../session/state";
 import { useCurrent, useCurrentSession, useEditor } from "../widgets/context";
@@ -85,7 +86,7 @@ function Row({ tone, entry }: { tone: "error" | "warning"; entry: ProblemEntry }
     return entry.port ? `${name} · ${entry.port}` : name;
   });
   const isKnown = useCurrent(
-    ({ document }) => document !== null && lookedAt(document, []).nodes.has(entry.node.split("/")[0] ?? ""),
+    ({ document }) => document !== null && lookedAt(document, []).nodes.has(firstOf(entry.node)),
   );
   const go = (): void => {
     if (editor.session.goTo(entry.node)) editor.canvas?.focusNode(entry.node.split("/").at(-1) ?? "");

@@ -3,7 +3,7 @@
 
 import { wireType } from "../model/catalogue";
 import { type PreviewWish, previewWish } from "../model/preview";
-import { prefixOf } from "../model/scope";
+import { firstOf, prefixOf } from "../model/scope";
 import type { Store } from "../model/store";
 import { fetchPreview } from "../net/api";
 import type { ControlInfo, Picture, PictureViewer, SessionState } from "./state";
@@ -98,7 +98,7 @@ export class ControlLoader {
     const broken = [...errors.map((error) => error.node), ...(problem?.blocked ?? [])]
       .filter((path) => path.startsWith(prefix))
       // What is broken within a group breaks its instance.
-      .map((path) => path.slice(prefix.length).split("/")[0] ?? "");
+      .map((path) => firstOf(path.slice(prefix.length)));
     if (!view) return NOTHING;
     const { names, faint } = previewWish(view, selection, new Set(broken));
     const placed = (name: string): string => prefix + name;

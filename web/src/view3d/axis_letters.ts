@@ -6,6 +6,7 @@ import { type Camera, CanvasTexture, Sprite, SpriteMaterial, Vector2, Vector3, t
 const LETTER_PIXELS = 12;
 /** Its picture, and how high the capitals are in it. */
 const PICTURE = { pixels: 64, font: 44, capitals: 32 };
+const SPRITE_PIXELS = (LETTER_PIXELS * PICTURE.pixels) / PICTURE.capitals;
 /** What the toolbars and the border take of a view, in pixels. */
 const TAKEN = { top: 58, bottom: 60, side: 16 };
 /** Letters so near to the origin would lie on one another. */
@@ -58,8 +59,7 @@ export function makeAxisLetter(letter: string, color: string, tip: Vector3): Spr
     );
     sprite.material.opacity = share > 0 ? 1 : 0;
     sprite.position.copy(tip).multiplyScalar(share);
-    const height = (LETTER_PIXELS * PICTURE.pixels) / PICTURE.capitals;
-    sprite.scale.setScalar((2 * height) / (size.y * (camera.projectionMatrix.elements[5] ?? 1)));
+    sprite.scale.setScalar((2 * SPRITE_PIXELS) / (size.y * (camera.projectionMatrix.elements[5] ?? 1)));
     // Where it is not at its end, it stands beside the line and before the model.
     sprite.material.depthTest = share === 1;
     sprite.center.set(share < 1 ? -0.05 : 0.5, 0.5);
