@@ -27,6 +27,12 @@ constexpr std::chrono::milliseconds room_pause{1000};
 constexpr std::size_t most_early = 4096;
 constexpr std::size_t most_early_bytes = std::size_t{64} << 20;
 
+/// How long to wait after so many lines, when the last wait was so long.
+std::chrono::milliseconds pause_after(std::size_t lines, std::chrono::milliseconds waited) {
+  if (lines >= few_lines) return short_pause;
+  return std::min(std::max(short_pause, 2 * waited), lines == 0 ? long_pause : calm_pause);
+}
+
 std::size_t bytes_of(const store::JobLine& line) {
   std::size_t bytes = line.text.size();
   for (const SharedFile& file : line.files) bytes += file->bytes->size();
@@ -127,15 +133,14 @@ void QueuedSweep::run() {
     }
     const std::size_t lines = collect();
     hand_on();
-    const auto longer = std::max(short_pause, 2 * waited);
-    waited = lines == 0 ? std::min(longer, long_pause) : lines < few_lines ? std::min(longer, calm_pause) : short_pause;
+    waited = pause_after(lines, waited);
     bool has_room = true;
     {
       const std::lock_guard lock(mutex_);
       has_room = has_room_;
     }
     if (has_room && have_.size() >= many_lines) {
-      waited = waited.zero();
+      waited = std::chrono::milliseconds::zero();
       continue;
     }
     if (next_ < queued_.total) pause(has_room ? waited : room_pause);

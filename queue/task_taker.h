@@ -18,8 +18,7 @@ struct Task {
   std::string entry;  ///< of the stream
   std::string sweep;
   std::size_t index = 0;
-  std::size_t deliveries =
-      1;  ///< to how many it was given, this time included; more than one: others may have died of it
+  std::size_t deliveries = 1;  ///< to how many it was given, this one included; others may have died of it
 };
 
 /// What a worker needs to know of a sweep.
