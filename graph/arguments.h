@@ -12,6 +12,7 @@
 //   T                   one value of a wire type: the function is lifted over its axes
 //   std::optional<T>    the same, for an input that may be left out
 //   Block<T, K>         all values along the K axes that the node consumes, for one index of the remaining axes
+//   std::optional<Block<T, K>>      the same, for an input that may be left out or have fewer axes
 //   Batch<T>            a run of values at once, as component arrays, for functions that call SIMD kernels
 //   std::int64_t, bool, std::string, Color, or an enum with ChoiceNames      a literal written in the graph
 //   SharedAssetFile     a mesh file, which the graph names by a literal text
@@ -52,7 +53,8 @@ struct Call {
   std::vector<Axes> made;           ///< per output, the axes that each run adds
 };
 
-/// All values of an input along the consumed axes. An input that lacks one is constant along it.
+/// All values of an input along the consumed axes. An input that lacks one is constant along it; an axis that the
+/// node's first block lacks too has one sample.
 template <WireValue T, int K>
 class Block {
  public:

@@ -124,37 +124,44 @@ class Inference {
     const std::size_t wanted = node_.overload->consumed_axes();
     if (wanted == 0) return std::nullopt;
     const std::size_t block = *node_.overload->first_block();
+    if (node_.inputs[block].items.empty()) return std::nullopt;  // it may be left out
     const Axes& axes = node_.inputs[block].shape.axes;
-    if (axes.size() < wanted) {
+    if (axes.size() < wanted && !slot(block).optional) {
       return problem("axis-mismatch", port_name(block),
                      port_name(block) + " needs " + std::to_string(wanted) + (wanted == 1 ? " axis" : " axes") +
                          ", it has " + names_of(axes));
     }
+    for (const std::string& name : consumed_names(wanted, axes)) {
+      const std::string& over = node_.type->over[node_.consumed.size()];
+      const Axis* axis = find_axis(axes, name);
+      if (axis == nullptr && !name.empty()) {
+        return problem("axis-mismatch", over,
+                       "there is no axis " + excerpt(name) + " at " + port_name(block) + ", it has " + names_of(axes));
+      }
+      if (axis != nullptr && find_axis(node_.consumed, name) != nullptr) {
+        return problem("axis-mismatch", over, "the axis " + name + " is named twice");
+      }
+      node_.consumed.push_back(axis != nullptr ? *axis : Axis{});
+    }
+    return std::nullopt;
+  }
+
+  /// Which of these axes are consumed, in order. Those that texts do not name are the last ones that are left; a name
+  /// is empty where there are too few.
+  std::vector<std::string> consumed_names(std::size_t wanted, const Axes& axes) const {
     std::vector<std::string> names;
-    for (std::size_t k = 0; k < wanted; ++k) names.push_back(text_literal(node_.type->over[k]));
-    // Axes that are not named are the last ones that are left, in their order.
+    std::vector<std::size_t> unnamed;
+    for (std::size_t k = 0; k < wanted; ++k) {
+      names.push_back(text_literal(node_.type->over[k]));
+      if (names.back().empty()) unnamed.push_back(k);
+    }
     std::vector<std::string> left;
     for (const Axis& axis : axes) {
       if (std::find(names.begin(), names.end(), axis.name) == names.end()) left.push_back(axis.name);
     }
-    for (std::size_t k = wanted; k-- > 0;) {
-      if (!names[k].empty() || left.empty()) continue;
-      names[k] = left.back();
-      left.pop_back();
-    }
-    for (std::size_t k = 0; k < wanted; ++k) {
-      const Axis* axis = find_axis(axes, names[k]);
-      if (axis == nullptr) {
-        return problem(
-            "axis-mismatch", node_.type->over[k],
-            "there is no axis " + excerpt(names[k]) + " at " + port_name(block) + ", it has " + names_of(axes));
-      }
-      if (find_axis(node_.consumed, names[k]) != nullptr) {
-        return problem("axis-mismatch", node_.type->over[k], "the axis " + names[k] + " is named twice");
-      }
-      node_.consumed.push_back(*axis);
-    }
-    return std::nullopt;
+    unnamed.resize(std::min(unnamed.size(), left.size()));
+    for (std::size_t k = 0; k < unnamed.size(); ++k) names[unnamed[k]] = left[left.size() - unnamed.size() + k];
+    return names;
   }
 
   /// The lifted axes: all axes of all inputs, less the consumed ones.

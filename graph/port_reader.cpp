@@ -62,8 +62,27 @@ class ValueReader final : public PlacedReader<ValueReader<T>> {
   const Column<T>& column_;
 };
 
+template <class T, int K>
+class BlockReader final : public PlacedReader<BlockReader<T, K>> {
+ public:
+  BlockReader(const Call& call, std::size_t port)
+      : PlacedReader<BlockReader<T, K>>(call, port),
+        value_(value_at(call, port)),
+        column_(column_of<T>(value_)),
+        consumed_(call.consumed) {}
+
+  void write(std::size_t place, void* target) const {
+    *static_cast<Block<T, K>*>(target) = Block<T, K>(column_, place, value_.axes, consumed_);
+  }
+
+ private:
+  const Value& value_;
+  const Column<T>& column_;
+  const Axes& consumed_;
+};
+
 /// What is left out is the same for all indices; what is given is read as a value is.
-template <class T>
+template <class T, class Reader>
 class OptionalReader : public PortReader {
  public:
   OptionalReader(const Call& call, std::size_t port) {
@@ -82,26 +101,7 @@ class OptionalReader : public PortReader {
   bool same(std::size_t a, std::size_t b) const override { return !reader_ || reader_->same(a, b); }
 
  private:
-  std::optional<ValueReader<T>> reader_;
-};
-
-template <class T, int K>
-class BlockReader final : public PlacedReader<BlockReader<T, K>> {
- public:
-  BlockReader(const Call& call, std::size_t port)
-      : PlacedReader<BlockReader<T, K>>(call, port),
-        value_(value_at(call, port)),
-        column_(column_of<T>(value_)),
-        consumed_(call.consumed) {}
-
-  void write(std::size_t place, void* target) const {
-    *static_cast<Block<T, K>*>(target) = Block<T, K>(column_, place, value_.axes, consumed_);
-  }
-
- private:
-  const Value& value_;
-  const Column<T>& column_;
-  const Axes& consumed_;
+  std::optional<Reader> reader_;
 };
 
 /// Values that do not lie one after another are gathered first.
@@ -174,11 +174,15 @@ std::unique_ptr<PortReader> read_value(const Call& call, std::size_t port) {
 }
 template <class T>
 std::unique_ptr<PortReader> read_optional(const Call& call, std::size_t port) {
-  return std::make_unique<OptionalReader<T>>(call, port);
+  return std::make_unique<OptionalReader<T, ValueReader<T>>>(call, port);
 }
 template <class T, int K>
 std::unique_ptr<PortReader> read_block(const Call& call, std::size_t port) {
   return std::make_unique<BlockReader<T, K>>(call, port);
+}
+template <class T, int K>
+std::unique_ptr<PortReader> read_optional_block(const Call& call, std::size_t port) {
+  return std::make_unique<OptionalReader<Block<T, K>, BlockReader<T, K>>>(call, port);
 }
 template <class T>
 std::unique_ptr<PortReader> read_batch(const Call& call, std::size_t port) {
@@ -214,6 +218,7 @@ DINI_READERS_OF_NUMBERS(Generator);
 DINI_READERS_OF_NUMBERS(Circle);
 DINI_READERS_OF_NUMBERS(Sphere);
 #undef DINI_READERS_OF_NUMBERS
+template std::unique_ptr<PortReader> read_optional_block<double, 2>(const Call&, std::size_t);
 template std::unique_ptr<PortReader> read_value<SharedMesh>(const Call&, std::size_t);
 template std::unique_ptr<PortReader> read_value<SharedField>(const Call&, std::size_t);
 template std::unique_ptr<PortReader> read_optional<SharedField>(const Call&, std::size_t);

@@ -49,6 +49,8 @@ template <class T>
 std::unique_ptr<PortReader> read_optional(const Call& call, std::size_t port);
 template <class T, int K>
 std::unique_ptr<PortReader> read_block(const Call& call, std::size_t port);
+template <class T, int K>
+std::unique_ptr<PortReader> read_optional_block(const Call& call, std::size_t port);
 template <class T>
 std::unique_ptr<PortReader> read_batch(const Call& call, std::size_t port);
 template <class L>
@@ -82,6 +84,11 @@ template <WireValue T, int K>
 struct ArgumentTraits<Block<T, K>> {
   static InputSlot slot() { return {.type = Wire<T>::type, .consumed_axes = K}; }
   static constexpr MakeReader reader = read_block<T, K>;
+};
+template <WireValue T, int K>
+struct ArgumentTraits<std::optional<Block<T, K>>> {
+  static InputSlot slot() { return {.type = Wire<T>::type, .consumed_axes = K, .optional = true}; }
+  static constexpr MakeReader reader = read_optional_block<T, K>;
 };
 template <WireValue T>
 struct ArgumentTraits<Batch<T>> {

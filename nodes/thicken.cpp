@@ -1,27 +1,22 @@
 #include "geometry/thicken.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/border_strips.h"
-#include "geometry/chunks.h"
 #include "geometry/place_text.h"
-#include "geometry/scalar_field.h"
 #include "geometry/validate.h"
 #include "graph/node_builder.h"
 #include "nodes/all.h"
 #include "nodes/mesh_reach.h"
+#include "nodes/wall_shares.h"
 #include "nodes/wall_side.h"
 
 namespace dini {
 
 namespace {
 
-struct ThickenInputs {
-  double thickness;
+struct ThickenInputs : WallThickness {
   WallSide side;
-  std::optional<SharedField> field;
-  double far_thickness, fade;
   bool find_contact;
 };
 
@@ -31,37 +26,23 @@ std::size_t most_vertices_of_wall(const Literals&, std::size_t given) {
   return std::min(6 * given, 4 * given + 2 * few_strip_vertices);
 }
 
-/// Of the thickness at one place, by the value of the field there.
-double share_of_thickness(const ThickenInputs& in, double value) {
-  const double way = value >= in.fade ? 1 : value > 0 ? value / in.fade : 0;
-  return 1 + way * way * (3 - 2 * way) * (in.far_thickness / in.thickness - 1);
-}
-
-std::vector<double> shares_by_field(const ThickenInputs& in, const WeldedMesh& surface, const Cancel& cancel) {
-  std::vector<double> shares(surface.positions.size(), 1);
-  for_chunks(cancel, shares.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      shares[i] = share_of_thickness(in, value_at(**in.field, surface.positions[i]));
-    }
-  });
-  return shares;
-}
-
 Attempt<std::tuple<SharedMesh, double>> thickened(const Context& context, const SharedMesh& shape,
                                                   const ThickenInputs& in) {
+  const WallSurface surface = wall_surface(*shape, context.cancel());
+  if (context.cancel().stopped()) return std::tuple(shape, 0.0);
+  if (surface.fault) return Failure{"degenerate", "no wall can stand along this mesh: " + *surface.fault, "shape"};
+  auto shares = shares_of_wall(in, surface, context.cancel());
+  if (!shares) return shares.error();
+  const auto thinnest = std::min_element(shares->begin(), shares->end());
   const double least = least_change(*shape, context.cancel());
-  if (std::min(in.thickness, in.field ? in.far_thickness : in.thickness) < least) {
+  if (in.thickness * (thinnest == shares->end() ? 1 : *thinnest) < least) {
     return Failure{"out-of-range",
                    "the mesh reaches so far from the origin that its coordinates tell no wall below " +
                        short_text(least) + " m from none",
                    "thickness"};
   }
-  const WallSurface surface = wall_surface(*shape, context.cancel());
-  if (context.cancel().stopped()) return std::tuple(shape, 0.0);
-  if (surface.fault) return Failure{"degenerate", "no wall can stand along this mesh: " + *surface.fault, "shape"};
   const double front = in.side == WallSide::inside ? 0 : in.side == WallSide::both ? 0.5 : 1;
-  Wall wall{front * in.thickness, (1 - front) * in.thickness, {}};
-  if (in.field) wall.shares = shares_by_field(in, surface.welded, context.cancel());
+  const Wall wall{front * in.thickness, (1 - front) * in.thickness, *std::move(shares)};
   auto mesh = std::make_shared<const Mesh>(wall_along(surface, wall, context.cancel()));
   if (context.cancel().stopped()) return std::tuple(shape, 0.0);
   if (!is_mesh_within_reach(*mesh, context.cancel())) {
@@ -95,12 +76,18 @@ void add_thicken(Registry& registry) {
               "two triangles, and V - E + F is twice that of the surface. Vertices at one position count as one. "
               "Smooth "
               "surfaces keep their normals; between flat faces the wall is as thick as it says. With a field the "
-              "thickness goes smoothly to another one where the field grows. Where the wall meets itself a warning "
+              "thickness goes smoothly to another one where the field grows; factors make it another one from place to "
+              "place, linear between them. Where the wall meets itself a warning "
               "tells the place and what would fit. An edge with more than two triangles, or with two that run the same "
               "way, and borders that meet in one vertex, are errors. A mesh without triangles stays empty.")
           .input("shape", "The mesh.")
           .input("thickness", &ThickenInputs::thickness, "Of the wall.",
                  defaults(0.1).hard(1e-6, 1e6).soft(0.01, 0.5).unit("m"))
+          .input(
+              "factors", &ThickenInputs::factors,
+              "Numbers over the mesh that the thickness is multiplied by, over one axis or two: the first runs along "
+              "u of the mesh, as the rows of a surface do, the second along v. Without them the wall is even.",
+              required().soft(0, 2))
           .input("side", &ThickenInputs::side,
                  "On which side of the surface the wall is; outside is where its normals point.", defaults("inside"))
           .input(
@@ -112,6 +99,8 @@ void add_thicken(Registry& registry) {
                  defaults(1).hard(1e-6, 1e6).soft(0.1, 4).unit("m"))
           .input("find_contact", &ThickenInputs::find_contact, "Whether to look where the wall meets itself.",
                  defaults(true))
+          .consumed_axis("over", "The axis of factors along u; empty means the last that along leaves.")
+          .consumed_axis("along", "The axis of factors along v; empty means the last of two.")
           .vertex_factor([](const Literals&) { return std::size_t{2}; })
           .most_of_given(most_vertices_of_wall)
           .cost([](const RunSize& size) {

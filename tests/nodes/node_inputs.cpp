@@ -67,10 +67,16 @@ class Source {
     return prefix_ + id;
   }
 
-  /// Numbers over "rows" that depend on the drive.
+  /// Numbers over "rows", and "columns" where there are two axes, that depend on the drive.
   std::string spread() {
-    return add("rows", "range", {{"from", 0.25}, {"to", 1.5}, {"count", along_one(4)}, {"axis", "rows"}}),
-           add("spread", "expression", {{"formula", "x + y"}, {"x", from(prefix_ + "rows")}, {"y", drive_}});
+    add("rows", "range", {{"from", 0.25}, {"to", 1.5}, {"count", along_one(4)}, {"axis", "rows"}});
+    if (rank_ < 2) {
+      return add("spread", "expression", {{"formula", "x + y"}, {"x", from(prefix_ + "rows")}, {"y", drive_}});
+    }
+    add("columns", "range", {{"from", 0.1}, {"to", 0.4}, {"count", along_one(3)}, {"axis", "columns"}});
+    return add(
+        "spread", "expression",
+        {{"formula", "x + y + x * z"}, {"x", from(prefix_ + "rows")}, {"y", drive_}, {"z", from(prefix_ + "columns")}});
   }
   Json along(double otherwise) { return rank_ == 0 ? Json(otherwise) : from(spread()); }
   Json spread_or_drive() { return rank_ == 0 ? drive_ : from(spread()); }

@@ -1,6 +1,7 @@
 // thicken, offset, cap and printability; and the objects of the gallery that are made of them.
 
 #include <fstream>
+#include <numbers>
 
 #include "geometry/contacts.h"
 #include "geometry/measure.h"
@@ -127,6 +128,68 @@ TEST_CASE("A field takes the wall from one thickness to the other") {
     CHECK(std::abs(wall->positions[i].z) == Approx(expected).epsilon(1e-12));
   }
   CHECK(measure(*wall, never).closed);
+}
+
+TEST_CASE("Numbers over a mesh make its wall as thick as they say, at each vertex and all around") {
+  const Json pipe = {
+      {"height", make("range", {{"from", 2}, {"to", 0}, {"count", 9}, {"axis", "height"}})},
+      {"angle", make("range", {{"to", 360}, {"count", 30}, {"closed", true}, {"axis", "angle"}})},
+      {"up", make("vector", {{"z", from("height")}})},
+      {"ring", make("circle")},
+      {"rings", make("translate", {{"shape", from("ring")}, {"vector", from("up")}})},
+      {"skin", make("surface", {{"shape", from("rings")}, {"segments", 60}})},
+      {"both",
+       make("expression", {{"formula", "2 + x / 2 + sin(y * pi / 180)"}, {"x", from("height")}, {"y", from("angle")}})},
+      {"rising", make("expression", {{"formula", "1 + x"}, {"x", from("height")}})}};
+  const auto wall_by = [&](Json inputs) {
+    Json nodes = pipe;
+    inputs.update({{"shape", from("skin")}, {"thickness", 0.1}, {"side", "outside"}});
+    nodes["wall"] = make("thicken", inputs);
+    return graph_of(nodes);
+  };
+  const auto thickness_at = [](const Point& point) { return std::hypot(point.x, point.y) - 1; };
+
+  CatalogueGraph even = wall_by({{"factors", 3}}), along_u = wall_by({{"factors", from("rising")}}),
+                 along_v = wall_by({{"factors", from("both")}, {"over", "height"}, {"along", "angle"}});
+  const SharedMesh skin = even.one<SharedMesh>("skin");
+  for (std::size_t i = 0; i < skin->positions.size(); ++i) {
+    const Point at = skin->positions[i];
+    CHECK(thickness_at(even.one<SharedMesh>("wall")->positions[i]) == Approx(0.3).epsilon(1e-12));
+    CHECK(thickness_at(along_u.one<SharedMesh>("wall")->positions[i]) == Approx(0.1 * (1 + at.z)).epsilon(1e-12));
+  }
+  // The circle of a surface has twice the samples of the angle: every other vertex is a sample, those between a mean.
+  const SharedMesh wall = along_v.one<SharedMesh>("wall");
+  for (std::size_t row = 0; row < 9; ++row) {
+    for (std::size_t column = 0; column < 60; ++column) {
+      const std::size_t i = row * 60 + column;
+      const auto sine = [](std::size_t sample) {
+        return std::sin(static_cast<double>(sample) * std::numbers::pi / 15);
+      };
+      const double mean = (sine(column / 2) + sine((column + 1) / 2)) / 2;
+      CHECK(thickness_at(wall->positions[i]) == Approx(0.1 * (2 + skin->positions[i].z / 2 + mean)).epsilon(1e-12));
+    }
+  }
+  CHECK(measure(*wall, never).closed);
+}
+
+TEST_CASE("Numbers over a mesh that make no wall are refused where they are") {
+  const auto refused = [](const Json& mesh, const Json& inputs) {
+    Json wall = {{"shape", from("mesh")}};
+    wall.update(inputs);
+    CatalogueGraph graph = graph_of({{"shape", make("sphere")},
+                                     {"solid", make("solid", {{"shape", from("shape")}})},
+                                     {"mesh", mesh},
+                                     {"t", make("range", {{"to", 1}, {"count", 5}, {"axis", "t"}})},
+                                     {"wall", make("thicken", wall)}});
+    return codes(graph.problems("wall"));
+  };
+  using Codes = std::multiset<std::string>;
+  CHECK(refused(ball, {{"factors", from("t")}}) == Codes{"out-of-range wall.factors"});
+  CHECK(refused(ball, {{"factors", -1}}) == Codes{"out-of-range wall.factors"});
+  CHECK(refused(ball, {{"factors", from("t")}, {"over", "s"}}) == Codes{"axis-mismatch wall.over"});
+  CHECK(refused(ball, {{"factors", from("t")}, {"over", "t"}, {"along", "t"}}) == Codes{"axis-mismatch wall.along"});
+  CHECK(refused(make("implicit", {{"field", from("solid")}, {"resolution", 8}}), {{"factors", 2}}) ==
+        Codes{"degenerate wall.factors"});
 }
 
 TEST_CASE("A family of thicknesses makes a family of walls") {

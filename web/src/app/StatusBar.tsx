@@ -42,7 +42,7 @@ export function StatusBar(): ReactElement {
       <span className="spacer" />
       {total !== null && total !== undefined && <span>Server {millisecondText(total)}</span>}
       {nodes.length > 0 && (
-        <span title="Nodes whose value was already there">
+        <span className="status-cached" title="Nodes whose value was already there">
           {cached} of {nodes.length} from the cache
         </span>
       )}
