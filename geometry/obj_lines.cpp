@@ -26,12 +26,12 @@ bool has_numbers(std::string_view statement) {
 }
 
 /// A line without its comment, and whether the next line goes on with it.
-struct Piece {
+struct LinePiece {
   std::string_view text;
   bool goes_on = false;
 };
 
-Piece piece_of(std::string_view line) {
+LinePiece piece_of(std::string_view line) {
   const std::size_t comment = comment_begin(line);
   if (comment != std::string_view::npos) return {line.substr(0, comment)};
   const std::size_t last = line.find_last_not_of(white_space);
@@ -47,7 +47,7 @@ std::optional<std::string_view> ObjLines::next() {
   number_ = lines_.number();
   // Files that were put together out of others have such marks in their middle.
   const std::string_view begin = without_byte_order_mark(*line);
-  Piece piece = piece_of(begin);
+  LinePiece piece = piece_of(begin);
   if (!piece.goes_on) return piece.text;
   if (!has_numbers(begin)) return begin;
   joined_ = piece.text;

@@ -12,13 +12,13 @@ namespace dini {
 namespace {
 
 /// Nodes that see each other: those of the document, or those of a group at one of the places where it stands.
-struct Scope {
+struct CopyScope {
   std::string prefix = {};   ///< of the ids, "" or "ring/"
   std::string pointer = {};  ///< of what has the nodes
   const std::map<std::string, NodeEntry>* nodes = nullptr;
   const GroupEntry* group = nullptr;    ///< null for the document
   const NodeEntry* instance = nullptr;  ///< which stands in `around`
-  const Scope* around = nullptr;
+  const CopyScope* around = nullptr;
   std::string instance_pointer = {};
 
   std::string pointer_of(const std::string& id) const { return pointer + "/nodes/" + pointer_token(id); }
@@ -26,7 +26,7 @@ struct Scope {
 
 /// Something that is given to an input, on its way out of the groups around it.
 struct Step {
-  const Scope* scope = nullptr;
+  const CopyScope* scope = nullptr;
   const InputItem* item = nullptr;
   std::string pointer;
   bool passed_in = false;    ///< through an input of a group
@@ -50,7 +50,7 @@ class Expander {
     find_scopes();
     Document flat;
     flat.format = written_.format;
-    for (const Scope& scope : scopes_) {
+    for (const CopyScope& scope : scopes_) {
       for (const auto& [id, node] : *scope.nodes) {
         if (group_named(node.type).empty()) {
           add_node(scope, id, node, flat);
@@ -75,7 +75,7 @@ class Expander {
   void find_scopes() {
     scopes_.push_back({.nodes = &written_.nodes});
     for (std::size_t k = 0; k < scopes_.size(); ++k) {
-      const Scope& scope = scopes_[k];
+      const CopyScope& scope = scopes_[k];
       for (const auto& [id, node] : *scope.nodes) {
         if (group_named(node.type).empty()) continue;
         if (node.bypass) {
@@ -91,7 +91,7 @@ class Expander {
     }
   }
 
-  void add_node(const Scope& scope, const std::string& id, const NodeEntry& node, Document& flat) {
+  void add_node(const CopyScope& scope, const std::string& id, const NodeEntry& node, Document& flat) {
     const std::string path = scope.prefix + id;
     NodeEntry entry{node.type, {}, node.bypass};
     NodePlace place{scope.pointer_of(id), {}};
@@ -115,9 +115,9 @@ class Expander {
   }
 
   /// What stands at the outputs of an instance, in their order.
-  void add_instance(const Scope& scope, const std::string& id, Document& flat) {
+  void add_instance(const CopyScope& scope, const std::string& id, Document& flat) {
     const std::string path = scope.prefix + id;
-    const Scope& inside = *by_path_.at(path);
+    const CopyScope& inside = *by_path_.at(path);
     std::vector<GroupOutput>& outputs = flat.instances[path];
     for (std::size_t i = 0; i < inside.group->outputs.size() && problems_.empty(); ++i) {
       const GroupOutput& output = inside.group->outputs[i];
@@ -129,7 +129,7 @@ class Expander {
     }
   }
 
-  Gathered gather(const Scope& scope, const InputEntry& input, const std::string& pointer, const InputPort* card,
+  Gathered gather(const CopyScope& scope, const InputEntry& input, const std::string& pointer, const InputPort* card,
                   const std::string& node, const std::string& port) {
     Gathered gathered;
     gathered.entry.list = input.list;
@@ -169,7 +169,7 @@ class Expander {
 
   /// Takes the node that a link leads to in the end, or what the bypassed instance passes on that it meets before.
   void follow(const Step& step, Link link, Gathered& gathered) {
-    const Scope* scope = step.scope;
+    const CopyScope* scope = step.scope;
     for (;;) {
       const auto found = scope->nodes->find(link.node);
       if (found == scope->nodes->end() || group_named(found->second.type).empty()) {
@@ -184,7 +184,7 @@ class Expander {
   }
 
   /// What a bypassed instance is linked to at its first input goes on.
-  void pass_on(const Step& step, const Scope& scope, const std::string& id, const NodeEntry& instance) {
+  void pass_on(const Step& step, const CopyScope& scope, const std::string& id, const NodeEntry& instance) {
     const GroupEntry& group = group_of(instance);
     const auto input = group.inputs.empty() ? instance.inputs.end() : instance.inputs.find(group.inputs.front().name);
     const bool is_linked = input != instance.inputs.end() && input->second.items.size() == 1 &&
@@ -200,7 +200,7 @@ class Expander {
 
   /// What the instance gives to an input of its group.
   void look_around(const Step& step, const InputReference& reference, const InputPort* card, Gathered& gathered) {
-    const Scope& scope = *step.scope;
+    const CopyScope& scope = *step.scope;
     gathered.passed_in = true;
     const auto given = scope.instance->inputs.find(reference.name);
     const std::vector<GroupInput>& inputs = scope.group->inputs;
@@ -267,7 +267,7 @@ class Expander {
   }
 
   /// Axes that are called after nodes follow them into their paths.
-  static Json axis_name(const Scope& scope, const Json& written) {
+  static Json axis_name(const CopyScope& scope, const Json& written) {
     if (scope.prefix.empty() || !written.is_string()) return written;
     const auto& text = written.get_ref<const std::string&>();
     return scope.nodes->contains(text.substr(0, text.find('/'))) ? Json(scope.prefix + text) : written;
@@ -276,8 +276,8 @@ class Expander {
   Document& written_;
   const Limits& limits_;
   const Registry& registry_;
-  std::deque<Scope> scopes_;
-  std::map<std::string, const Scope*> by_path_;
+  std::deque<CopyScope> scopes_;
+  std::map<std::string, const CopyScope*> by_path_;
   std::size_t bypasses_ = 0, links_ = 0, values_ = 0, text_bytes_ = 0, steps_taken_ = 0;
   std::vector<Step> steps_;
   ProblemCollector problems_;

@@ -18,10 +18,10 @@ namespace dini::jobs {
 namespace {
 
 /// How long a worker allows Redis to answer: nobody waits for this one answer.
-constexpr queue::Patience patience{std::chrono::milliseconds(1000), std::chrono::milliseconds(5000)};
+constexpr queue::Patience worker_patience{std::chrono::milliseconds(1000), std::chrono::milliseconds(5000)};
 constexpr std::chrono::milliseconds beat_pause{1000};
 constexpr std::chrono::milliseconds idle_wait{1000};
-constexpr std::chrono::milliseconds trouble_pause{200};
+constexpr std::chrono::milliseconds worker_pause{200};
 constexpr std::size_t most_known = 16;
 /// How often a variant is computed again whose mesh files had to make room meanwhile.
 constexpr int most_tries = 3;
@@ -67,7 +67,7 @@ Worker::~Worker() {
 }
 
 queue::TaskTaker Worker::taker() const {
-  return {terms_.address, patience, {.identity = identity_, .worker = name_, .silence = terms_.silence}};
+  return {terms_.address, worker_patience, {.identity = identity_, .worker = name_, .silence = terms_.silence}};
 }
 
 queue::Answered<bool> Worker::start() {
@@ -96,7 +96,7 @@ void Worker::work() {
     const auto task = taker.take(idle_wait);
     if (!task) {
       if (!std::exchange(is_away, true)) spdlog::warn("queue: {}", task.error().detail);
-      pause(trouble_pause);
+      pause(worker_pause);
       continue;
     }
     is_away = false;
@@ -185,7 +185,7 @@ bool Worker::tell(queue::TaskTaker& taker, const queue::Task& task, const Job& j
     const auto finished = taker.finish(task, line);
     if (finished) return *finished == queue::TaskTaker::Finished::counted;
     if (is_stopped()) return false;
-    pause(trouble_pause);
+    pause(worker_pause);
   }
   return false;
 }

@@ -22,7 +22,7 @@ struct InRow {
   }
 };
 
-struct AroundInputs {
+struct ArrayAroundInputs {
   Circle axis;
   std::int64_t count;
   double angle;
@@ -31,7 +31,7 @@ struct AroundInputs {
 
 template <class Shape>
 struct Around {
-  static Attempt<Made<Shape>> make(const Context& context, const Shape& shape, const AroundInputs& in) {
+  static Attempt<Made<Shape>> make(const Context& context, const Shape& shape, const ArrayAroundInputs& in) {
     const std::optional<CircleCoordinates> found = coordinates(in.axis);
     if (!found || !found->line) return Failure{"degenerate", "the axis must be a line", "axis_line"};
     const auto count = static_cast<std::size_t>(in.count);
@@ -71,12 +71,13 @@ void add_array(Registry& registry) {
                    "angle.")
           .degenerate("circle to line", "A circle as axis is an error; one that has become a line is an axis.")
           .input("shape", "Points, circles, spheres, generators, meshes or fields.")
-          .input("axis_line", &AroundInputs::axis, "The line to turn about.", required().title("Line"))
-          .input("count", &AroundInputs::count, "How many, the shape itself included.",
+          .input("axis_line", &ArrayAroundInputs::axis, "The line to turn about.", required().title("Line"))
+          .input("count", &ArrayAroundInputs::count, "How many, the shape itself included.",
                  defaults(6).hard(1, 10'000).soft(1, 50))
-          .input("angle", &AroundInputs::angle, "The turn of the whole array, right hand.",
+          .input("angle", &ArrayAroundInputs::angle, "The turn of the whole array, right hand.",
                  defaults(360).soft(-360, 360).unit("deg"))
-          .input("closed", &AroundInputs::closed, "Whether the last copy is followed by the first.", defaults(true))
+          .input("closed", &ArrayAroundInputs::closed, "Whether the last copy is followed by the first.",
+                 defaults(true))
           .made_axis("axis", "Name of the axis; empty means the id of this node.")
           .axes(one_axis("count", "axis", "closed"))
           .output("shape", "The copies, over the new axis."));

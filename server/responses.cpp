@@ -83,7 +83,7 @@ Reply problem_reply(const Problems& problems, const Exchange& exchange, const Js
   Reply reply = json_reply({{"type", std::string(exchange.base) + "/problems/" + first.code},
                             {"title", title_of_code(first.code)},
                             {"status", status},
-                            {"detail", excerpt(first.detail, detail_bytes)},
+                            {"detail", text_excerpt(first.detail, detail_bytes)},
                             {"instance", exchange.id},
                             {"errors", to_json(problems)},
                             {"blocked", blocked}},

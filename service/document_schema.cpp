@@ -13,7 +13,7 @@ namespace {
 constexpr const char* identifier = "[A-Za-z][A-Za-z0-9_-]{0,63}";
 constexpr std::int64_t largest_exact_integer = 9007199254740991;
 
-Json reference(const std::string& definition) { return {{"$ref", "#/$defs/" + definition}}; }
+Json reference_to(const std::string& definition) { return {{"$ref", "#/$defs/" + definition}}; }
 
 Json numbers(std::size_t least, std::size_t most) {
   return {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", least}, {"maxItems", most}};
@@ -43,8 +43,8 @@ Json literal_schema(const std::string& type, const Json& input) {
   if (type == "integer") {
     return ranged({{"type", "integer"}, {"minimum", -largest_exact_integer}, {"maximum", largest_exact_integer}});
   }
-  if (type == "vector" || type == "point") return reference("triple");
-  if (type == "color") return reference("color");
+  if (type == "vector" || type == "point") return reference_to("triple");
+  if (type == "color") return reference_to("color");
   if (type == "boolean") return {{"type", "boolean"}};
   if (type == "text") return {{"type", "string"}};
   if (type == "choice") return {{"enum", input.value("choices", Json::array())}};
@@ -76,7 +76,7 @@ class NodeSchemas {
     }
     Json schema = closed_object({{"type", {{"const", card.at("id")}}},
                                  {"inputs", closed_object(std::move(inputs), Json::array())},
-                                 {"bypass", reference("bypass")}},
+                                 {"bypass", reference_to("bypass")}},
                                 {"type"});
     schema["title"] = card.at("title");
     // A bypassed node passes on what its first input is linked to, and looks at nothing else.
@@ -102,11 +102,11 @@ class NodeSchemas {
     }
     const Json& types = card.at("types");
     if (std::any_of(types.begin(), types.end(), [&](const Json& type) { return wired_.at(type); })) {
-      references.push_back(reference("link"));
+      references.push_back(reference_to("link"));
     }
     // An input of a group may bring a link as well.
-    if (where_ == Where::group) references.push_back(reference("input_reference"));
-    if (where_ == Where::document && !literals.empty()) references.push_back(reference("parameter_reference"));
+    if (where_ == Where::group) references.push_back(reference_to("input_reference"));
+    if (where_ == Where::document && !literals.empty()) references.push_back(reference_to("parameter_reference"));
     Json schema =
         card.value("several", false) ? several(literals, references, card) : any_of(joined(literals, references));
     if (card.contains("default")) schema["default"] = card["default"];
@@ -201,8 +201,8 @@ Json keyed(const char* description, Json values, bool by_path = false) {
 /// A node that stands for a group, whose inputs only the document knows.
 Json instance_schema(Where where) {
   const Json no_reference = {{"not", {{"type", "object"}}}};
-  Json references = Json::array({no_reference, reference("link")});
-  references.push_back(reference(where == Where::group ? "input_reference" : "parameter_reference"));
+  Json references = Json::array({no_reference, reference_to("link")});
+  references.push_back(reference_to(where == Where::group ? "input_reference" : "parameter_reference"));
   Json list = {{"type", "array"}, {"items", {{"anyOf", references}}}};
   Json schema = closed_object(
       {{"type", {{"type", "string"}, {"pattern", "^group/" + std::string(identifier) + "$"}}},
@@ -210,7 +210,7 @@ Json instance_schema(Where where) {
         {{"type", "object"},
          {"additionalProperties",
           {{"anyOf", {references[1], references[2], {{"type", {"number", "string", "boolean"}}}, std::move(list)}}}}}},
-       {"bypass", reference("bypass")}},
+       {"bypass", reference_to("bypass")}},
       {"type"});
   schema["description"] = "An instance of a group of the document, with what it gives to its inputs.";
   return schema;
@@ -223,7 +223,7 @@ void add_nodes(const Json& catalogue, Where where, Json& definitions) {
   Json types = Json::array(), rules = Json::array();
   const auto add = [&](Json type, const std::string& definition, Json schema) {
     rules.push_back({{"if", {{"properties", {{"type", std::move(type)}}}, {"required", {"type"}}}},
-                     {"then", reference(definition)}});
+                     {"then", reference_to(definition)}});
     definitions[definition] = std::move(schema);
   };
   for (const Json& card : catalogue.at("nodes")) {
@@ -254,7 +254,7 @@ Json group_schema() {
                                {"description", text},
                                {"inputs", sockets(std::move(input))},
                                {"outputs", sockets(std::move(output))},
-                               {"nodes", keyed("The nodes, by id.", reference("group_node"))}},
+                               {"nodes", keyed("The nodes, by id.", reference_to("group_node"))}},
                               {"nodes"});
   schema["description"] = "Nodes that stand together wherever a node of type \"group/<name>\" is.";
   return schema;
@@ -277,9 +277,9 @@ Json document_schema(const Json& catalogue) {
           {{"unit",
             {{"enum", Json(length_unit_names)},
              {"description", "What coordinates count; without it they are meters."}}}}}}},
-       {"parameters", keyed("What a form shows and a request may set, by name.", reference("parameter"))},
-       {"groups", keyed("Nodes that stand together at several places, by name.", reference("group"))},
-       {"nodes", keyed("The nodes, by id.", reference("node"), true)},
+       {"parameters", keyed("What a form shows and a request may set, by name.", reference_to("parameter"))},
+       {"groups", keyed("Nodes that stand together at several places, by name.", reference_to("group"))},
+       {"nodes", keyed("The nodes, by id.", reference_to("node"), true)},
        {"ui", {{"description", "What the page remembers, such as places of nodes; never part of an evaluation."}}}},
       {"format", "nodes"});
   schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";

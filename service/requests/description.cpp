@@ -53,7 +53,7 @@ ProblemCollector faults_in(const RequestDescription& request, const Json& body) 
   for (const auto& [name, value] : body.items()) {
     if (request.find(name) != nullptr) continue;
     problems.add([&, &unknown = name] {
-      const std::string shown = excerpt(unknown);
+      const std::string shown = text_excerpt(unknown);
       return Problem{.code = "unknown-member",
                      .detail = "There is no member '" + shown + "'" + did_you_mean(shown, known),
                      .pointer = "/" + pointer_token(shown),

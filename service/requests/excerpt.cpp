@@ -2,7 +2,7 @@
 
 namespace dini {
 
-std::string excerpt(std::string_view text, std::size_t most_bytes) {
+std::string text_excerpt(std::string_view text, std::size_t most_bytes) {
   if (text.size() <= most_bytes) return std::string(text);
   std::size_t end = most_bytes;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;

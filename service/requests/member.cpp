@@ -105,7 +105,8 @@ std::optional<Problem> fault_in(const Member& member, const Json& value) {
   if (member.kind != MemberKind::choice) return std::nullopt;
   const auto& word = value.get_ref<const std::string&>();
   if (std::ranges::find(member.choices, word) != member.choices.end()) return std::nullopt;
-  return fault(member, "not-in-choices", "'" + excerpt(word) + "' is none of " + quoted_list(member.choices) + ".");
+  return fault(member, "not-in-choices",
+               "'" + text_excerpt(word) + "' is none of " + quoted_list(member.choices) + ".");
 }
 
 }  // namespace dini

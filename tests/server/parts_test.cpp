@@ -50,6 +50,6 @@ TEST_CASE("Hashed names are told from plain ones") {
 TEST_CASE("Text from outside is made harmless") {
   CHECK(escape_controls("a\x1b[2J\n\xc3\xa9") == "a\\x1b[2J\\x0a\\xc3\\xa9");
   CHECK(escape_controls(std::string(300, 'a')).size() == 203);
-  CHECK(excerpt("a\xc3\xa9", 2) == "a");
-  CHECK(excerpt("a\xc3\xa9", 3) == "a\xc3\xa9");
+  CHECK(text_excerpt("a\xc3\xa9", 2) == "a");
+  CHECK(text_excerpt("a\xc3\xa9", 3) == "a\xc3\xa9");
 }
