@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/service/shared_engine.h"
 #include "tests/support/close.h"
 #include "tests/support/reference.h"
 #include "tests/support/requests.h"
@@ -11,11 +12,6 @@ using namespace dini;
 using namespace dini::support;
 
 namespace {
-
-const Engine& engine() {
-  static const std::unique_ptr<Engine> one = make_engine();
-  return *one;
-}
 
 Vector vector_of(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
 

@@ -4,17 +4,13 @@
 
 #include "service/graph_difference.h"
 #include "service/graph_merge.h"
+#include "tests/service/shared_engine.h"
 #include "tests/support/requests.h"
 
 using namespace dini;
 using namespace dini::support;
 
 namespace {
-
-const Engine& engine() {
-  static const std::unique_ptr<Engine> made = make_engine();
-  return *made;
-}
 
 /// Boosted rings within a frame that turns them: two groups, one in the other, the inner one standing twice.
 Json nested() {

@@ -3,17 +3,13 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "tests/service/shared_engine.h"
 #include "tests/support/requests.h"
 
 using namespace dini;
 using namespace dini::support;
 
 namespace {
-
-const Engine& engine() {
-  static const std::unique_ptr<Engine> made = make_engine();
-  return *made;
-}
 
 Json graph() {
   Json json = document({{"ball", make("sphere_mesh", {{"radius", {{"parameter", "reach"}}}})},

@@ -5,17 +5,13 @@
 
 #include "gltf/glb_container.h"
 #include "graph/wire.h"
+#include "tests/service/shared_engine.h"
 #include "tests/support/requests.h"
 
 using namespace dini;
 using namespace dini::support;
 
 namespace {
-
-const Engine& engine() {
-  static const std::unique_ptr<Engine> one = make_engine();
-  return *one;
-}
 
 Asked showing(Json nodes, std::vector<std::string> preview) {
   Asked request;

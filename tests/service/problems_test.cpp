@@ -3,17 +3,13 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "tests/service/shared_engine.h"
 #include "tests/support/requests.h"
 
 using namespace dini;
 using namespace dini::support;
 
 namespace {
-
-const Engine& engine() {
-  static const std::unique_ptr<Engine> one = make_engine();
-  return *one;
-}
 
 /// A graph without faults, to put one in.
 Json sound() {
