@@ -8,10 +8,10 @@
 #include "tests/server/fixture.h"
 #include "tests/support/damage.h"
 
-namespace {
-
+using namespace dini;
 using namespace dini::support;
-using dini::Json;
+
+namespace {
 
 /// A document that is refused, as the text of a body of /v1/evaluate.
 struct Refused {

@@ -3,11 +3,10 @@
 #include "tests/server/fixture.h"
 #include "tests/support/documents.h"
 
-namespace {
+using namespace dini;
+using namespace dini::support;
 
-using namespace dini::support;
-using namespace dini::support;
-using dini::Json;
+namespace {
 
 const Json graph = document({{"ring", make("circle", {{"radius", 2}})},
                              {"tau", make("point_pair", {{"split", 0.5}})},
