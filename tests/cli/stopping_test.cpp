@@ -8,6 +8,7 @@
 #include "tests/server/client.h"
 #include "tests/support/eventually.h"
 
+using namespace dini;
 using namespace dini::support;
 
 namespace {
