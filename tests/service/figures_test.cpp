@@ -3,10 +3,10 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/service/shared_engine.h"
 #include "tests/support/close.h"
 #include "tests/support/reference.h"
 #include "tests/support/requests.h"
+#include "tests/support/shared_engine.h"
 
 using namespace dini;
 using namespace dini::support;

@@ -4,8 +4,8 @@
 
 #include "service/graph_difference.h"
 #include "service/graph_merge.h"
-#include "tests/service/shared_engine.h"
 #include "tests/support/requests.h"
+#include "tests/support/shared_engine.h"
 
 using namespace dini;
 using namespace dini::support;

@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/service/shared_engine.h"
 #include "tests/support/requests.h"
+#include "tests/support/shared_engine.h"
 
 using namespace dini;
 using namespace dini::support;

@@ -5,8 +5,8 @@
 
 #include "gltf/glb_container.h"
 #include "graph/wire.h"
-#include "tests/service/shared_engine.h"
 #include "tests/support/requests.h"
+#include "tests/support/shared_engine.h"
 
 using namespace dini;
 using namespace dini::support;
