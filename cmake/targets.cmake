@@ -56,13 +56,33 @@ function(dini_layer name)
   endif()
 endfunction()
 
-# dini_test(NAME SOURCES... LINK LIBRARIES... [THOROUGH]): one test program, every case a ctest of its own. What is thorough takes
-# so long that `scripts/test --quick` leaves it out.
+# dini_test_library(NAME SOURCES... LINK LIBRARIES...): what several test programs share.
+function(dini_test_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 library "" "" "SOURCES;LINK")
+  add_library(dini_test_${name} STATIC ${library_SOURCES})
+  target_link_libraries(dini_test_${name} PUBLIC dini_options ${library_LINK} PRIVATE Catch2::Catch2)
+  target_precompile_headers(dini_test_${name} REUSE_FROM dini_test_headers)
+endfunction()
+
+# dini_test(NAME SOURCES... LINK LIBRARIES... [ALONE SOURCES...] [THOROUGH]): one test program, every case a ctest of its own. What
+# is thorough takes so long that `scripts/test --quick` leaves it out. DINI_TOGETHER and ALONE as for a layer, but for the number of
+# sources: nearly all that compiling a test takes is the same for its neighbors. Two parts keep two processors busy to the end.
 function(dini_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 test "THOROUGH" "" "SOURCES;LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 test "THOROUGH" "" "SOURCES;LINK;ALONE")
   add_executable(tests_${name} ${test_SOURCES})
   target_link_libraries(tests_${name} PRIVATE dini_test_main ${test_LINK})
   target_precompile_headers(tests_${name} REUSE_FROM dini_test_headers)
+  list(LENGTH test_SOURCES count)
+  if(DINI_TOGETHER AND count GREATER 2)
+    set(most 10)
+    math(EXPR parts "(${count} + ${most} - 1) / ${most}")
+    if(parts LESS 2)
+      set(parts 2)
+    endif()
+    math(EXPR size "(${count} + ${parts} - 1) / ${parts}")
+    set_target_properties(tests_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${size})
+    set_source_files_properties(${test_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
   set(labels usual)
   if(test_THOROUGH)
     set(labels thorough)

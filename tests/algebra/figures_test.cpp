@@ -2,30 +2,21 @@
 // (tests/data/boosted_surfaces.json).
 
 #include <catch2/catch.hpp>
-#include <fstream>
 
 #include "algebra/construct.h"
 #include "algebra/elementary.h"
 #include "algebra/extract.h"
 #include "algebra/kernels.h"
 #include "algebra/versor.h"
+#include "geometry/angle.h"
 #include "geometry/json.h"
+#include "tests/algebra/reference_elements.h"
 #include "tests/support/close.h"
 
 using namespace dini;
+using namespace dini::support;
 
 namespace {
-
-constexpr double pi = 3.14159265358979311600;
-
-const Json& reference() {
-  static const Json data = Json::parse(std::ifstream(DINI_TEST_DATA "/boosted_surfaces.json"));
-  return data;
-}
-
-Vector vector_of(const Json& json) { return {json[0], json[1], json[2]}; }
-Point point_of(const Json& json) { return to_point(vector_of(json)); }
-Generator pair_of(const Json& json) { return null_pair(point_of(json["at"]), vector_of(json["dir"])); }
 
 Point transformed(const Generator& generator, Rule rule, const Json& point) {
   return *apply(exponential(generator, rule), point_of(point));
@@ -43,7 +34,7 @@ void require_circle(const Circle& circle, const Json& item, bool oriented) {
   REQUIRE_FALSE(found->line);
   require_close(found->center, point_of(item.contains("centre") ? item["centre"] : item["circle_centre"]));
   REQUIRE(found->radius == Approx(item["radius"].get<double>()).epsilon(1e-12));
-  const Vector normal = vector_of(item["normal_up_to_sign"]);
+  const Vector normal = triple(item["normal_up_to_sign"]);
   const double sign = oriented || dot(found->normal, normal) > 0 ? 1 : -1;
   require_close(found->normal, sign * normal);
 }
@@ -79,7 +70,7 @@ TEST_CASE("Figure 1: the boosted circle becomes a line to round-off anywhere in 
 
 TEST_CASE("Points under one null generator") {
   for (const Json& item : reference()["b"]["items"]) {
-    const Generator tau = null_pair(point_of(item["tau_position"]), vector_of(item["tau_direction"]));
+    const Generator tau = null_pair(point_of(item["tau_position"]), triple(item["tau_direction"]));
     for (const Rule rule : {Rule::exact, Rule::paper}) {
       require_close(transformed(item["k"].get<double>() * tau, rule, item["point"]), point_of(item["result"]));
     }
@@ -187,7 +178,7 @@ TEST_CASE("Figures 6, 7: fibers by boost and motor") {
 
 TEST_CASE("Figures 4, 5: boosted helices") {
   for (const Json& item : reference()["j"]["items"]) {
-    const Generator pair = null_pair(point_of(item["generator_at"]), vector_of(item["generator_dir_times_j"]));
+    const Generator pair = null_pair(point_of(item["generator_at"]), triple(item["generator_dir_times_j"]));
     require_close(transformed(pair, Rule::exact, item["helix_point"]), point_of(item["result"]));
   }
 }
@@ -200,7 +191,7 @@ TEST_CASE("Figure 8: flat points and split pairs") {
     }
     const double d = item["d"], s = item["s"];
     for (const auto& [name, split] : {std::pair{"B=no^t + d (t^ni)", -d}, std::pair{"B=no^t - d (t^ni)", d}}) {
-      const Generator pair = split_pair(point_of(item["position"]), vector_of(item["direction"]), split);
+      const Generator pair = split_pair(point_of(item["position"]), triple(item["direction"]), split);
       for (const Rule rule : {Rule::exact, Rule::paper}) {
         require_close(transformed(s * pair, rule, item["point"]), point_of(item[name]["result"]));
       }
@@ -210,11 +201,9 @@ TEST_CASE("Figure 8: flat points and split pairs") {
 
 TEST_CASE("Figure 3: loxodromes") {
   for (const Json& item : reference()["n"]["items"]) {
-    require_both_rules({item["lambda"].get<double>() * vector_of(item["a"]),
-                        {},
-                        0,
-                        item["gamma"].get<double>() * vector_of(item["b"])},
-                       item);
+    require_both_rules(
+        {item["lambda"].get<double>() * triple(item["a"]), {}, 0, item["gamma"].get<double>() * triple(item["b"])},
+        item);
   }
 }
 

@@ -5,24 +5,12 @@
 #include "algebra/extract.h"
 #include "algebra/relation.h"
 #include "algebra/versor.h"
+#include "tests/algebra/round_or_flat.h"
 #include "tests/support/close.h"
 #include "tests/support/random_elements.h"
 
 using namespace dini;
-
-namespace {
-
-Sphere sphere_or_plane(RandomElements& random, int i) {
-  return i % 3 == 0 ? plane_from(random.point(), random.vector())
-                    : sphere_from(random.point(), 0.2 + std::abs(random.number()));
-}
-
-Circle circle_or_line(RandomElements& random, int i) {
-  return i % 4 == 0 ? line_from(random.point(), random.vector())
-                    : circle_from(random.point(), random.vector(), 0.2 + std::abs(random.number()));
-}
-
-}  // namespace
+using namespace dini::support;
 
 TEST_CASE("Points of a meet lie on both, and there are none exactly where spheres are apart") {
   RandomElements random(11);
@@ -58,7 +46,7 @@ TEST_CASE("The two points where a circle meets a sphere lie on both, and their p
   RandomElements random(12);
   int crossing = 0, apart = 0;
   for (int i = 0; i < 600; ++i) {
-    const Circle circle = circle_or_line(random, i);
+    const Circle circle = circle_or_line(random, i, 4);
     const Sphere sphere = sphere_or_plane(random, i);
     const auto found = meet(circle, sphere);
     REQUIRE(found);

@@ -5,14 +5,13 @@
 #include "algebra/construct.h"
 #include "algebra/extract.h"
 #include "algebra/versor.h"
+#include "geometry/angle.h"
 #include "tests/support/close.h"
 #include "tests/support/random_elements.h"
 
 using namespace dini;
 
 namespace {
-
-constexpr double pi = 3.14159265358979311600;
 
 void require_same_action(const Versor& a, const Versor& b, double tolerance = 1e-12) {
   for (const Point& p : {Point{1, 2, 3}, Point{-2, 0.5, 1}, Point{0, 0, 0}})

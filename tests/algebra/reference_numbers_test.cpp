@@ -3,27 +3,19 @@
 // of generators and radii of images are differences of larger numbers, so their size is that of those.
 
 #include <catch2/catch.hpp>
-#include <fstream>
 
 #include "algebra/construct.h"
 #include "algebra/extract.h"
 #include "algebra/generator_kind.h"
 #include "algebra/versor.h"
 #include "geometry/json.h"
+#include "tests/algebra/reference_elements.h"
 #include "tests/support/close.h"
 
 using namespace dini;
+using namespace dini::support;
 
 namespace {
-
-const Json& reference() {
-  static const Json data = Json::parse(std::ifstream(DINI_TEST_DATA "/boosted_surfaces.json"));
-  return data;
-}
-
-Vector vector_of(const Json& json) { return {json[0], json[1], json[2]}; }
-Point point_of(const Json& json) { return to_point(vector_of(json)); }
-Generator pair_of(const Json& json) { return null_pair(point_of(json["at"]), vector_of(json["dir"])); }
 
 void require_number(double value, double expected, double size = 1) {
   INFO(value << " against " << expected);
@@ -45,7 +37,7 @@ void require_squares(const Generator& generator, const Json& item) {
                        2 * length(generator.no_e) * length(generator.e_ni);
   require_number(square, item["B_squared_scalar_part_before_s"], terms);
   require_number(quad, item["square_of_B_wedge_B"], terms * terms);
-  const Vector p = vector_of(item["point"]);
+  const Vector p = triple(item["point"]);
   const Sphere image =
       apply(exponential(item["s"].get<double>() * generator, Rule::paper), Sphere{1, p, dot(p, p) / 2});
   const double size = squared_length(image.e) / (image.no * image.no);
@@ -73,7 +65,7 @@ TEST_CASE("Weights of a warp, and the squares of what they sum up to") {
       Generator sum;
       for (std::size_t k = 0; k < given["generators"].size(); ++k) {
         const Json& one = given["generators"][k];
-        const double weight = 1 / (squared_length(vector_of(item["point"]) - vector_of(one["at"])) + softening);
+        const double weight = 1 / (squared_length(triple(item["point"]) - triple(one["at"])) + softening);
         require_number(weight, item["weights"][k]);
         sum = sum + weight * pair_of(one);
       }
@@ -91,19 +83,19 @@ TEST_CASE("The generators of local curvature, split pairs and loxodromes have th
   }
   for (const Json& item : reference()["k"]["items"]) {
     if (item.contains("scale_about_p")) {
-      const Vector p{1, 2, 3}, before = vector_of(item["point"]) - p, after = vector_of(item["exp_plus"]) - p;
+      const Vector p{1, 2, 3}, before = triple(item["point"]) - p, after = triple(item["exp_plus"]) - p;
       require_number(length(after) / length(before), item["scale_about_p"]);
       continue;
     }
     const double d = item["d"];
     for (const auto& [name, split] : {std::pair{"B=no^t + d (t^ni)", -d}, std::pair{"B=no^t - d (t^ni)", d}}) {
-      const Generator pair = split_pair(point_of(item["position"]), vector_of(item["direction"]), split);
+      const Generator pair = split_pair(point_of(item["position"]), triple(item["direction"]), split);
       require_number(squares(pair).first, item[name]["B_squared"]);
     }
   }
   for (const Json& item : reference()["n"]["items"]) {
     const Generator loxodrome{
-        item["lambda"].get<double>() * vector_of(item["a"]), {}, 0, item["gamma"].get<double>() * vector_of(item["b"])};
+        item["lambda"].get<double>() * triple(item["a"]), {}, 0, item["gamma"].get<double>() * triple(item["b"])};
     require_number(squares(loxodrome).first, item["B_squared_scalar"]);
     CHECK((kind_of(loxodrome) != GeneratorKind::general) == item["simple"].get<bool>());
   }
@@ -131,11 +123,11 @@ TEST_CASE("Where the product of two weighted points vanishes, and where it colla
 TEST_CASE("The fibers of the paper lie beside those of the Hopf fibration, and by how much") {
   for (const Json& item : reference()["i"]["items"]) {
     const double k = item["phi"].get<double>() + 0.5;
-    const double radius = item["radius"], center = length(vector_of(item["centre"]));
+    const double radius = item["radius"], center = length(triple(item["centre"]));
     require_number(item["radius2_minus_centre2"], radius * radius - center * center);
     require_number(item["radius2_minus_centre2"], 1 - k * k / 4);
     const Json& exact = item["true_hopf_fibre_same_tilt"];
-    const double exact_radius = exact["radius"], exact_center = length(vector_of(exact["centre"]));
+    const double exact_radius = exact["radius"], exact_center = length(triple(exact["centre"]));
     require_number(exact_radius * exact_radius - exact_center * exact_center, 1);
   }
 }

@@ -5,22 +5,14 @@
 #include "algebra/extract.h"
 #include "algebra/meet.h"
 #include "algebra/versor.h"
+#include "tests/algebra/round_or_flat.h"
 #include "tests/support/close.h"
 #include "tests/support/random_elements.h"
 
 using namespace dini;
+using namespace dini::support;
 
 namespace {
-
-Circle circle_or_line(RandomElements& random, int i) {
-  return i % 3 == 0 ? line_from(random.point(), random.vector())
-                    : circle_from(random.point(), random.vector(), 0.2 + std::abs(random.number()));
-}
-
-Sphere sphere_or_plane(RandomElements& random, int i) {
-  return i % 3 == 0 ? plane_from(random.point(), random.vector())
-                    : sphere_from(random.point(), 0.2 + std::abs(random.number()));
-}
 
 /// Many points of a circle, or of a piece of a line.
 std::vector<Point> points_of(const Circle& circle) {
@@ -36,7 +28,7 @@ std::vector<Point> points_of(const Circle& circle) {
 TEST_CASE("The nearest point lies on the element, and no other of its points is nearer") {
   RandomElements random(21);
   for (int i = 0; i < 40; ++i) {
-    const Circle circle = circle_or_line(random, i);
+    const Circle circle = circle_or_line(random, i, 3);
     const Sphere sphere = sphere_or_plane(random, i);
     const Point p = random.point(2);
     const Point on_circle = *nearest_point(circle, p), on_sphere = *nearest_point(sphere, p);
@@ -64,7 +56,7 @@ TEST_CASE("The least distance of a circle from another element is that of its ne
   RandomElements random(22);
   for (int i = 0; i < 30; ++i) {
     const Circle circle = circle_from(random.point(), random.vector(), 0.2 + std::abs(random.number()));
-    const Circle other = circle_or_line(random, i);
+    const Circle other = circle_or_line(random, i, 3);
     const Sphere sphere = sphere_or_plane(random, i);
     double to_circle = 1e9, to_sphere = 1e9;
     for (const Point& p : points_of(circle)) {
@@ -100,7 +92,7 @@ TEST_CASE("Angles are the same under every conformal map") {
   RandomElements random(23);
   for (int i = 0; i < 200; ++i) {
     const Versor v = exponential(random.generator(0.25));
-    const Circle c = circle_or_line(random, i), d = circle_or_line(random, i / 3);
+    const Circle c = circle_or_line(random, i, 3), d = circle_or_line(random, i / 3, 3);
     const Sphere s = sphere_or_plane(random, i), t = sphere_or_plane(random, i / 3);
     CHECK(*angle_cosine(apply(v, c), apply(v, d)) == Approx(*angle_cosine(c, d)).margin(1e-9));
     CHECK(*angle_cosine(apply(v, c), apply(v, s)) == Approx(*angle_cosine(c, s)).margin(1e-9));

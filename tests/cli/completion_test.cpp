@@ -13,7 +13,7 @@ using namespace dini::support;
 
 namespace {
 
-std::set<std::string> words_of(const std::string& text) {
+std::set<std::string> distinct_words(const std::string& text) {
   std::istringstream stream(text);
   return {std::istream_iterator<std::string>(stream), {}};
 }
@@ -30,7 +30,7 @@ std::set<std::string> offered(const std::vector<std::string>& line) {
   const Outcome outcome = bash.wait();
   CHECK(outcome.code == 0);
   CHECK(outcome.err.empty());
-  return words_of(outcome.out);
+  return distinct_words(outcome.out);
 }
 
 /// The commands of `dini --help`.

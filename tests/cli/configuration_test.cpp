@@ -6,14 +6,15 @@
 #include "tests/cli/variable.h"
 #include "tests/support/folder.h"
 
+using namespace dini;
 using namespace dini::support;
 
 namespace {
 
 /// A configuration file of that text.
-class File {
+class ConfigurationFile {
  public:
-  explicit File(const std::string& text) { folder_.write("dini.toml", text); }
+  explicit ConfigurationFile(const std::string& text) { folder_.write("dini.toml", text); }
   std::string path() const { return (folder_.path() / "dini.toml").string(); }
 
  private:
@@ -44,7 +45,7 @@ std::string values_of(const std::string& text) {
 }  // namespace
 
 TEST_CASE("A flag wins over the environment, which wins over the file, which wins over the default") {
-  const File file("nodes = 5\nlinks = 6\njson_depth = 7\nhost = '127.0.0.2'\n");
+  const ConfigurationFile file("nodes = 5\nlinks = 6\njson_depth = 7\nhost = '127.0.0.2'\n");
   const Variable links("DINI_LINKS", "16"), depth("DINI_JSON_DEPTH", "17"), port("DINI_PORT", "1234");
   const Outcome outcome = printed(file.path(), {"--json-depth", "27"});
   CHECK(outcome.code == 0);
@@ -61,7 +62,7 @@ TEST_CASE("What --print-config prints says the same when it is read") {
                                      "--port", "0", "--examples", "/tmp", "--web", "a \"b\\c\x7f", "--threads", "3"});
   REQUIRE(first.code == 0);
   CHECK(tells(first, "allow_host = [\"a.example:8443\", \"b.example\"]  # from --allow-host"));
-  const File file(first.out);
+  const ConfigurationFile file(first.out);
   const Outcome second = printed(file.path());
   CHECK(second.code == 0);
   CHECK(values_of(second.out) == values_of(first.out));
@@ -82,7 +83,7 @@ TEST_CASE("Every limit is printed with its unit") {
 }
 
 TEST_CASE("A token is taken from everywhere and never shown") {
-  const File file("token = 'swordfish'");
+  const ConfigurationFile file("token = 'swordfish'");
   const Outcome from_file = printed(file.path());
   CHECK(from_file.code == 0);
   CHECK(tells(from_file, "# token is set, and not shown; from " + file.path()));
@@ -99,7 +100,7 @@ TEST_CASE("A list in the environment is separated by commas") {
 }
 
 TEST_CASE("The environment names the file too") {
-  const File file("nodes = 5");
+  const ConfigurationFile file("nodes = 5");
   const Variable config("DINI_CONFIG", file.path());
   CHECK(tells(printed(""), "nodes = 5  # from " + file.path()));
 }
@@ -123,7 +124,7 @@ TEST_CASE("What is wrong in the file is told by file, line and setting") {
       {"host = \"\\u0000\nx", ":1: "},
   }));
   INFO(text);
-  const File file(text);
+  const ConfigurationFile file(text);
   const Outcome outcome = printed(file.path());
   CHECK(outcome.code == 2);
   CHECK(outcome.err.starts_with("error: " + file.path() + line));
@@ -132,7 +133,7 @@ TEST_CASE("What is wrong in the file is told by file, line and setting") {
 }
 
 TEST_CASE("What is wrong in the file is told also where it is not needed, and all of it at once") {
-  const File file("nodes = 0\nlinks = 'x'\n");
+  const ConfigurationFile file("nodes = 0\nlinks = 'x'\n");
   const Outcome outcome = printed(file.path(), {"--nodes", "5", "--links", "6"});
   CHECK(outcome.code == 2);
   CHECK(std::ranges::count(outcome.err, '\n') == 2);

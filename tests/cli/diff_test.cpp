@@ -10,14 +10,14 @@ using namespace dini::support;
 
 namespace {
 
-Json ball(double radius) {
+Json ball_of(double radius) {
   Json graph = document({{"ball", make("sphere_mesh", {{"radius", radius}, {"segments", 16}, {"rings", 8}})},
                          {"out", make("export", {{"model", from("ball")}})}});
   graph["parameters"] = {{"reach", {{"type", "number"}, {"default", 1}}}};
   return graph;
 }
 
-struct Files : GraphFolder {
+struct ModelFolder : GraphFolder {
   std::string model(const std::string& name, const Json& json) const {
     REQUIRE(run({"eval", graph("graph.json", json), "-o", at(name)}).code == 0);
     return at(name);
@@ -27,16 +27,16 @@ struct Files : GraphFolder {
 }  // namespace
 
 TEST_CASE("Graphs differ by nodes, inputs and parameters, and not by layout, order and what the page remembers") {
-  const Files files;
-  const std::string before = files.graph("a.json", ball(1));
-  Json moved = ball(1);
+  const ModelFolder files;
+  const std::string before = files.graph("a.json", ball_of(1));
+  Json moved = ball_of(1);
   moved["ui"] = {{"nodes", {{"ball", {{"x", 4}}}}}};
   files.write("b.json", moved.dump(4));
   const Outcome same = run({"diff", before, files.at("b.json")});
   CHECK(same.code == 0);
   CHECK(same.out.empty());
 
-  Json after = ball(2);
+  Json after = ball_of(2);
   after["nodes"]["ball"]["inputs"].erase("rings");
   after["nodes"]["extra"] = make("circle");
   after["parameters"]["reach"]["default"] = 3;
@@ -56,9 +56,9 @@ TEST_CASE("Graphs differ by nodes, inputs and parameters, and not by layout, ord
 }
 
 TEST_CASE("Models differ by shape, and not by bytes") {
-  const Files files;
-  const std::string one = files.model("one.glb", ball(1)), larger = files.model("larger.glb", ball(1.01));
-  Json renamed = ball(1);
+  const ModelFolder files;
+  const std::string one = files.model("one.glb", ball_of(1)), larger = files.model("larger.glb", ball_of(1.01));
+  Json renamed = ball_of(1);
   renamed["nodes"]["sphere"] = renamed["nodes"]["ball"];
   renamed["nodes"].erase("ball");
   renamed["nodes"]["out"]["inputs"]["model"] = from("sphere");
@@ -76,9 +76,9 @@ TEST_CASE("Models differ by shape, and not by bytes") {
 }
 
 TEST_CASE("Models of other programs are compared too, and what of them is not is told") {
-  const Files files;
-  const std::string packed = files.model("packed.glb", ball(1)), larger = files.model("larger.glb", ball(1.01));
-  REQUIRE(run({"eval", files.graph("graph.json", ball(1)), "--no-draco", "-o", files.at("plain.glb")}).code == 0);
+  const ModelFolder files;
+  const std::string packed = files.model("packed.glb", ball_of(1)), larger = files.model("larger.glb", ball_of(1.01));
+  REQUIRE(run({"eval", files.graph("graph.json", ball_of(1)), "--no-draco", "-o", files.at("plain.glb")}).code == 0);
   const Outcome alike = run({"diff", packed, files.at("plain.glb")});
   CAPTURE(alike.out, alike.err);
   CHECK(alike.code == 0);
@@ -112,8 +112,8 @@ TEST_CASE("Models of other programs are compared too, and what of them is not is
 }
 
 TEST_CASE("What cannot be compared is refused with a sentence, and is never the same") {
-  const Files files;
-  const std::string graph = files.graph("a.json", ball(1)), model = files.model("one.glb", ball(1));
+  const ModelFolder files;
+  const std::string graph = files.graph("a.json", ball_of(1)), model = files.model("one.glb", ball_of(1));
   files.write("package.json", "{}");
   files.write("broken.json", "{");
   const std::string bytes = contents(model);

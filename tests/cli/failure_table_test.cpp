@@ -37,17 +37,19 @@ Json exporting(const std::string& id, Json nodes) {
   return with_spare(std::move(nodes));
 }
 
-Json ball(Json radius) { return make("sphere_mesh", {{"radius", std::move(radius)}, {"segments", 8}, {"rings", 4}}); }
+Json ball_node(Json radius) {
+  return make("sphere_mesh", {{"radius", std::move(radius)}, {"segments", 8}, {"rings", 4}});
+}
 
 Json ball_of(const std::string& formula) {
   return exporting("moved", {{"n", make("expression", {{"formula", formula}})},
-                             {"ball", ball(1)},
+                             {"ball", ball_node(1)},
                              {"moved", make("scale", {{"shape", from("ball")}, {"factor", from("n")}})}});
 }
 
 /// So far away that all its vertices are at one place.
 Json ball_at(double distance) {
-  return exporting("moved", {{"ball", ball(1)},
+  return exporting("moved", {{"ball", ball_node(1)},
                              {"moved", make("translate", {{"shape", from("ball")}, {"vector", {distance, 0, 0}}})}});
 }
 
@@ -56,7 +58,7 @@ Json imported() { return exporting("mesh", {{"mesh", make("import", {{"asset", "
 std::string triangle_with(const std::string& corner) { return "v 0 0 0\nv 1 0 0\nv " + corner + "\nf 1 2 3\n"; }
 
 Json ball_that_fails_a_check() {
-  return exporting("ball", {{"ball", ball(1)}, {"held", make("check", {{"value", 2}, {"maximum", 1}})}});
+  return exporting("ball", {{"ball", ball_node(1)}, {"held", make("check", {{"value", 2}, {"maximum", 1}})}});
 }
 
 Json box(Json size) { return exporting("box", {{"box", make("box_mesh", {{"size", std::move(size)}})}}); }
@@ -69,16 +71,17 @@ std::vector<Row> rows() {
       {"an unknown node", exporting("ball", {{"ball", make("sphere_mash")}}), 3, "unknown-node-type"},
       {"an unknown input", exporting("ball", {{"ball", make("sphere_mesh", {{"radios", 1}})}}), 3, "unknown-port"},
       {"an unknown variable", ball_of("q"), 3, "invalid-formula"},
-      {"a link to nothing", exporting("bal", {{"ball", ball(1)}}), 3, "dangling-link"},
-      {"an unknown parameter", exporting("ball", {{"ball", ball({{"parameter", "size"}})}}), 3, "unknown-parameter"},
+      {"a link to nothing", exporting("bal", {{"ball", ball_node(1)}}), 3, "dangling-link"},
+      {"an unknown parameter", exporting("ball", {{"ball", ball_node({{"parameter", "size"}})}}), 3,
+       "unknown-parameter"},
       // OpenSCAD: a failed assert() ends with 0, depending on the kind of file.
       {"a check that does not hold", ball_that_fails_a_check(), 1, "check-failed"},
       // manifold-cad: a cube of negative size is an empty file that no viewer takes.
-      {"a negative size", exporting("ball", {{"ball", ball(-1)}}), 3, "out-of-range"},
+      {"a negative size", exporting("ball", {{"ball", ball_node(-1)}}), 3, "out-of-range"},
       {"a box of negative size", box({1, -1, 1}), 4, "degenerate"},
       {"a box of no size", box({0, 0, 0}), 4, "degenerate"},
       {"a negative size from a wire",
-       exporting("ball", {{"n", make("expression", {{"formula", "-1"}})}, {"ball", ball(from("n"))}}), 4,
+       exporting("ball", {{"n", make("expression", {{"formula", "-1"}})}, {"ball", ball_node(from("n"))}}), 4,
        "out-of-range"},
       {"a model of nothing", ball_at(1e17), 4, "nothing-to-export"},
       // gltf-transform writes numbers that are none; draco_encoder is aborted by them.
@@ -173,7 +176,7 @@ TEST_CASE("What fails is a problem by HTTP, whatever is accepted") {
 
 TEST_CASE("A name that the graph does not know ends every command with 3, whatever else is well") {
   const Table table;
-  table.write("graph.json", exporting("ball", {{"ball", ball(1)}}).dump());
+  table.write("graph.json", exporting("ball", {{"ball", ball_node(1)}}).dump());
   const std::string graph = table.at("graph.json");
   for (const auto& words : std::vector<std::vector<std::string>>{{"eval", graph, "-o", table.at("m.obj")},
                                                                  {"sweep", graph, "--list", "spare=1,2"},
@@ -198,7 +201,7 @@ TEST_CASE("A name that the graph does not know ends every command with 3, whatev
 // ComfyUI answers 200 when one of several outputs is well, and drops the others.
 TEST_CASE("An output that is well does not hide another that fails") {
   const Table table;
-  Json graph = exporting("ball", {{"ball", ball(1)}, {"n", make("expression", {{"formula", "1 / x"}})}});
+  Json graph = exporting("ball", {{"ball", ball_node(1)}, {"n", make("expression", {{"formula", "1 / x"}})}});
   graph["nodes"]["bent"] = make("scale", {{"shape", from("ball")}, {"factor", from("n")}});
   graph["nodes"]["bad"] = make("export", {{"model", from("bent")}});
   table.write("graph.json", graph.dump());
@@ -213,7 +216,7 @@ TEST_CASE("An output that is well does not hide another that fails") {
 // Blender exports without Draco when the library is not there, and ends with 0.
 TEST_CASE("A model is compressed where that is asked for, or says that it is not") {
   const Table table;
-  table.write("graph.json", exporting("ball", {{"ball", ball(1)}}).dump());
+  table.write("graph.json", exporting("ball", {{"ball", ball_node(1)}}).dump());
   const auto document_of = [&](const std::vector<std::string>& more) {
     std::vector<std::string> words = {"eval", table.at("graph.json"), "-o", "-", "--format", "gltf"};
     words.insert(words.end(), more.begin(), more.end());

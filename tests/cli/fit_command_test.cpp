@@ -9,7 +9,7 @@ using namespace dini::support;
 
 namespace {
 
-Json ball() {
+Json raised_ball() {
   Json graph = document(
       {{"ball", make("sphere_mesh", {{"radius", {{"parameter", "radius"}}}, {"center", {0, 0, 1}}, {"segments", 24}})},
        {"mass", make("measure", {{"model", from("ball")}})},
@@ -19,7 +19,7 @@ Json ball() {
 }
 
 struct Fits : Folder {
-  Fits() { write("ball.json", ball().dump()); }
+  Fits() { write("ball.json", raised_ball().dump()); }
   std::string at(const std::string& name) const { return (path() / name).string(); }
   Outcome run(std::vector<std::string> words) const {
     words.insert(words.begin(), DINI_PROGRAM);
@@ -45,7 +45,7 @@ TEST_CASE("A ball takes the radius of the mesh that it is to be like, and the gr
   CHECK(outcome.code == 0);
   CHECK(outcome.out.starts_with("radius=1.7"));
   CHECK(std::abs(fits.json("best.json")["parameters"]["radius"]["default"].get<double>() - 1.75) < 1e-5);
-  CHECK(fits.json("best.json")["nodes"] == ball()["nodes"]);
+  CHECK(fits.json("best.json")["nodes"] == raised_ball()["nodes"]);
   const Json report = fits.json("fit.json");
   CHECK(report["succeeded"] == true);
   CHECK(report["distance"]["largest"] < 1e-5);
@@ -117,7 +117,7 @@ TEST_CASE("A fit that cannot be done leaves a report that says why") {
 
 TEST_CASE("The graph that a fit writes has the values that were given too") {
   const Fits fits;
-  Json graph = ball();
+  Json graph = raised_ball();
   graph["parameters"]["height"] = {{"type", "number"}, {"default", 1}};
   graph["nodes"]["tall"] = make("vector", {{"z", {{"parameter", "height"}}}});
   fits.write("tall.json", graph.dump());

@@ -21,7 +21,7 @@ std::vector<std::string> all_examples() {
   return files;
 }
 
-Json ball() {
+Json coarse_ball() {
   return document({{"ball", make("sphere_mesh", {{"segments", 8}, {"rings", 4}})},
                    {"out", make("export", {{"model", from("ball")}})}});
 }
@@ -85,7 +85,7 @@ TEST_CASE("Fmt refuses what is no graph document, goes on with the others, and e
   const Folder folder;
   folder.write("other.json", R"({"name": "a package"})");
   folder.write("broken.json", "{\"format\": 1,\n \"nodes\": {");
-  folder.write("good.json", ball().dump());
+  folder.write("good.json", coarse_ball().dump());
   const auto path = [&](const char* name) { return (folder.path() / name).string(); };
   const Outcome outcome = run({"fmt", path("other.json"), path("broken.json"), path("good.json")});
   CHECK(outcome.code == 3);
@@ -150,21 +150,21 @@ TEST_CASE("Wrong calls of hash and explain end with the right code and tell noth
 }
 
 TEST_CASE("Explain tells every node that would run, and evaluates none") {
-  const Outcome outcome = run({"explain", "-"}, ball().dump());
+  const Outcome outcome = run({"explain", "-"}, coarse_ball().dump());
   CHECK(outcome.code == 0);
   CHECK(outcome.out.starts_with("2 nodes run, about "));
   CHECK(has(outcome.out, "\nball  sphere_mesh  runs  "));
-  const Json explained = Json::parse(run({"explain", "-", "--json", "--preview", "ball"}, ball().dump()).out);
+  const Json explained = Json::parse(run({"explain", "-", "--json", "--preview", "ball"}, coarse_ball().dump()).out);
   CHECK(explained["runs"] == 1);
   CHECK(explained["nodes"]["ball"]["why"][0]["because"] == "new");
 }
 
 TEST_CASE("Upgrade leaves formats 1 and 2 as they are, and refuses another") {
-  const Outcome good = run({"upgrade", example("fig11_patch").string(), "-"}, ball().dump());
+  const Outcome good = run({"upgrade", example("fig11_patch").string(), "-"}, coarse_ball().dump());
   CHECK(good.code == 0);
   CHECK(has(good.out, "fig11_patch.json: format 1 is read as it is, nothing to do\n"));
   CHECK(has(good.out, "standard input: format 1 is read as it is, nothing to do\n"));
-  Json newer = ball();
+  Json newer = coarse_ball();
   newer["format"] = 2;
   CHECK(has(run({"upgrade", "-"}, newer.dump()).out, "standard input: format 2 is the newest, nothing to do\n"));
   newer["format"] = 3;

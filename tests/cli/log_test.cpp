@@ -8,6 +8,7 @@
 #include "tests/cli/serving.h"
 #include "tests/server/client.h"
 
+using namespace dini;
 using namespace dini::support;
 
 namespace {

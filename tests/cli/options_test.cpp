@@ -41,7 +41,7 @@ std::vector<std::string> words_of(const std::string& command) {
 }
 
 /// A ball whose radius is a parameter, and whose mesh may come from a file.
-Json ball() {
+Json adjustable_ball() {
   Json graph = document({{"ball", make("sphere_mesh", {{"radius", {{"parameter", "radius"}}}, {"segments", 64}})},
                          {"out", make("export", {{"model", from("ball")}})}});
   graph["parameters"] = {{"radius", {{"type", "number"}, {"default", 1}, {"min", 0.1}, {"max", 9}}}};
@@ -49,7 +49,7 @@ Json ball() {
 }
 
 /// A graph of a mesh file called "mesh", which can be swept too.
-Json imported() {
+Json scaled_import() {
   Json graph = document({{"mesh", make("import", {{"asset", "mesh"}, {"scale", {{"parameter", "size"}}}})},
                          {"out", make("export", {{"model", from("mesh")}})}});
   graph["parameters"] = {{"size", {{"type", "number"}, {"default", 1}}}};
@@ -69,8 +69,6 @@ Json slow() {
   graph["parameters"] = {{"soft", {{"type", "number"}, {"default", 1}}}};
   return graph;
 }
-
-using Files = GraphFolder;
 
 }  // namespace
 
@@ -104,7 +102,7 @@ TEST_CASE("Every command refuses an option that it does not have, and one that i
 }
 
 TEST_CASE("Colors are a choice of every command that tells problems") {
-  const Files files;
+  const GraphFolder files;
   const std::string broken = files.graph("broken.json", "no graph");
   for (const auto& [command, options] : documented_options()) {
     const bool has_color = std::ranges::find(options, "--color", &Option::name) != options.end();
@@ -129,8 +127,8 @@ TEST_CASE("Colors are a choice of every command that tells problems") {
 }
 
 TEST_CASE("Threads and instructions change nothing of the answer of any command, and wrong ones are refused") {
-  const Files files;
-  const std::string graph = files.graph("ball.json", ball());
+  const GraphFolder files;
+  const std::string graph = files.graph("ball.json", adjustable_ball());
   const auto answer = [&](const std::string& command, const std::vector<std::string>& more) {
     std::vector<std::string> words = {command, graph};
     if (command == "inspect") words.insert(words.end(), {"ball", "--full"});
@@ -157,7 +155,7 @@ TEST_CASE("Threads and instructions change nothing of the answer of any command,
 }
 
 TEST_CASE("A model that is not done in time ends eval, test and sweep with 5, and none is left behind") {
-  const Files files;
+  const GraphFolder files;
   const std::string graph = files.graph("slow.json", slow());
   for (const std::vector<std::string>& words :
        std::vector<std::vector<std::string>>{{"eval", graph, "-o", files.at("m.glb")},
@@ -177,9 +175,9 @@ TEST_CASE("A model that is not done in time ends eval, test and sweep with 5, an
 }
 
 TEST_CASE("Eval, test and sweep take a mesh file, and say that they lack it") {
-  const Files files;
+  const GraphFolder files;
   files.write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  const std::string graph = files.graph("import.json", imported());
+  const std::string graph = files.graph("import.json", scaled_import());
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
            {"eval", graph}, {"test", graph}, {"sweep", graph, "--list", "size=1,2"}}) {
     const Outcome lacking = run(words);
@@ -211,8 +209,8 @@ TEST_CASE("The inputs that name files are called so that the program knows when 
 }
 
 TEST_CASE("A sweep takes format and quality, is quiet, and goes on unless it is told not to") {
-  const Files files;
-  const std::string graph = files.graph("ball.json", ball());
+  const GraphFolder files;
+  const std::string graph = files.graph("ball.json", adjustable_ball());
   const auto sweep = [&](const std::vector<std::string>& more) {
     std::vector<std::string> words = {"sweep", graph, "--list", "radius=1,99,2", "--jobs", "1"};
     words.insert(words.end(), more.begin(), more.end());
@@ -236,12 +234,12 @@ TEST_CASE("A sweep takes format and quality, is quiet, and goes on unless it is 
 }
 
 TEST_CASE("The long names of options do what the short ones do") {
-  const Files files;
-  const std::string graph = files.graph("ball.json", ball());
+  const GraphFolder files;
+  const std::string graph = files.graph("ball.json", adjustable_ball());
   REQUIRE(run({"eval", graph, "--out", files.at("a.glb"), "--verbose"}).code == 0);
   REQUIRE(run({"eval", graph, "-o", files.at("b.glb")}).code == 0);
   CHECK(contents(files.at("a.glb")) == contents(files.at("b.glb")));
   CHECK(has(run({"test", graph, "--verbose"}).err, " ms  ball (sphere_mesh)\n"));
   CHECK(run({"merge", graph, graph, graph, "--out", files.at("merged.json")}).code == 0);
-  CHECK(Json::parse(files.read("merged.json")) == ball());
+  CHECK(Json::parse(files.read("merged.json")) == adjustable_ball());
 }

@@ -7,6 +7,7 @@
 #include "tests/server/client.h"
 #include "tests/support/folder.h"
 
+using namespace dini;
 using namespace dini::support;
 
 namespace {

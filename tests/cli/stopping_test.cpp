@@ -8,11 +8,10 @@
 #include "tests/server/client.h"
 #include "tests/support/eventually.h"
 
+using namespace dini;
 using namespace dini::support;
 
 namespace {
-
-const std::string host = "Host: localhost\r\n";
 
 /// What one client was answered that sends request after request until it is told that the connection ends.
 struct Answered {
@@ -27,7 +26,7 @@ Answered ask_until_told_to_go(int port, int client, std::atomic<int>& come) {
   for (int i = 0;; ++i) {
     const std::string request = i % 2 == 0
                                     ? post_text("/v1/evaluate", toy_body({{"milliseconds", 3}, {"bytes", client + 1}}))
-                                    : "GET /healthz HTTP/1.1\r\n" + host + "\r\n";
+                                    : "GET /healthz HTTP/1.1\r\n" + host_line + "\r\n";
     connection.send(request);
     const auto answer = connection.receive();
     if (!answer || answer->status != 200) {
@@ -79,7 +78,7 @@ TEST_CASE("A server that is told to stop takes nobody new, and tells who is ther
   server.program().signal(SIGTERM);
   REQUIRE(idle.closed());
   CHECK(Client(server.port()).closed());
-  probe.send(host + "\r\n");
+  probe.send(host_line + "\r\n");
   const auto answer = probe.receive();
   REQUIRE(answer);
   CHECK(answer->status == 503);
@@ -106,7 +105,7 @@ TEST_CASE("Whoever is connected and asks nothing does not keep a server from end
   // With these, a connection that were waited for would be waited for for minutes.
   ServingProgram server({"--log-level", "off", "--idle-milliseconds", "600000", "--drain-milliseconds", "600000"});
   Client idle(server.port()), used(server.port());
-  used.send("GET /healthz HTTP/1.1\r\n" + host + "\r\n");
+  used.send("GET /healthz HTTP/1.1\r\n" + host_line + "\r\n");
   REQUIRE(used.receive());
   server.program().signal(SIGTERM);
   CHECK(idle.closed());

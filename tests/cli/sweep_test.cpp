@@ -15,7 +15,7 @@ using namespace dini::support;
 
 namespace {
 
-Json ball(std::size_t segments) {
+Json segmented_ball(std::size_t segments) {
   Json graph = document({{"ball", make("sphere_mesh", {{"radius", {{"parameter", "radius"}}}, {"segments", segments}})},
                          {"painted", make("color", {{"shape", from("ball")}, {"color", {{"parameter", "paint"}}}})},
                          {"twice", make("expression", {{"formula", "2 * x"}, {"x", {{"parameter", "radius"}}}})},
@@ -26,7 +26,7 @@ Json ball(std::size_t segments) {
 }
 
 struct Sweeps : Folder {
-  explicit Sweeps(std::size_t segments = 16) { write("ball.json", ball(segments).dump()); }
+  explicit Sweeps(std::size_t segments = 16) { write("ball.json", segmented_ball(segments).dump()); }
   std::string at(const std::string& name) const { return (path() / name).string(); }
   std::vector<std::string> words(const std::vector<std::string>& more) const {
     std::vector<std::string> all = {DINI_PROGRAM, "sweep", at("ball.json")};
@@ -71,7 +71,7 @@ TEST_CASE("All values of all parameters are combined, and told in a table") {
 
 TEST_CASE("Several outputs of each variant have a file and a row each, and one that fails stops no other") {
   const Sweeps sweeps;
-  Json graph = ball(16);
+  Json graph = segmented_ball(16);
   graph["nodes"]["left"] = make("expression", {{"formula", "2 - x"}, {"x", {{"parameter", "radius"}}}});
   graph["nodes"]["inner"] = make("sphere_mesh", {{"radius", from("left")}, {"segments", 8}});
   graph["nodes"]["core"] = make("export", {{"model", from("inner")}});
@@ -160,7 +160,7 @@ TEST_CASE("What is finished and right is not made again, what is missing or dama
   sweeps.write("2.glb", models.at("2.glb") + "x");
   CHECK(sweeps.sweep(words).out == "4 of 4 variants are done, 2 of them by an earlier run\n");
   CHECK(sweeps.models("") == models);
-  sweeps.write("ball.json", ball(20).dump());
+  sweeps.write("ball.json", segmented_ball(20).dump());
   CHECK(sweeps.sweep(words).out == "4 of 4 variants are done\n");
   CHECK(sweeps.models("") != models);
 }

@@ -12,7 +12,7 @@ using namespace dini::support;
 namespace {
 
 /// A ball whose radius is a parameter and must be at most 3, in the layout of people.
-Json ball() {
+Json checked_ball() {
   Json graph = document({{"size", make("check", {{"value", {{"parameter", "radius"}}}, {"maximum", 3}})},
                          {"ball", make("sphere_mesh", {{"segments", 16}, {"rings", 8}, {"radius", from("size")}})},
                          {"out", make("export", {{"model", from("ball")}})}});
@@ -25,7 +25,7 @@ Json cases(const Json& listed) { return {{"cases", listed}}; }
 /// A folder with one graph and an approved result.
 struct Project : Folder {
   Project() {
-    write_json("ball.json", ball());
+    write_json("ball.json", checked_ball());
     REQUIRE(test({"--update-golden", "--golden", at("golden")}).code == 0);
   }
   void write_json(const std::string& name, const Json& json) const { write(name, json.dump(1)); }
@@ -56,7 +56,7 @@ TEST_CASE("A parameter that shapes the model changes it, and a moved node, a ren
   CHECK(has(good.out, "  same\n1 passed\n"));
 
   SECTION("a parameter") {
-    Json graph = ball();
+    Json graph = checked_ball();
     graph["parameters"]["radius"]["default"] = 1.01;
     project.write_json("ball.json", graph);
     const Outcome changed = project.test();
@@ -71,13 +71,13 @@ TEST_CASE("A parameter that shapes the model changes it, and a moved node, a ren
     CHECK(project.test().code == 0);
   }
   SECTION("a moved node") {
-    Json graph = ball();
+    Json graph = checked_ball();
     graph["ui"] = {{"nodes", {{"ball", {{"x", 100}, {"y", 20}}}}}};
     project.write_json("ball.json", graph);
     CHECK(has(project.test().out, "  same\n"));
   }
   SECTION("a renamed node") {
-    project.write_json("ball.json", renamed(renamed(ball(), "ball", "sphere"), "size", "limit"));
+    project.write_json("ball.json", renamed(renamed(checked_ball(), "ball", "sphere"), "size", "limit"));
     const Outcome outcome = project.test();
     CAPTURE(outcome.err);
     CHECK(outcome.code == 0);
@@ -147,8 +147,8 @@ TEST_CASE("A golden result that no case has any more fails, and --update-golden 
 
 TEST_CASE("Golden results of graphs that were not tested, cannot be read or are of others are left alone") {
   const Project project;
-  project.write_json("other.json", ball());
-  project.write_json("ball.big.json", ball());
+  project.write_json("other.json", checked_ball());
+  project.write_json("ball.big.json", checked_ball());
   REQUIRE(project.test({"--update-golden"}).code == 0);
   project.write("golden/notes.txt", "by hand");
   const auto test = [&](const std::vector<std::string>& words) {
@@ -179,8 +179,8 @@ TEST_CASE("Golden results of graphs that were not tested, cannot be read or are 
 TEST_CASE("In a folder of all golden results those of graphs that are gone are told of") {
   const Project project;
   std::filesystem::create_directories(project.at("more/deep"));
-  project.write_json("more/deep/ball.json", ball());
-  project.write_json("more/deep/other.json", ball());
+  project.write_json("more/deep/ball.json", checked_ball());
+  project.write_json("more/deep/other.json", checked_ball());
   const Folder kept("kept");
   const std::string golden = kept.path().string(), left = golden + "/more/deep/other.golden.json";
   const auto test = [&](std::vector<std::string> words) {
@@ -209,7 +209,7 @@ TEST_CASE("In a folder of all golden results those of graphs that are gone are t
 
 TEST_CASE("Each case of a graph is evaluated, and may have to fail") {
   const Folder folder;
-  folder.write("ball.json", ball().dump());
+  folder.write("ball.json", checked_ball().dump());
   const auto with = [&](const Json& listed) {
     folder.write("ball.cases.json", cases(listed).dump(1));
     return run({"test", (folder.path() / "ball.json").string()});
@@ -235,7 +235,7 @@ TEST_CASE("Each case of a graph is evaluated, and may have to fail") {
 
 TEST_CASE("A file of cases that is wrong is told with its place, and fails") {
   const Folder folder;
-  folder.write("ball.json", ball().dump());
+  folder.write("ball.json", checked_ball().dump());
   for (const auto& [text, said] : std::vector<std::pair<std::string, std::string>>{
            {"{", "ball.cases.json:1:2: error: the text is not JSON"},
            {"{}", "ball.cases.json: error: a file of cases is an object with the member cases"},
@@ -256,12 +256,12 @@ TEST_CASE("A file of cases that is wrong is told with its place, and fails") {
 
 TEST_CASE("Graphs are found in folders, broken ones too, and other files are left alone") {
   const Folder folder;
-  folder.write("a/ball.json", ball().dump());
-  folder.write("a/golden/ball.json", ball().dump());
-  folder.write(".hidden/ball.json", ball().dump());
-  folder.write("node_modules/ball.json", ball().dump());
+  folder.write("a/ball.json", checked_ball().dump());
+  folder.write("a/golden/ball.json", checked_ball().dump());
+  folder.write(".hidden/ball.json", checked_ball().dump());
+  folder.write("node_modules/ball.json", checked_ball().dump());
   folder.write("package.json", R"({"name": "other"})");
-  folder.write("b c/ball.json", ball().dump());
+  folder.write("b c/ball.json", checked_ball().dump());
   const auto test = [&](const std::vector<std::string>& more = {}) {
     std::vector<std::string> words = {"test", folder.path().string()};
     words.insert(words.end(), more.begin(), more.end());
@@ -297,7 +297,7 @@ TEST_CASE("All reports are written however a test ends, and none of before survi
   };
   CHECK(reports(0)["cases"][0]["outputs"]["out"]["golden"] == "same");
   CHECK(contents(project.at("m.md")).starts_with("## dini test: 1 passed\n"));
-  Json graph = ball();
+  Json graph = checked_ball();
   graph["parameters"]["radius"]["default"] = 2;
   project.write_json("ball.json", graph);
   const Json changed = reports(1);
@@ -306,7 +306,7 @@ TEST_CASE("All reports are written however a test ends, and none of before survi
   graph["nodes"]["ball"]["inputs"]["segments"] = -1;
   project.write_json("ball.json", graph);
   CHECK(reports(3)["cases"][0]["errors"][0]["file"] == project.at("ball.json"));
-  graph = ball();
+  graph = checked_ball();
   graph["nodes"]["n"] = make("expression", {{"formula", "1 / x"}, {"x", 0}});
   graph["nodes"]["ball"]["inputs"]["radius"] = from("n");
   project.write_json("ball.json", graph);

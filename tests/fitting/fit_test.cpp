@@ -4,21 +4,14 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/fitting/parameters.h"
 #include "tests/support/requests.h"
+#include "tests/support/shared_engine.h"
 
 using namespace dini;
 using namespace dini::support;
 
 namespace {
-
-const Engine& engine() {
-  static const std::unique_ptr<Engine> made = make_engine();
-  return *made;
-}
-
-Json number(double value, double least, double most) {
-  return {{"type", "number"}, {"default", value}, {"min", least}, {"max", most}};
-}
 
 Json parameter(const std::string& name) { return {{"parameter", name}}; }
 

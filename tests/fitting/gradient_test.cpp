@@ -4,27 +4,20 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/fitting/parameters.h"
 #include "tests/support/requests.h"
+#include "tests/support/shared_engine.h"
 
 using namespace dini;
 using namespace dini::support;
 
 namespace {
 
-const Engine& engine() {
-  static const std::unique_ptr<Engine> made = make_engine();
-  return *made;
-}
-
 /// How long the JSON of a GLB is: the first number behind its head, the lowest byte first.
 std::size_t json_bytes(const std::string& glb) {
   std::size_t size = 0;
   for (std::size_t k = 16; k-- > 12;) size = size << 8 | static_cast<unsigned char>(glb[k]);
   return size;
-}
-
-Json number(double value, double least, double most) {
-  return {{"type", "number"}, {"default", value}, {"min", least}, {"max", most}};
 }
 
 Json graph() {

@@ -17,7 +17,7 @@ struct Example {
   Json truth;
 };
 
-const Engine& engine() {
+const Engine& examples_engine() {
   static const std::unique_ptr<Engine> made = example_engine();
   return *made;
 }
@@ -39,18 +39,18 @@ Json graph_of(const Example& example) {
 std::string mesh_file(const Example& example) {
   Json graph = graph_of(example);
   graph["nodes"]["out"]["inputs"]["model"] = from(example.mesh);
-  const auto answer = answered(engine(), {.graph = graph, .parameters = example.truth, .format = "ply"});
+  const auto answer = answered(examples_engine(), {.graph = graph, .parameters = example.truth, .format = "ply"});
   require_none(answer ? Problems() : answer.problems());
-  const auto added = engine().add_asset(*answer->computed->model->bytes, "", Cancel());
+  const auto added = examples_engine().add_asset(*answer->computed->model->bytes, "", Cancel());
   require_none(added ? Problems() : added.problems());
   return added->sha256;
 }
 
 Json fitted(const Example& example) {
   FitRequest request{
-      .graph = engine().read(graph_of(example)), .target_mesh = mesh_file(example), .mesh = example.mesh};
+      .graph = examples_engine().read(graph_of(example)), .target_mesh = mesh_file(example), .mesh = example.mesh};
   for (const auto& [name, value] : example.truth.items()) request.vary[name] = Json::array();
-  const Result<Json> found = fitting::fit(engine(), request, Job());
+  const Result<Json> found = fitting::fit(examples_engine(), request, Job());
   require_none(found ? Problems() : found.problems());
   return *found;
 }

@@ -42,7 +42,7 @@ FileOptions with_graph() {
   return options;
 }
 
-std::vector<std::string> notes_of(const std::string& name) {
+std::vector<std::string> file_notes(const std::string& name) {
   const auto file = format_named(all_formats(), name)->write(everything(), with_graph(), Cancel());
   if (!file) return {file.error().detail};
   std::vector<std::string> notes;
@@ -56,23 +56,25 @@ TEST_CASE("What a format cannot hold is told once for each kind, with the names 
   const std::string reds = "red[0], red[1], red[2] and 2 more";
   const std::string empty = "empty: nothing has nothing to draw";
   const std::string finish = " holds neither metallic nor roughness nor sides; without theirs in the file: shiny";
-  CHECK(notes_of("glb") == std::vector<std::string>{empty});
-  CHECK(notes_of("obj") == std::vector<std::string>{empty,
-                                                    "left-out: OBJ holds no opacity; opaque in the file: " + reds,
-                                                    "left-out: OBJ" + finish});
-  CHECK(notes_of("stl") == std::vector<std::string>{
-                               empty, "left-out: STL holds no curves; not in the file: ring",
-                               "left-out: STL holds no points; not in the file: dot",
-                               "left-out: STL holds no colors; without theirs in the file: " + reds,
-                               "left-out: STL holds no opacity; opaque in the file: " + reds, "left-out: STL" + finish,
-                               "left-out: STL has no room for the graph; it is not in the file"});
-  CHECK(notes_of("ply") == std::vector<std::string>{empty, "left-out: PLY holds no curves; not in the file: ring",
-                                                    "left-out: PLY" + finish,
-                                                    "left-out: PLY has no room for the graph; it is not in the file"});
-  CHECK(notes_of("3mf") == std::vector<std::string>{empty, "left-out: 3MF holds no curves; not in the file: ring",
-                                                    "left-out: 3MF holds no points; not in the file: dot",
-                                                    "left-out: 3MF" + finish});
-  CHECK(notes_of("svg") ==
+  CHECK(file_notes("glb") == std::vector<std::string>{empty});
+  CHECK(file_notes("obj") == std::vector<std::string>{empty,
+                                                      "left-out: OBJ holds no opacity; opaque in the file: " + reds,
+                                                      "left-out: OBJ" + finish});
+  CHECK(file_notes("stl") ==
+        std::vector<std::string>{empty, "left-out: STL holds no curves; not in the file: ring",
+                                 "left-out: STL holds no points; not in the file: dot",
+                                 "left-out: STL holds no colors; without theirs in the file: " + reds,
+                                 "left-out: STL holds no opacity; opaque in the file: " + reds,
+                                 "left-out: STL" + finish,
+                                 "left-out: STL has no room for the graph; it is not in the file"});
+  CHECK(file_notes("ply") ==
+        std::vector<std::string>{empty, "left-out: PLY holds no curves; not in the file: ring",
+                                 "left-out: PLY" + finish,
+                                 "left-out: PLY has no room for the graph; it is not in the file"});
+  CHECK(file_notes("3mf") == std::vector<std::string>{empty, "left-out: 3MF holds no curves; not in the file: ring",
+                                                      "left-out: 3MF holds no points; not in the file: dot",
+                                                      "left-out: 3MF" + finish});
+  CHECK(file_notes("svg") ==
         std::vector<std::string>{"left-out: SVG holds no meshes; not in the file: red[0], red[1], red[2] and 4 more",
                                  "left-out: SVG holds no points; not in the file: dot",
                                  "left-out: SVG has no room for the graph; it is not in the file"});

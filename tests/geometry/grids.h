@@ -6,10 +6,9 @@
 #include "geometry/measure.h"
 #include "geometry/surface.h"
 #include "geometry/validate.h"
+#include "tests/support/never_stopped.h"
 
 namespace dini::support {
-
-inline const Cancel never_stopped;
 
 /// A grid of points made by a function of (u, v); closed axes leave their end out.
 struct Grid {

@@ -11,16 +11,12 @@ using namespace dini::support;
 
 namespace {
 
-using Places = std::vector<std::array<double, 3>>;
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
-using Sentences = std::vector<std::string>;
 
-const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
-const Places first_three = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-
+const std::string four_corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 struct Case {
   std::string text;
-  Places positions;
+  PlaceList positions;
   Triangles triangles;
   Sentences warnings;
 };
@@ -38,9 +34,10 @@ void check(const Case& expected) {
 TEST_CASE("A byte order mark of an OBJ is no part of its first line, nor of one in its middle") {
   const std::string mark = "\xEF\xBB\xBF";
   for (const std::string& text :
-       {mark + corners + "f 1 2 3\n", corners + mark + "f 1 2 3\n", mark + "# a comment\n" + corners + "f 1 2 3\n",
-        mark + "\n" + corners + "f 1 2 3\n", mark + "v 0 0 0\r\n" + mark + "v 1 0 0\r\nv 0 1 0\r\nf 1 2 3"}) {
-    check({text, first_three, {{0, 1, 2}}, {}});
+       {mark + four_corners + "f 1 2 3\n", four_corners + mark + "f 1 2 3\n",
+        mark + "# a comment\n" + four_corners + "f 1 2 3\n", mark + "\n" + four_corners + "f 1 2 3\n",
+        mark + "v 0 0 0\r\n" + mark + "v 1 0 0\r\nv 0 1 0\r\nf 1 2 3"}) {
+    check({text, triangle_places, {{0, 1, 2}}, {}});
   }
 }
 
@@ -49,17 +46,17 @@ TEST_CASE("A backslash joins lines of numbers, with white space behind it or not
        {"f 1 2 \\\n3\n", "f 1 2\\\n3\n", "f 1 2 \\  \t\n3\n", "f 1 2 \\\r\n3\r\n", "f \\\n1 \\ \n2 \\\n3\n",
         "f 1 2 3 \\\n\n", "f 1 2 3 \\", "f 1 2 3 # C:\\\n", "# part: head\\\nf 1 2 3\n", "#\\\nf 1 2 3\n",
         "o head\\\nf 1 2 3\n", "g C:\\parts\\ \nf 1 2 3\n", "s off \\\nf 1 2 3\n", "mtllib C:\\art\\\nf 1 2 3\n"}) {
-    check({corners + face, first_three, {{0, 1, 2}}, {}});
+    check({four_corners + face, triangle_places, {{0, 1, 2}}, {}});
   }
-  check({"v 0 0 \\\n0\nv 1 0 0 # \\\nv 0 1 0\nf 1 2 3\n", first_three, {{0, 1, 2}}, {}});
-  check({corners + "usemtl red\\\nf 1 2 3\n", first_three, {{0, 1, 2}}, {"1 use of a material is left out"}});
+  check({"v 0 0 \\\n0\nv 1 0 0 # \\\nv 0 1 0\nf 1 2 3\n", triangle_places, {{0, 1, 2}}, {}});
+  check({four_corners + "usemtl red\\\nf 1 2 3\n", triangle_places, {{0, 1, 2}}, {"1 use of a material is left out"}});
   // Joined to what is no number.
   CHECK(refusal(read_obj, "v 0 0 0 \\\nv 1 0 0\n") == "invalid: line 1: \"v\" is no number");
 }
 
 TEST_CASE("A comment may stand right behind a number, and the number sign of 1.#QNAN begins none") {
   check({"v 0 0 0#1\nv 1 0 0.# a comment\nv 0 1 0 # 2\nvn 1.#QNAN 0 1\nf 1//1 2//1 3//1#\n",
-         first_three,
+         triangle_places,
          {{0, 1, 2}},
          {"3 normals are zero or not finite and are computed"}});
 }
@@ -85,17 +82,17 @@ TEST_CASE("What an OBJ has and the mesh has not is counted") {
            {"vt 0 0 0\nvt 0 0 0.5\n", {"1 third texture coordinate is left out"}},
            {"hello\n\n# v\nworld 1 2\n", {"2 lines are no statement of an OBJ and left out, the first is line 6"}},
            {"o a\ng b c\ns 1\nmtllib a.mtl\nvp 0 1\n", {}}}) {
-    check({corners + face + lines, first_three, {{0, 1, 2}}, warnings});
+    check({four_corners + face + lines, triangle_places, {{0, 1, 2}}, warnings});
   }
 }
 
 TEST_CASE("An OBJ without a triangle says why") {
-  CHECK(refusal(read_obj, corners) == "invalid: the file has no triangles");
-  CHECK(refusal(read_obj, corners + "l 1 2\nf 1 2\n") ==
+  CHECK(refusal(read_obj, four_corners) == "invalid: the file has no triangles");
+  CHECK(refusal(read_obj, four_corners + "l 1 2\nf 1 2\n") ==
         "invalid: the file has no triangles; 1 face has fewer than three corners and is left out, the first at line 6; "
         "1 line (l) is left out");
   CHECK(
-      refusal(read_obj, corners + "v 0 0 1.#INF\nf 1 2 5\n") ==
+      refusal(read_obj, four_corners + "v 0 0 1.#INF\nf 1 2 5\n") ==
       "invalid: the file has no triangles; 1 face uses a vertex that is not finite or beyond 1e18 and is left out, the "
       "first at line 6");
 }
@@ -105,7 +102,7 @@ TEST_CASE("Attributes that are not finite never refuse an OBJ") {
       read_obj("v 0 0 0 nan 0 0\nv 1 0 0 1 0 0\nv 0 1 1e-400 0 1 0\nvt nan 0\nvt 1 1\nvt 0 1e30\n"
                "vn nan nan nan\nvn 0 0 0\nvn 0 0 -7\nf 1/1/1 2/2/2 3/3/3\n",
                {}));
-  CHECK(file.positions() == first_three);
+  CHECK(file.positions() == triangle_places);
   CHECK(file.mesh.colors == std::vector<std::array<float, 4>>{{1, 1, 1, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}});
   CHECK(file.mesh.uvs == std::vector<std::array<double, 2>>{{0, 0}, {1, 0}, {0, 0}});
   CHECK(length(file.mesh.normals[0] - Vector{0, 0, 1}) < 1e-12);
@@ -139,10 +136,11 @@ TEST_CASE("The numbers behind a position are a weight, a color, or a color with 
 }
 
 TEST_CASE("An index may be written as 3.0, and says which it is when it leads nowhere") {
-  check({corners + "f 1.0 2.0 3.0\n", first_three, {{0, 1, 2}}, {}});
-  check({corners + "fo 1 2 3\n", first_three, {{0, 1, 2}}, {}});
-  CHECK(refusal(read_obj, corners + "f 1 2 7\n") == "invalid: line 5: \"7\" is none of the 4 vertices before it");
-  CHECK(refusal(read_obj, corners + "f 1/1 2/1 3/1\n") ==
+  check({four_corners + "f 1.0 2.0 3.0\n", triangle_places, {{0, 1, 2}}, {}});
+  check({four_corners + "fo 1 2 3\n", triangle_places, {{0, 1, 2}}, {}});
+  CHECK(refusal(read_obj, four_corners + "f 1 2 7\n") == "invalid: line 5: \"7\" is none of the 4 vertices before it");
+  CHECK(refusal(read_obj, four_corners + "f 1/1 2/1 3/1\n") ==
         "invalid: line 5: \"1\" is none of the 0 texture coordinates before it");
-  CHECK(refusal(read_obj, corners + "f 1 2 2.5\n") == "invalid: line 5: \"2.5\" is none of the 4 vertices before it");
+  CHECK(refusal(read_obj, four_corners + "f 1 2 2.5\n") ==
+        "invalid: line 5: \"2.5\" is none of the 4 vertices before it");
 }

@@ -11,7 +11,7 @@ using namespace dini;
 
 namespace {
 
-struct Places {
+struct PlaceColumns {
   std::vector<double> x, y, z;
 
   void add(const Vector& p) {
@@ -28,7 +28,7 @@ struct Places {
 };
 
 /// What a search finds that looks at every point.
-std::vector<std::uint32_t> plain_search(const Places& places, std::size_t i, std::size_t wanted) {
+std::vector<std::uint32_t> plain_search(const PlaceColumns& places, std::size_t i, std::size_t wanted) {
   std::vector<std::uint32_t> others;
   for (std::size_t j = 0; j < places.size(); ++j) {
     if (j != i) others.push_back(static_cast<std::uint32_t>(j));
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> plain_search(const Places& places, std::size_t i, std
   return others;
 }
 
-void require_right(const Places& places, std::size_t wanted) {
+void require_right(const PlaceColumns& places, std::size_t wanted) {
   const Cancel cancel;
   const PointTree tree(places.points(), places.size(), cancel);
   REQUIRE(tree.size() == places.size());
@@ -60,7 +60,7 @@ void require_right(const Places& places, std::size_t wanted) {
 TEST_CASE("The nearest points of a tree are those that a search over all finds") {
   RandomElements random(61);
   for (const std::size_t size : {1, 2, 12, 13, 25, 100, 260}) {
-    Places even, flat, grid;
+    PlaceColumns even, flat, grid;
     for (std::size_t i = 0; i < size; ++i) {
       even.add(random.vector());
       flat.add({random.number(), 0, 1e-9 * random.number()});
@@ -78,7 +78,7 @@ TEST_CASE("The nearest points of a tree are those that a search over all finds")
 
 TEST_CASE("A tree of more points than one thread splits finds the nearest too") {
   RandomElements random(62);
-  Places places;
+  PlaceColumns places;
   for (int i = 0; i < 9000; ++i) places.add(random.vector());
   const Cancel cancel;
   const PointTree tree(places.points(), places.size(), cancel);

@@ -10,12 +10,12 @@ using namespace dini::support;
 
 namespace {
 
-using Corners = std::vector<std::array<float, 3>>;
+using CornerList = std::vector<std::array<float, 3>>;
 
-/// The square from (0, 0, 0) to (1, 1, 0), three corners for each triangle.
-const Corners square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, -0.0f}, {1, 1, 0}, {0, 1, 0}};
+/// The square_corners from (0, 0, 0) to (1, 1, 0), three corners for each triangle.
+const CornerList square_corners = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, -0.0f}, {1, 1, 0}, {0, 1, 0}};
 
-std::string binary_stl(const Corners& corners, const std::string& header = "made by hand", std::uint32_t color = 0) {
+std::string binary_stl(const CornerList& corners, const std::string& header = "made by hand", std::uint32_t color = 0) {
   Bytes bytes;
   bytes.text = header;
   bytes.text.resize(80, ' ');
@@ -56,31 +56,31 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }  // namespace
 
 TEST_CASE("An STL is read from bytes and from text, and its triangles hold together") {
-  check_is_square(read_stl(binary_stl(square), {}));
-  check_is_square(read_stl(binary_stl(square, "solid, although it is none"), {}));
+  check_is_square(read_stl(binary_stl(square_corners), {}));
+  check_is_square(read_stl(binary_stl(square_corners, "solid, although it is none"), {}));
   check_is_square(read_stl(text_stl, {}));
   check_is_square(read_stl("\xEF\xBB\xBF" + text_stl, {}));
   check_is_square(read_stl(replaced(text_stl, "endsolid a square\n", ""), {}));
 }
 
 TEST_CASE("An STL is known by its length or its first word") {
-  CHECK(begins_like_stl(binary_stl(square)));
+  CHECK(begins_like_stl(binary_stl(square_corners)));
   CHECK(begins_like_stl(text_stl));
   CHECK(begins_like_stl("  SOLID"));
   CHECK_FALSE(begins_like_stl("solids"));
   CHECK_FALSE(begins_like_stl(quad_obj));
-  CHECK_FALSE(begins_like_stl(binary_stl(square) + "x"));
-  CHECK(stl_size_hint(binary_stl(square) + "x") ==
+  CHECK_FALSE(begins_like_stl(binary_stl(square_corners) + "x"));
+  CHECK(stl_size_hint(binary_stl(square_corners) + "x") ==
         "a binary STL of 2 triangles would have 184 bytes, this file has 185");
   CHECK_FALSE(stl_size_hint("solid"));
 }
 
 TEST_CASE("What an STL has and a mesh has not is a warning with a count") {
-  CHECK(warnings_of(binary_stl(square, "x", 0x8001)) ==
+  CHECK(warnings_of(binary_stl(square_corners, "x", 0x8001)) ==
         std::vector<std::string>{"2 triangles have colors or other attributes that are left out"});
-  CHECK(warnings_of(binary_stl(square, "solid") + "abc") ==
+  CHECK(warnings_of(binary_stl(square_corners, "solid") + "abc") ==
         std::vector<std::string>{"3 bytes behind the last triangle are left out"});
-  Corners bad = square;
+  CornerList bad = square_corners;
   bad.insert(bad.end(), {{NAN, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   bad.insert(bad.end(), {{2e18f, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   CHECK(warnings_of(binary_stl(bad)) ==
@@ -93,7 +93,7 @@ TEST_CASE("What an STL has and a mesh has not is a warning with a count") {
 }
 
 TEST_CASE("STL files that are wrong are refused with the place") {
-  const std::string whole = binary_stl(square, "solid");
+  const std::string whole = binary_stl(square_corners, "solid");
   CHECK(refusal(read_stl, whole.substr(0, 183)) ==
         "invalid: it is cut short: 2 triangles need 184 bytes, the file has 183");
   CHECK(refusal(read_stl, binary_stl({})) == "invalid: the file has no triangles");
@@ -118,9 +118,9 @@ TEST_CASE("STL files that are wrong are refused with the place") {
 }
 
 TEST_CASE("An STL over a limit is too large, and one that is to stop stops") {
-  CHECK(refusal(read_stl, binary_stl(square), {4, 2}).empty());
-  CHECK(refusal(read_stl, binary_stl(square), {4, 1}).starts_with("too large: "));
-  CHECK(refusal(read_stl, binary_stl(square), {3, 2}).starts_with("too large: "));
+  CHECK(refusal(read_stl, binary_stl(square_corners), {4, 2}).empty());
+  CHECK(refusal(read_stl, binary_stl(square_corners), {4, 1}).starts_with("too large: "));
+  CHECK(refusal(read_stl, binary_stl(square_corners), {3, 2}).starts_with("too large: "));
   CHECK(refusal(read_stl, text_stl, {4, 1}).starts_with("too large: "));
   CHECK(refusal(read_stl, text_stl, {3, 2}).starts_with("too large: "));
   Cancel told;
@@ -128,12 +128,12 @@ TEST_CASE("An STL over a limit is too large, and one that is to stop stops") {
   std::string long_text = text_stl;
   for (int i = 0; i < 20'000; ++i) long_text += "\n";
   CHECK(refusal(read_stl, long_text, {}, told) == "stopped");
-  CHECK(refusal(read_stl, binary_stl(square), {}, told) == "stopped");
+  CHECK(refusal(read_stl, binary_stl(square_corners), {}, told) == "stopped");
 }
 
 TEST_CASE("STL files with damage of any kind are read or refused, and nothing worse") {
   std::mt19937 random(11);
-  const std::string binary = binary_stl(square, "solid", 7);
+  const std::string binary = binary_stl(square_corners, "solid", 7);
   for (int i = 0; i < 3000; ++i) {
     check_is_read_or_refused(read_stl, damaged(text_stl, random));
     check_is_read_or_refused(read_stl, damaged(binary, random));

@@ -9,8 +9,6 @@ namespace {
 
 using namespace support;
 using json = dini::Json;
-using Places = std::vector<std::array<double, 3>>;
-using Colors = std::vector<std::array<float, 4>>;
 
 TEST_CASE("An accessor without a view is zeros, some of which sparse values replace") {
   GlbParts parts = triangle_parts();
@@ -18,19 +16,19 @@ TEST_CASE("An accessor without a view is zeros, some of which sparse values repl
   CHECK(read(parts).mesh.uvs == std::vector<std::array<double, 2>>(3, {0, 0}));
   const std::size_t colors = parts.accessor("VEC3", gltf_u8, 3, {}, true);
   parts.document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = colors;
-  CHECK(read(parts).mesh.colors == Colors(3, {0, 0, 0, 1}));
+  CHECK(read(parts).mesh.colors == ColorList(3, {0, 0, 0, 1}));
   const std::size_t places = parts.view(Bytes().u16(0).u16(2)),
                     values = parts.view(Bytes().u8(255).u8(0).u8(0).u8(0).u8(255).u8(0));
   parts.document["accessors"][colors]["sparse"] = {{"count", 2},
                                                    {"indices", {{"bufferView", places}, {"componentType", gltf_u16}}},
                                                    {"values", {{"bufferView", values}}}};
-  CHECK(read(parts).mesh.colors == Colors{{1, 0, 0, 1}, {0, 0, 0, 1}, {0, 1, 0, 1}});
+  CHECK(read(parts).mesh.colors == ColorList{{1, 0, 0, 1}, {0, 0, 0, 1}, {0, 1, 0, 1}});
   const std::size_t moved = parts.view(Bytes().f32s({5, 6, 7}));
   parts.document["accessors"][0]["sparse"] = {
       {"count", 1},
       {"indices", {{"bufferView", places}, {"byteOffset", 2}, {"componentType", gltf_u16}}},
       {"values", {{"bufferView", moved}}}};
-  CHECK(read(parts).positions() == Places{{0, 0, 0}, {1, 0, 0}, {5, 6, 7}});
+  CHECK(read(parts).positions() == PlaceList{{0, 0, 0}, {1, 0, 0}, {5, 6, 7}});
 }
 
 TEST_CASE("Sparse values that are wrong are refused") {
@@ -79,14 +77,14 @@ TEST_CASE("Whole numbers of every type stand for shares of 1 where they say so, 
       "VEC3", gltf_u16, 3, Bytes().u16(65535).u16(0).u16(0).u16(0).u16(0).u16(0).u16(0).u16(0).u16(13107));
   parts.primitive({{"POSITION", positions}, {"NORMAL", normals}, {"TEXCOORD_0", uvs}, {"COLOR_0", colors}});
   const ReadFile file = read(parts);
-  CHECK(file.positions() == Places{{0, 0, 0}, {2, 0, 0}, {0, -2, 0}});
+  CHECK(file.positions() == PlaceList{{0, 0, 0}, {2, 0, 0}, {0, -2, 0}});
   CHECK(file.mesh.normals[0] == Vector{0, 0, 1});
   CHECK(file.mesh.normals[1] == Vector{0, 0, -1});
   CHECK(file.mesh.normals[2] == Vector{0, 1, 0});
   CHECK(file.mesh.uvs == std::vector<std::array<double, 2>>{{0, 1}, {0.2, 0}, {0, 0}});
-  CHECK(file.mesh.colors == Colors{{1, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0.2f, 1}});
+  CHECK(file.mesh.colors == ColorList{{1, 0, 0, 1}, {0, 0, 0, 1}, {0, 0, 0.2f, 1}});
   parts.document["accessors"][positions]["normalized"] = false;
-  CHECK(read(parts).positions() == Places{{0, 0, 0}, {65534, 0, 0}, {0, -65536, 0}});
+  CHECK(read(parts).positions() == PlaceList{{0, 0, 0}, {65534, 0, 0}, {0, -65536, 0}});
 }
 
 TEST_CASE("A few bytes cannot ask for the memory or the time of millions of values") {

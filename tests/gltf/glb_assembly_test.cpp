@@ -23,7 +23,7 @@ Json json_of(std::string_view glb) {
   return Json::parse(chunks->json);
 }
 
-const Mesh& mesh_of(const Part& part) { return *std::get<SharedMesh>(part.shape); }
+const Mesh& mesh_of_part(const Part& part) { return *std::get<SharedMesh>(part.shape); }
 
 }  // namespace
 
@@ -49,8 +49,8 @@ TEST_CASE("Files that are put together have a node each, with what was in them")
   for (std::size_t i = 0; i < items.size(); ++i) {
     const auto alone = read_glb(items[i].glb);
     REQUIRE(alone);
-    const Mesh& mesh = mesh_of(scene->parts[i]);
-    const Mesh& expected = mesh_of(alone->parts.front());
+    const Mesh& mesh = mesh_of_part(scene->parts[i]);
+    const Mesh& expected = mesh_of_part(alone->parts.front());
     REQUIRE(mesh.positions.size() == expected.positions.size());
     CHECK(mesh.triangles == expected.triangles);
     for (std::size_t k = 0; k < mesh.positions.size(); ++k) {

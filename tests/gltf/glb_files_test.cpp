@@ -11,10 +11,6 @@ namespace {
 
 using namespace support;
 using json = dini::Json;
-using Places = std::vector<std::array<double, 3>>;
-using Sentences = std::vector<std::string>;
-
-const Places triangle_places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
 
 TEST_CASE("Vertices count once they are used") {
   GlbParts parts;

@@ -16,7 +16,7 @@ namespace {
 using namespace support;
 using json = dini::Json;
 
-Mesh mesh_of(const json& document, const std::string& binary = quad_binary()) {
+Mesh checked_mesh(const json& document, const std::string& binary = quad_binary()) {
   const ImportResult result = read_glb_mesh(glb_of(document.dump(), binary), {});
   if (!result) FAIL(result.error().detail);
   const Mesh& mesh = result->mesh;
@@ -36,7 +36,7 @@ json changed(const std::string& pointer, json value) {
 }
 
 TEST_CASE("A GLB keeps its texture coordinates and colors, and gets the normals it lacks") {
-  const Mesh mesh = mesh_of(quad_document());
+  const Mesh mesh = checked_mesh(quad_document());
   REQUIRE(mesh.positions.size() == 4);
   CHECK(mesh.positions[2] == Point{1, 0, -1});
   CHECK(mesh.uvs == std::vector<std::array<double, 2>>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
@@ -52,7 +52,7 @@ TEST_CASE("Nodes move, turn and mirror what they hold, and meshes are repeated")
   document["nodes"] = {{{"mesh", 0}, {"translation", {10, 0, 0}}, {"children", {1}}},
                        {{"mesh", 0}, {"rotation", {0, 0, std::sqrt(0.5), std::sqrt(0.5)}}, {"scale", {2, 2, 2}}},
                        {{"mesh", 0}, {"matrix", {-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 5, 1}}}};
-  const Mesh mesh = mesh_of(document);
+  const Mesh mesh = checked_mesh(document);
   REQUIRE(mesh.positions.size() == 12);
   CHECK(mesh.positions[1] == Point{11, 0, 0});
   CHECK(length(to_vector(mesh.positions[5]) - Vector{10, 2, 0}) < 1e-12);
@@ -64,16 +64,16 @@ TEST_CASE("Nodes move, turn and mirror what they hold, and meshes are repeated")
 
 TEST_CASE("Strips, fans, triangles without indices, and the material's color are understood") {
   const std::string primitive = "/meshes/0/primitives/0";
-  CHECK(mesh_of(changed(primitive + "/mode", 6)).triangles.size() == 2);  // two of the four use a vertex twice
+  CHECK(checked_mesh(changed(primitive + "/mode", 6)).triangles.size() == 2);  // two of the four use a vertex twice
   json document = changed(primitive + "/mode", 5);
   document["meshes"][0]["primitives"][0].erase("indices");
-  CHECK(mesh_of(document).triangles.size() == 2);
+  CHECK(checked_mesh(document).triangles.size() == 2);
   document = changed("/materials", json::parse(R"([{"pbrMetallicRoughness": {"baseColorFactor": [1, 0.5, 1, 1]}}])"));
   document["meshes"][0]["primitives"][0]["material"] = 0;
-  CHECK(mesh_of(document).colors[1] == std::array<float, 4>{0, 0.5, 0, 1});
+  CHECK(checked_mesh(document).colors[1] == std::array<float, 4>{0, 0.5, 0, 1});
   document = quad_document();
   document["scenes"] = json::array();
-  CHECK(mesh_of(document).positions.size() == 4);
+  CHECK(checked_mesh(document).positions.size() == 4);
   document = changed("/meshes/0/primitives", json::parse(R"([{"mode": 1, "attributes": {"POSITION": 0}}])"));
   CHECK(refusal_of(document) == "invalid: the file has no triangles; 1 primitive of points or lines is left out");
 }
@@ -162,7 +162,7 @@ TEST_CASE("Indices out of range are refused, and so are files of nothing but num
         "the first at mesh 0, primitive 0, vertex 0");
     binary = quad_binary();
     binary.replace(48, 4, Bytes().f32(bad).text);
-    const Mesh mesh = mesh_of(quad_document(), binary);
+    const Mesh mesh = checked_mesh(quad_document(), binary);
     CHECK(mesh.uvs[0] == std::array<double, 2>{0, 0});
     CHECK(mesh.uvs[1] == std::array<double, 2>{1, 0});
   }

@@ -1,4 +1,4 @@
-// Colors and normals of GLB files by the glTF 2.0 specification.
+// ColorList and normals of GLB files by the glTF 2.0 specification.
 
 #include "geometry/json.h"
 #include "tests/support/glb_parts.h"
@@ -9,8 +9,6 @@ namespace {
 
 using namespace support;
 using json = dini::Json;
-using Colors = std::vector<std::array<float, 4>>;
-using Sentences = std::vector<std::string>;
 
 GlbParts triangle_with_material(const json& material) {
   GlbParts parts = triangle_parts();
@@ -45,7 +43,7 @@ TEST_CASE("Alpha counts under BLEND, is compared under MASK, and does not count 
     parts.document["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = parts.accessor(
         "VEC4", gltf_f32, 3, Bytes().f32s({1, 1, 1, vertex_alpha, 1, 1, 1, vertex_alpha, 1, 1, 1, vertex_alpha}));
     const ReadFile file = read(parts);
-    CHECK(file.mesh.colors == Colors(3, {0.5f, 0.25f, 1, alpha}));
+    CHECK(file.mesh.colors == ColorList(3, {0.5f, 0.25f, 1, alpha}));
     CHECK(file.warnings.size() == (alpha == 0 ? 1 : 0));
   }
   CHECK(read(triangle_with_material(material("MASK", 0.1, {}))).warnings ==
@@ -55,7 +53,7 @@ TEST_CASE("Alpha counts under BLEND, is compared under MASK, and does not count 
             .mesh.colors.empty());
   CHECK(refusal_of(triangle_with_material({{"alphaMode", "GLASS"}})).find("alphaMode") != std::string::npos);
   const json older = {{"extensions", {{"KHR_materials_pbrSpecularGlossiness", {{"diffuseFactor", {0.5, 0, 0, 1}}}}}}};
-  CHECK(read(triangle_with_material(older)).mesh.colors == Colors(3, {0.5f, 0, 0, 1}));
+  CHECK(read(triangle_with_material(older)).mesh.colors == ColorList(3, {0.5f, 0, 0, 1}));
 }
 
 /// The corners of a unit cube, and its twelve triangles facing outward.

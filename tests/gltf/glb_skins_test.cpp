@@ -11,7 +11,6 @@ namespace {
 
 using namespace support;
 using json = dini::Json;
-using Places = std::vector<std::array<double, 3>>;
 
 constexpr std::array<float, 16> identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
@@ -54,10 +53,10 @@ void bind(GlbParts& parts, const std::vector<std::array<float, 16>>& matrices) {
   parts.document["skins"][0]["inverseBindMatrices"] = parts.accessor("MAT4", gltf_f32, matrices.size(), bytes);
 }
 
-Places places(const GlbParts& parts) { return read(parts).positions(); }
+PlaceList places(const GlbParts& parts) { return read(parts).positions(); }
 
 TEST_CASE("A skinned mesh does not stand where its own node is") {
-  CHECK(places(skinned({{{1, 0}, {1, 0}, {1, 0}}})) == Places{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  CHECK(places(skinned({{{1, 0}, {1, 0}, {1, 0}}})) == PlaceList{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   // Only where both the node has a skin and the primitive has joints.
   GlbParts bare = skinned({{{1, 0}, {1, 0}, {1, 0}}});
   bare.document["nodes"][0].erase("skin");
@@ -69,13 +68,13 @@ TEST_CASE("A vertex follows its joints from where they were bound, by its weight
   parts.document["nodes"][1] = {{"translation", {0, 5, 0}}, {"children", {2}}};
   parts.document["nodes"][2] = {{"translation", {0, 0, 7}}};
   parts.document["scenes"][0]["nodes"] = {0, 1};
-  CHECK(places(parts) == Places{{0, 5, 0}, {1, 5, 7}, {0, 6, 3.5}});
+  CHECK(places(parts) == PlaceList{{0, 5, 0}, {1, 5, 7}, {0, 6, 3.5}});
   bind(parts, {shift(0, -5, 0), shift(0, -5, 0)});
-  CHECK(places(parts) == Places{{0, 0, 0}, {1, 0, 7}, {0, 1, 3.5}});
+  CHECK(places(parts) == PlaceList{{0, 0, 0}, {1, 0, 7}, {0, 1, 3.5}});
   // Weights are shares of their sum; a vertex without any follows its first joint.
   GlbParts loose = skinned({{{2, 2}, {0, 0}, {0, 0.25}}});
   loose.document["nodes"][2] = {{"translation", {0, 0, 4}}};
-  CHECK(places(loose) == Places{{0, 0, 2}, {1, 0, 0}, {0, 1, 4}});
+  CHECK(places(loose) == PlaceList{{0, 0, 2}, {1, 0, 0}, {0, 1, 4}});
 }
 
 TEST_CASE("Joints turn and mirror the normals and triangles that follow them") {
@@ -85,7 +84,7 @@ TEST_CASE("Joints turn and mirror the normals and triangles that follow them") {
   CHECK(length(turned.mesh.normals[2] - Vector{0, -1, 0}) < 1e-6);
   parts.document["nodes"][1] = {{"scale", {-2, 2, 2}}};
   const ReadFile mirrored = read(parts);
-  CHECK(mirrored.positions() == Places{{0, 0, 0}, {-2, 0, 0}, {0, 2, 0}});
+  CHECK(mirrored.positions() == PlaceList{{0, 0, 0}, {-2, 0, 0}, {0, 2, 0}});
   CHECK(mirrored.mesh.normals[0] == Vector{0, 0, 1});
   CHECK(mirrored.mesh.triangles[0] == std::array<std::uint32_t, 3>{0, 2, 1});
 }

@@ -10,10 +10,10 @@ using namespace dini;
 
 namespace {
 
-const Limits limits;
+const Limits usual_limits;
 
 std::multiset<std::string> pointers(const Json& json) {
-  const Result<Document> read = read_document(json, limits, Registry());
+  const Result<Document> read = read_document(json, usual_limits, Registry());
   std::multiset<std::string> all;
   if (read) return all;
   for (const Problem& problem : read.problems()) all.insert(problem.code + " " + problem.pointer.value_or("nowhere"));
@@ -41,17 +41,17 @@ TEST_CASE("Writing what was read gives the same document") {
     },
     "ui": {"nodes": {"a": {"x": 1, "y": 2}}}
   })");
-  const Result<Document> read = read_document(json, limits, Registry());
+  const Result<Document> read = read_document(json, usual_limits, Registry());
   REQUIRE(read.has_value());
   CHECK(write_document(*read) == json);
-  const Result<Document> again = read_document(write_document(*read), limits, Registry());
+  const Result<Document> again = read_document(write_document(*read), usual_limits, Registry());
   REQUIRE(again.has_value());
   CHECK(*again == *read);
 }
 
 TEST_CASE("A document may say where its schema is, and keeps it") {
   const Json json = {{"$schema", "/schema/graph-1.json"}, {"format", 1}, {"nodes", Json::object()}};
-  const Result<Document> read = read_document(json, limits, Registry());
+  const Result<Document> read = read_document(json, usual_limits, Registry());
   REQUIRE(read);
   CHECK(write_document(*read) == json);
   CHECK(pointers({{"$schema", 1}, {"format", 1}, {"nodes", Json::object()}}) ==
@@ -99,13 +99,13 @@ TEST_CASE("Ids, formats and parameter defaults are checked") {
 
 TEST_CASE("A graph with too many nodes is refused as a whole") {
   Json json = {{"format", 1}, {"nodes", Json::object()}};
-  for (std::size_t i = 0; i <= limits.nodes; ++i) json["nodes"]["n" + std::to_string(i)] = {{"type", "number"}};
+  for (std::size_t i = 0; i <= usual_limits.nodes; ++i) json["nodes"]["n" + std::to_string(i)] = {{"type", "number"}};
   CHECK(pointers(json) == std::multiset<std::string>{"limit-exceeded /nodes"});
 }
 
 TEST_CASE("The reader refuses what is not strict JSON") {
   const auto code = [](std::string_view text) {
-    const Result<Json> read = parse_json(text, limits);
+    const Result<Json> read = parse_json(text, usual_limits);
     return read ? std::string("read") : read.problems().front().code;
   };
   CHECK(code(R"({"a": [1, -2.5e3, "x", true, null]})") == "read");
@@ -119,8 +119,8 @@ TEST_CASE("The reader refuses what is not strict JSON") {
   CHECK(code(std::string(32, '[') + std::string(32, ']')) == "read");
   CHECK(code(std::string(33, '[') + std::string(33, ']')) == "not-json");
   CHECK(code(std::string(1'000'000, '[')) == "not-json");
-  CHECK(code("[\"" + std::string(limits.string_bytes + 1, 'a') + "\"]") == "limit-exceeded");
+  CHECK(code("[\"" + std::string(usual_limits.string_bytes + 1, 'a') + "\"]") == "limit-exceeded");
   std::string many = "[0";
-  for (std::size_t i = 0; i < limits.json_values; ++i) many += ",0";
+  for (std::size_t i = 0; i < usual_limits.json_values; ++i) many += ",0";
   CHECK(code(many + "]") == "limit-exceeded");
 }

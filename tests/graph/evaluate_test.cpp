@@ -1,22 +1,20 @@
 #include <catch2/catch.hpp>
 #include <thread>
 
+#include "tests/graph/toy_registry.h"
 #include "tests/support/graphs.h"
-#include "tests/support/toy_nodes.h"
 
 using namespace dini;
 using support::document;
+using support::from;
+using support::toy_registry;
 
 namespace {
 
-const Registry registry = toy::registry();
-
 Json value_node(const char* type, Json value) { return {{"type", type}, {"inputs", {{"value", std::move(value)}}}}; }
 
-Json from(const std::string& link) { return {{"from", link}}; }
-
 Problems failures(const Json& graph, const std::vector<std::string>& targets) {
-  const CheckReport report = support::checked(registry, graph);
+  const CheckReport report = support::checked(toy_registry, graph);
   REQUIRE(report.problems.empty());
   std::vector<std::size_t> indices;
   for (const std::string& target : targets) indices.push_back(report.plan.index.at(target));
@@ -35,9 +33,9 @@ TEST_CASE("A node runs once however many need it, and not at all when its result
                                {"c", {{"type", "sum"}, {"inputs", {{"a", from("a")}, {"b", from("b")}}}}}});
   Cache cache(1 << 20);
   const int before = toy::runs;
-  CHECK(support::numbers(registry, graph, "c", cache) == std::vector<double>{15});
+  CHECK(support::numbers(toy_registry, graph, "c", cache) == std::vector<double>{15});
   CHECK(toy::runs == before + 1);
-  CHECK(support::numbers(registry, graph, "c", cache) == std::vector<double>{15});
+  CHECK(support::numbers(toy_registry, graph, "c", cache) == std::vector<double>{15});
   CHECK(toy::runs == before + 1);
 }
 
@@ -47,7 +45,7 @@ TEST_CASE("A chain of 64 diamonds takes time proportional to their number") {
     const std::string previous = "n" + std::to_string(i - 1);
     nodes["n" + std::to_string(i)] = {{"type", "sum"}, {"inputs", {{"a", from(previous)}, {"b", from(previous)}}}};
   }
-  CHECK(support::numbers(registry, document(nodes), "n64") == std::vector<double>{18446744073709551616.0});
+  CHECK(support::numbers(toy_registry, document(nodes), "n64") == std::vector<double>{18446744073709551616.0});
 }
 
 TEST_CASE("A chain as long as a graph may be does not exhaust the stack") {
@@ -56,7 +54,7 @@ TEST_CASE("A chain as long as a graph may be does not exhaust the stack") {
     nodes["n" + std::to_string(i)] = {{"type", "sum"},
                                       {"inputs", {{"a", from("n" + std::to_string(i - 1))}, {"b", 1}}}};
   }
-  CHECK(support::numbers(registry, document(nodes), "n1999") == std::vector<double>{1999});
+  CHECK(support::numbers(toy_registry, document(nodes), "n1999") == std::vector<double>{1999});
 }
 
 TEST_CASE("Failures name the node, the port and the sample, and independent failures are all reported") {
@@ -82,7 +80,7 @@ TEST_CASE("Hard ranges hold for wired numbers too") {
 }
 
 TEST_CASE("A cancelled evaluation ends with the reason") {
-  const CheckReport report = support::checked(registry, document({{"e", value_node("endless", 1)}}));
+  const CheckReport report = support::checked(toy_registry, document({{"e", value_node("endless", 1)}}));
   for (const auto& [reason, code] :
        {std::pair{StopReason::superseded, "superseded"}, {StopReason::client_gone, "client-gone"}}) {
     Cache cache(1 << 20);
@@ -105,7 +103,7 @@ TEST_CASE("Progress announces all work before the first of it, and ends where al
     nodes["r" + std::to_string(i + 1)] = {{"type", "sum"},
                                           {"inputs", {{"a", from("r" + std::to_string(i))}, {"b", i}}}};
   }
-  const CheckReport report = support::checked(registry, document(nodes));
+  const CheckReport report = support::checked(toy_registry, document(nodes));
   const std::size_t last = report.plan.index.at("r8");
   Cache cache(1 << 28);
   const Job job;
@@ -143,7 +141,7 @@ TEST_CASE("A node that fails by an exception spoils nobody else's result") {
   for (const auto& [type, code] : {std::pair{"no_memory", "out-of-memory"}, {"throws", "internal"}}) {
     CAPTURE(type);
     nodes["bad"] = value_node(type, 1);
-    const CheckReport report = support::checked(registry, document(nodes));
+    const CheckReport report = support::checked(toy_registry, document(nodes));
     REQUIRE(report.problems.empty());
     std::vector<std::size_t> targets;
     for (const auto& [id, index] : report.plan.index) targets.push_back(index);
@@ -166,7 +164,7 @@ TEST_CASE("A node that fails by an exception spoils nobody else's result") {
 
 TEST_CASE("Warnings of the nodes before it stay with a result that comes from the cache") {
   const Json graph = document({{"w", value_node("warns", 3)}, {"c", value_node("constant", from("w"))}});
-  const CheckReport report = support::checked(registry, graph);
+  const CheckReport report = support::checked(toy_registry, graph);
   const std::size_t last = report.plan.index.at("c");
   Cache cache(1 << 20);
   const Job job;
@@ -188,7 +186,7 @@ TEST_CASE("Equal nodes of one graph are computed once") {
                                {"b", value_node("count_runs", 5)},
                                {"c", {{"type", "sum"}, {"inputs", {{"a", from("a")}, {"b", from("b")}}}}}});
   const int before = toy::runs;
-  CHECK(support::numbers(registry, graph, "c") == std::vector<double>{12});
+  CHECK(support::numbers(toy_registry, graph, "c") == std::vector<double>{12});
   CHECK(toy::runs == before + 1);
 }
 

@@ -1,17 +1,16 @@
 #include <catch2/catch.hpp>
 
+#include "tests/graph/toy_registry.h"
 #include "tests/support/graphs.h"
-#include "tests/support/toy_nodes.h"
 
 using namespace dini;
 using support::document;
+using support::toy_registry;
 
 namespace {
 
-const Registry registry = toy::registry();
-
 Digest key(const Json& graph, const std::string& node) {
-  const CheckReport report = support::checked(registry, graph);
+  const CheckReport report = support::checked(toy_registry, graph);
   REQUIRE(report.problems.empty());
   return report.plan.nodes[report.plan.index.at(node)].fingerprint;
 }
@@ -58,7 +57,7 @@ TEST_CASE("A change reaches every node behind it and no other") {
 TEST_CASE("Two equal ranges of different nodes share one result but stay different axes") {
   Cache cache(1 << 20);
   const Json graph = two_ramps("a", "b", 3, "");
-  CHECK(support::numbers(registry, graph, "s", cache) == std::vector<double>{0, 1, 2, 1, 2, 3, 2, 3, 4});
-  CHECK(support::numbers(registry, graph, "s", cache) == std::vector<double>{0, 1, 2, 1, 2, 3, 2, 3, 4});
+  CHECK(support::numbers(toy_registry, graph, "s", cache) == std::vector<double>{0, 1, 2, 1, 2, 3, 2, 3, 4});
+  CHECK(support::numbers(toy_registry, graph, "s", cache) == std::vector<double>{0, 1, 2, 1, 2, 3, 2, 3, 4});
   CHECK(cache.size() == 2);
 }

@@ -2,16 +2,15 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/graph/toy_registry.h"
 #include "tests/support/graphs.h"
-#include "tests/support/toy_nodes.h"
 
 using namespace dini;
 using support::from;
 using support::make;
+using support::toy_registry;
 
 namespace {
-
-const Registry registry = toy::registry();
 
 Json input(const std::string& name) { return {{"input", name}}; }
 
@@ -40,9 +39,9 @@ Json chain() {
 }
 
 Result<Document> read(const Json& json, const Limits& limits = {}) {
-  Result<Document> document = read_document(json, limits, registry);
+  Result<Document> document = read_document(json, limits, toy_registry);
   if (!document) return document;
-  return expanded(*std::move(document), limits, registry);
+  return expanded(*std::move(document), limits, toy_registry);
 }
 
 /// "code pointer" of all problems, those of the check included.
@@ -55,7 +54,7 @@ std::multiset<std::string> problems(const Json& json, const Limits& limits = {})
   if (!document) {
     add(document.problems());
   } else {
-    add(check(registry, *document, usual_parameters(*document), Quality::final, limits).problems);
+    add(check(toy_registry, *document, usual_parameters(*document), Quality::final, limits).problems);
   }
   return all;
 }
@@ -68,7 +67,7 @@ TEST_CASE("A document with groups is written as it was read") {
   Json json = grouped({{"weighted", weighted()}, {"chain", chain()}}, {{"c", make("group/chain", {{"step", 2}})}});
   json["groups"]["weighted"]["label"] = "Weighted sum";
   json["groups"]["weighted"]["inputs"][0]["description"] = "The first.";
-  const Result<Document> document = read_document(json, Limits(), registry);
+  const Result<Document> document = read_document(json, Limits(), toy_registry);
   REQUIRE(document);
   CHECK(write_document(*document) == json);
 }
@@ -89,8 +88,8 @@ TEST_CASE("A document with nested groups becomes its flat form") {
   CHECK(write_document(*document) == wanted);
   const Result<Document> same = read(wanted);
   REQUIRE(same);
-  const CheckReport ours = check(registry, *document, {}, Quality::final, {});
-  const CheckReport theirs = check(registry, *same, {}, Quality::final, {});
+  const CheckReport ours = check(toy_registry, *document, {}, Quality::final, {});
+  const CheckReport theirs = check(toy_registry, *same, {}, Quality::final, {});
   REQUIRE(ours.problems.empty());
   REQUIRE(ours.plan.nodes.size() == 6);
   for (std::size_t k = 0; k < ours.plan.nodes.size(); ++k) {
@@ -142,7 +141,7 @@ TEST_CASE("Axes that are called after nodes of a group are called after their pa
                       {"outer", make("group/g", {{"values", from("k")}, {"along", "k"}})}};
   const Result<Document> document = read(grouped({{"g", group}}, nodes));
   REQUIRE(document);
-  const CheckReport report = check(registry, *document, {}, Quality::final, {});
+  const CheckReport report = check(toy_registry, *document, {}, Quality::final, {});
   REQUIRE(report.problems.empty());
   const auto axis_of = [&](const std::string& id) {
     return report.plan.nodes[report.plan.index.at(id)].outputs[0].axes.at(0).name;
@@ -183,7 +182,7 @@ TEST_CASE("Problems within groups point at what was written") {
   json["nodes"]["w"]["inputs"] = {{"a", 1}};
   const Result<Document> document = read(json);
   REQUIRE(document);
-  const Problems found = check(registry, *document, {}, Quality::final, {}).problems;
+  const Problems found = check(toy_registry, *document, {}, Quality::final, {}).problems;
   REQUIRE(found.size() == 1);
   CHECK(found[0].node == "w/odd");
   CHECK(found[0].pointer == "/groups/weighted/nodes/odd/inputs/value");

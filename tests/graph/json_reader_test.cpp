@@ -6,7 +6,7 @@ using namespace dini;
 
 namespace {
 
-Json read(const std::string& text) {
+Json parsed(const std::string& text) {
   const Result<Json> json = parse_json(text, {});
   REQUIRE(json);
   return *json;
@@ -17,18 +17,18 @@ Json read(const std::string& text) {
 TEST_CASE("A number is the same however it is spelled") {
   for (const auto* text : {"16", "16.0", "1.6e1", "160e-1", "16.000", "0.16E+2"}) {
     CAPTURE(text);
-    CHECK(read(text).is_number_integer());
-    CHECK(read(text).dump() == "16");
+    CHECK(parsed(text).is_number_integer());
+    CHECK(parsed(text).dump() == "16");
   }
   for (const auto* text : {"0", "-0", "0.0", "-0.0", "0e5", "-0e-5", "1e-400"}) {
     CAPTURE(text);
-    CHECK(read(text).dump() == "0");
+    CHECK(parsed(text).dump() == "0");
   }
-  CHECK(read("-2.0").dump() == "-2");
-  CHECK(read("2.50").dump() == "2.5");
-  CHECK(read("9007199254740993").dump() == read("9007199254740993.0").dump());
-  CHECK(read("123456789012345678901234567890").is_number_float());
-  CHECK(read("-123456789012345678901234567890").is_number_float());
+  CHECK(parsed("-2.0").dump() == "-2");
+  CHECK(parsed("2.50").dump() == "2.5");
+  CHECK(parsed("9007199254740993").dump() == parsed("9007199254740993.0").dump());
+  CHECK(parsed("123456789012345678901234567890").is_number_float());
+  CHECK(parsed("-123456789012345678901234567890").is_number_float());
 }
 
 TEST_CASE("What is no JSON is named by its line and column") {
@@ -42,7 +42,7 @@ TEST_CASE("What is no JSON is named by its line and column") {
 
 TEST_CASE("A byte order mark is passed over, once and at the beginning only") {
   const std::string mark = "\xEF\xBB\xBF";
-  CHECK(read(mark + R"({"a": 1})")["a"] == 1);
+  CHECK(parsed(mark + R"({"a": 1})")["a"] == 1);
   CHECK_FALSE(parse_json(mark + mark + "{}", {}));
   CHECK_FALSE(parse_json("{" + mark + "}", {}));
   CHECK_FALSE(parse_json(mark, {}));

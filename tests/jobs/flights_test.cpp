@@ -40,8 +40,8 @@ struct Told {
   }
 };
 
-struct Field {
-  explicit Field(std::size_t places = 1, std::size_t waiting = 4) : queue({places, waiting, 1000}) {}
+struct FlightField {
+  explicit FlightField(std::size_t places = 1, std::size_t waiting = 4) : queue({places, waiting, 1000}) {}
   Alarms alarms;
   ComputeQueue queue;
   Flights flights{queue, alarms};
@@ -65,7 +65,7 @@ std::function<Answer(const Job&)> until(std::atomic<bool>& go, std::atomic<int>&
 }  // namespace
 
 TEST_CASE("A hundred who ask for the same are told the same, after one computation in one place") {
-  Field field(1, 0);
+  FlightField field(1, 0);
   std::atomic<bool> go = false;
   std::atomic<int> runs = 0, stopped = 0;
   std::vector<Told> told(100);
@@ -82,7 +82,7 @@ TEST_CASE("A hundred who ask for the same are told the same, after one computati
 }
 
 TEST_CASE("Who is not let in is not told") {
-  Field field(1, 0);
+  FlightField field(1, 0);
   std::atomic<bool> go = false;
   std::atomic<int> runs = 0, stopped = 0;
   Told first, second;
@@ -101,7 +101,7 @@ TEST_CASE("Who is not let in is not told") {
 }
 
 TEST_CASE("One who leaves is told why at once, and the work goes on for the others and ends with the last") {
-  Field field;
+  FlightField field;
   std::atomic<bool> go = false;
   std::atomic<int> runs = 0, stopped = 0;
   Told first, second, third;
@@ -128,7 +128,7 @@ TEST_CASE("One who leaves is told why at once, and the work goes on for the othe
 }
 
 TEST_CASE("Deadlines hold for those who wait in the queue, and take back their work") {
-  Field field(1, 2);
+  FlightField field(1, 2);
   std::atomic<bool> go = false;
   std::atomic<int> runs = 0, stopped = 0;
   Told running, waiting;
@@ -145,7 +145,7 @@ TEST_CASE("Deadlines hold for those who wait in the queue, and take back their w
 }
 
 TEST_CASE("A deadline that has passed already is told like any other") {
-  Field field;
+  FlightField field;
   std::atomic<bool> go = true;
   std::atomic<int> runs = 0, stopped = 0;
   Told late;
@@ -155,7 +155,7 @@ TEST_CASE("A deadline that has passed already is told like any other") {
 }
 
 TEST_CASE("Exceptions become problems and tell nothing of the inside") {
-  Field field;
+  FlightField field;
   Told memory, bug;
   field.ask(
       1, [](const Job&) -> Answer { throw std::bad_alloc(); }, memory);
@@ -168,7 +168,7 @@ TEST_CASE("Exceptions become problems and tell nothing of the inside") {
 }
 
 TEST_CASE("A teller that throws is destroyed and hurts nobody else") {
-  Field field;
+  FlightField field;
   const auto held = std::make_shared<int>(1);
   const std::weak_ptr<int> watch = held;
   Told other;
@@ -185,7 +185,7 @@ TEST_CASE("A teller that throws is destroyed and hurts nobody else") {
 }
 
 TEST_CASE("Everybody can be told that the server is shutting down") {
-  Field field(2, 8);
+  FlightField field(2, 8);
   std::atomic<bool> go = false;
   std::atomic<int> runs = 0, stopped = 0;
   std::vector<Told> told(6);
@@ -200,7 +200,7 @@ TEST_CASE("Everybody can be told that the server is shutting down") {
 }
 
 TEST_CASE("Asking, leaving and landing at the same time tell everybody exactly once") {
-  Field field(2, 1000);
+  FlightField field(2, 1000);
   constexpr int askers = 4, rounds = 500;
   std::vector<Told> told(askers * rounds);
   {

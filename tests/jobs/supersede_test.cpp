@@ -13,7 +13,7 @@ namespace {
 
 using Answer = Result<std::shared_ptr<const int>>;
 
-struct Field {
+struct SupersedeField {
   Alarms alarms;
   ComputeQueue queue{{1, 16, 1000}};
   Flights flights{queue, alarms};
@@ -22,7 +22,7 @@ struct Field {
   Flights::Clock::time_point start = Flights::Clock::now();
   std::uint8_t keys = 0;
 
-  ~Field() { go = true; }
+  ~SupersedeField() { go = true; }
 
   std::shared_ptr<Flights::Interest> ask(std::string& code) {
     return flights.ask<int>(
@@ -39,7 +39,7 @@ struct Field {
 
 TEST_CASE("Only the same key supersedes, and only what arrived before") {
   std::string a, b, c, d;
-  Field field;
+  SupersedeField field;
   const auto first = field.ask(a), other = field.ask(b), anonymous = field.ask(c), second = field.ask(d);
   field.registry.take_over("k", field.start, first);
   field.registry.take_over("other", field.start, other);
@@ -57,7 +57,7 @@ TEST_CASE("Only the same key supersedes, and only what arrived before") {
 
 TEST_CASE("A request that took longer to be read than a newer one is the superseded one") {
   std::string newer, older;
-  Field field;
+  SupersedeField field;
   const auto quick = field.ask(newer), slow = field.ask(older);
   field.registry.take_over("k", field.start + 1ms, quick);
   field.registry.take_over("k", field.start, slow);
@@ -67,7 +67,7 @@ TEST_CASE("A request that took longer to be read than a newer one is the superse
 
 TEST_CASE("After the current one: what runs is finished, what waits is replaced") {
   std::string a, b, c;
-  Field field;
+  SupersedeField field;
   const auto running = field.ask(a);
   field.registry.take_over("k", field.start, running, Superseding::after_current);
   REQUIRE(eventually([&] { return running->has_begun(); }));
@@ -85,7 +85,7 @@ TEST_CASE("After the current one: what runs is finished, what waits is replaced"
 
 TEST_CASE("At once: all that are there are stopped, also those that were let run before") {
   std::string a, b;
-  Field field;
+  SupersedeField field;
   const auto running = field.ask(a), waiting = field.ask(b);
   REQUIRE(eventually([&] { return running->has_begun(); }));
   field.registry.take_over("k", field.start, running, Superseding::after_current);
@@ -98,7 +98,7 @@ TEST_CASE("At once: all that are there are stopped, also those that were let run
 
 TEST_CASE("Many keys are not remembered for ever") {
   std::string last;
-  Field field;
+  SupersedeField field;
   for (int i = 0; i < 5000; ++i) field.registry.take_over(std::to_string(i), field.start, nullptr);
   const auto interest = field.ask(last);
   field.registry.take_over("k", field.start, interest);

@@ -12,8 +12,8 @@ using namespace dini::support;
 
 namespace {
 
-const Json ball = make("sphere_mesh", {{"segments", 128}, {"rings", 64}});
-const Json ring = make("torus_mesh", {{"center", {3, 0, 0}}});
+const Json unit_ball = make("sphere_mesh", {{"segments", 128}, {"rings", 64}});
+const Json torus = make("torus_mesh", {{"center", {3, 0, 0}}});
 
 std::size_t triangles_of(const Scene& scene) {
   std::size_t count = 0;
@@ -26,8 +26,8 @@ std::size_t triangles_of(const Scene& scene) {
 }  // namespace
 
 TEST_CASE("Measure knows spheres and tori") {
-  CatalogueGraph graph = graph_of({{"ball", ball},
-                                   {"ring", ring},
+  CatalogueGraph graph = graph_of({{"ball", unit_ball},
+                                   {"ring", torus},
                                    {"b", make("measure", {{"model", from("ball")}})},
                                    {"r", make("measure", {{"model", from("ring")}})}});
   CHECK(graph.one<double>("b.area") == Approx(4 * 3.14159265).epsilon(0.002));
@@ -43,8 +43,8 @@ TEST_CASE("Measure knows spheres and tori") {
 }
 
 TEST_CASE("Merge joins all links and all values of their axes") {
-  CatalogueGraph graph = graph_of({{"ball", ball},
-                                   {"ring", ring},
+  CatalogueGraph graph = graph_of({{"ball", unit_ball},
+                                   {"ring", torus},
                                    {"k", make("range", {{"from", 10}, {"to", 20}, {"count", 3}})},
                                    {"aside", make("vector", {{"y", from("k")}})},
                                    {"row", make("translate", {{"shape", from("ball")}, {"vector", from("aside")}})},
@@ -59,7 +59,7 @@ TEST_CASE("Merge joins all links and all values of their axes") {
 
 TEST_CASE("Color paints a mesh and leaves its shape alone") {
   CatalogueGraph graph =
-      graph_of({{"ball", ball}, {"red", make("color", {{"shape", from("ball")}, {"color", {1, 0.25, 0}}})}});
+      graph_of({{"ball", unit_ball}, {"red", make("color", {{"shape", from("ball")}, {"color", {1, 0.25, 0}}})}});
   const auto before = graph.one<SharedMesh>("ball"), after = graph.one<SharedMesh>("red");
   CHECK(after->color == Color{1, 0.25, 0, 1});
   CHECK((after->positions == before->positions));
@@ -69,7 +69,7 @@ TEST_CASE("Color paints a mesh and leaves its shape alone") {
 TEST_CASE("A material reaches the file, and colors that follow leave its finish alone") {
   const Json look = {{"shape", from("ball")}, {"color", {1, 0.25, 0}}, {"opacity", 0.5},
                      {"metallic", 1},         {"roughness", 0.2},      {"double_sided", false}};
-  CatalogueGraph graph = graph_of({{"ball", ball},
+  CatalogueGraph graph = graph_of({{"ball", unit_ball},
                                    {"glass", make("material", look)},
                                    {"shaded", make("curvature_color", {{"shape", from("glass")}})},
                                    {"moved", make("translate", {{"shape", from("shaded")}, {"vector", {9, 0, 0}}})},
@@ -110,7 +110,7 @@ TEST_CASE("Check passes a number on within its bounds and fails beyond, with its
 }
 
 TEST_CASE("An exported file holds what was exported, within the announced bound") {
-  CatalogueGraph graph = graph_of({{"ball", ball},
+  CatalogueGraph graph = graph_of({{"ball", unit_ball},
                                    {"red", make("color", {{"shape", from("ball")}, {"color", {1, 0, 0}}})},
                                    {"circle", make("circle", {{"radius", 2}})},
                                    {"dots", make("sample", {{"shape", from("circle")}, {"count", 5}})},

@@ -1,7 +1,6 @@
 // Copies of shapes: with an image in a mirror, in a row, around an axis and along a curve.
 
-#include "geometry/measure.h"
-#include "geometry/validate.h"
+#include "tests/nodes/mesh_measures.h"
 #include "tests/support/catalogue.h"
 #include "tests/support/close.h"
 
@@ -9,12 +8,6 @@ using namespace dini;
 using namespace dini::support;
 
 namespace {
-
-Measures measures_of(const Mesh& mesh) {
-  const Cancel cancel;
-  CHECK_FALSE(mesh_defect(mesh));
-  return measure(mesh, cancel);
-}
 
 /// Half a torus, open where it ends in the plane x = 0, a hair off it.
 Json half_ring(double off) {

@@ -5,8 +5,10 @@
 
 #include "algebra/construct.h"
 #include "algebra/versor.h"
+#include "tests/nodes/singular.h"
 #include "tests/support/catalogue.h"
 #include "tests/support/close.h"
+#include "tests/support/triple.h"
 
 using namespace dini;
 using namespace dini::support;
@@ -16,13 +18,6 @@ namespace {
 Json only(const std::string& type, Json inputs, const std::string& output = "") {
   CatalogueGraph graph = graph_of({{"n", make(type, std::move(inputs))}});
   return graph.json(output.empty() ? "n" : "n." + output)["values"].at(0);
-}
-
-Vector triple(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
-
-void require_degenerate(const Json& nodes, const std::string& port) {
-  CatalogueGraph graph = graph_of(nodes);
-  CHECK(codes(graph.problems("n")) == std::multiset<std::string>{"degenerate n." + port});
 }
 
 }  // namespace

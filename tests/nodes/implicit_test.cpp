@@ -5,14 +5,13 @@
 #include "geometry/measure.h"
 #include "tests/support/catalogue.h"
 #include "tests/support/close.h"
+#include "tests/support/never_stopped.h"
 #include "tests/support/random_elements.h"
 
 using namespace dini;
 using namespace dini::support;
 
 namespace {
-
-const Cancel never;
 
 Json ball_and_ring() {
   return {{"ball", make("sphere", {{"radius", 0.8}})},
@@ -70,7 +69,7 @@ TEST_CASE("Unions, intersections and differences hold what their words say") {
   CatalogueGraph graph = graph_of(nodes);
   std::map<std::string, double> volume;
   for (const char* name : {"a", "b", "union", "intersection", "difference"}) {
-    const Measures measures = measure(*graph.one<SharedMesh>(std::string(name) + "_mesh"), never);
+    const Measures measures = measure(*graph.one<SharedMesh>(std::string(name) + "_mesh"), never_stopped);
     CAPTURE(name);
     CHECK(measures.closed);
     volume[name] = measures.volume;
@@ -121,7 +120,7 @@ TEST_CASE("A draft of an implicit surface has at most the triangles that it was 
   const SharedMesh mesh = graph.one<SharedMesh>("mesh");
   CHECK(mesh->triangles.size() > 1000);
   CHECK(mesh->triangles.size() <= Detail::usual_triangle_budget);
-  CHECK(measure(*mesh, never).closed);
+  CHECK(measure(*mesh, never_stopped).closed);
 }
 
 TEST_CASE("Fields that are too large or too deep are refused, and warps that no field can take") {
@@ -151,7 +150,7 @@ TEST_CASE("A solid beyond its box is closed there with a warning, and an empty b
   nodes["cut"] = make("implicit", {{"field", from("a")}, {"size", {1, 1, 1}}, {"resolution", 16}});
   nodes["none"] = make("implicit", {{"field", from("a")}, {"center", {5, 0, 0}}, {"resolution", 16}});
   CatalogueGraph graph = graph_of(nodes);
-  CHECK(measure(*graph.one<SharedMesh>("cut"), never).closed);
+  CHECK(measure(*graph.one<SharedMesh>("cut"), never_stopped).closed);
   CHECK(graph.warnings().front().code == "capped");
   CHECK(graph.one<SharedMesh>("none")->triangles.empty());
   CHECK(graph.warnings().front().code == "empty");
@@ -171,7 +170,7 @@ TEST_CASE("The lamp shade and the invagination are watertight for random setting
       nodes["mesh"]["inputs"]["resolution"] = 64;
       CAPTURE(id, numbers.dump());
       CatalogueGraph graph = graph_of(nodes);
-      const Measures measures = measure(*graph.one<SharedMesh>("mesh"), never);
+      const Measures measures = measure(*graph.one<SharedMesh>("mesh"), never_stopped);
       CHECK(measures.closed);
       CHECK(measures.volume > 0);
       CHECK(measures.euler % 2 == 0);

@@ -4,24 +4,13 @@
 
 #include <cmath>
 
-#include "geometry/measure.h"
-#include "geometry/validate.h"
+#include "tests/nodes/mesh_measures.h"
 #include "tests/support/catalogue.h"
 #include "tests/support/close.h"
 #include "tests/support/random_elements.h"
 
 using namespace dini;
 using namespace dini::support;
-
-namespace {
-
-Measures measures_of(const Mesh& mesh) {
-  const Cancel cancel;
-  CHECK_FALSE(mesh_defect(mesh));
-  return measure(mesh, cancel);
-}
-
-}  // namespace
 
 TEST_CASE("Noise stays between -1 and 1, reaches far into both and is zero on average") {
   RandomElements random(21);

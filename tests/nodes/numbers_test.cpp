@@ -18,7 +18,7 @@ CatalogueGraph formula(const std::string& text, double x = 0, double y = 0, doub
   return graph_of({{"f", make("expression", {{"formula", text}, {"x", x}, {"y", y}, {"z", z}, {"w", w}})}});
 }
 
-double value(const std::string& text, double x = 0, double y = 0, double z = 0, double w = 0) {
+double formula_value(const std::string& text, double x = 0, double y = 0, double z = 0, double w = 0) {
   return formula(text, x, y, z, w).one<double>("f");
 }
 
@@ -73,14 +73,14 @@ TEST_CASE("A list joins literals and links of one type along a new axis") {
 }
 
 TEST_CASE("Formulas follow the usual order of operators") {
-  CHECK(value("1 + 2 * 3 ^ 2") == 19);
-  CHECK(value("2 ^ 3 ^ 2") == 512);
-  CHECK(value("-x ^ 2", 3) == -9);
-  CHECK(value("(x - y) / z * w", 7, 1, 3, 5) == 10);
-  CHECK(value("x < y && y <= z || w", 1, 2, 2, 0) == 1);
-  CHECK(value("x > 0 ? y : z", -1, 5, 6) == 6);
-  CHECK(value("(x == 2) + (x != 2) + (y >= 3)", 2, 3) == 2);
-  CHECK(value("1.5e3 + .5") == 1500.5);
+  CHECK(formula_value("1 + 2 * 3 ^ 2") == 19);
+  CHECK(formula_value("2 ^ 3 ^ 2") == 512);
+  CHECK(formula_value("-x ^ 2", 3) == -9);
+  CHECK(formula_value("(x - y) / z * w", 7, 1, 3, 5) == 10);
+  CHECK(formula_value("x < y && y <= z || w", 1, 2, 2, 0) == 1);
+  CHECK(formula_value("x > 0 ? y : z", -1, 5, 6) == 6);
+  CHECK(formula_value("(x == 2) + (x != 2) + (y >= 3)", 2, 3) == 2);
+  CHECK(formula_value("1.5e3 + .5") == 1500.5);
 }
 
 TEST_CASE("Functions of formulas have their usual values") {
@@ -88,7 +88,7 @@ TEST_CASE("Functions of formulas have their usual values") {
     CAPTURE(x);
     const auto agrees = [&](const std::string& text, double expected) {
       CAPTURE(text);
-      CHECK(std::abs(value(text, x, 0.7) - expected) <= 4e-16 * std::max(1.0, std::abs(expected)));
+      CHECK(std::abs(formula_value(text, x, 0.7) - expected) <= 4e-16 * std::max(1.0, std::abs(expected)));
     };
     agrees("sin(x)", std::sin(x));
     agrees("cos(x)", std::cos(x));
@@ -115,10 +115,10 @@ TEST_CASE("Functions of formulas have their usual values") {
     agrees("acos(x)", std::acos(x));
     agrees("atanh(x)", std::atanh(x));
   }
-  CHECK(value("ln(e) + log10(1000) + log2(8) + log(e ^ 2)") == Approx(9).epsilon(1e-15));
-  CHECK(value("acosh(2)") == Approx(std::acosh(2.0)).epsilon(1e-15));
-  CHECK(value("pow(2, 0.5) - sqrt(2)") == Approx(0).margin(1e-15));
-  CHECK(value("pi") == 3.14159265358979323846);
+  CHECK(formula_value("ln(e) + log10(1000) + log2(8) + log(e ^ 2)") == Approx(9).epsilon(1e-15));
+  CHECK(formula_value("acosh(2)") == Approx(std::acosh(2.0)).epsilon(1e-15));
+  CHECK(formula_value("pow(2, 0.5) - sqrt(2)") == Approx(0).margin(1e-15));
+  CHECK(formula_value("pi") == 3.14159265358979323846);
 }
 
 TEST_CASE("A formula that cannot be read is a problem with its place") {

@@ -8,6 +8,7 @@
 #include "geometry/solid.h"
 #include "geometry/welded_mesh.h"
 #include "tests/support/catalogue.h"
+#include "tests/support/never_stopped.h"
 #include "tests/support/random_elements.h"
 
 using namespace dini;
@@ -15,9 +16,7 @@ using namespace dini::support;
 
 namespace {
 
-const Cancel never;
-
-const Json ball = make("sphere_mesh", {{"segments", 24}, {"rings", 12}});
+const Json coarse_ball = make("sphere_mesh", {{"segments", 24}, {"rings", 12}});
 
 Json read_object(const std::string& id) {
   std::ifstream file(std::string(DINI_SOURCE_DIR) + "/examples/" + id + ".json");
@@ -59,7 +58,7 @@ struct Promise {
 };
 
 void require_solid(const Promise& promise, const SharedMesh& mesh) {
-  const Measures measures = measure(*mesh, never);
+  const Measures measures = measure(*mesh, never_stopped);
   CHECK(measures.closed);
   CHECK(measures.boundary_edges == 0);
   CHECK(2 * measures.edges == 3 * measures.triangles);
@@ -71,7 +70,7 @@ void require_solid(const Promise& promise, const SharedMesh& mesh) {
 }  // namespace
 
 TEST_CASE("Thicken makes a solid of a surface and says how thick it may be") {
-  CatalogueGraph graph = graph_of({{"ball", ball},
+  CatalogueGraph graph = graph_of({{"ball", coarse_ball},
                                    {"thin", make("thicken", {{"shape", from("ball")}, {"thickness", 0.3}})},
                                    {"thick", make("thicken", {{"shape", from("ball")}, {"thickness", 2}})},
                                    {"sound", make("printability", {{"model", from("thin")}})}});
@@ -89,7 +88,7 @@ TEST_CASE("Thicken makes a solid of a surface and says how thick it may be") {
 
 TEST_CASE("Thicken looks for contact only when it is asked to") {
   CatalogueGraph graph =
-      graph_of({{"ball", ball},
+      graph_of({{"ball", coarse_ball},
                 {"wall", make("thicken", {{"shape", from("ball")}, {"thickness", 2}, {"find_contact", false}})}});
   CHECK(graph.one<double>("wall.fits") == 2);
   CHECK(graph.warnings().empty());
@@ -100,8 +99,8 @@ TEST_CASE("The sides of a wall lie where their names say") {
        {std::tuple{"inside", 0.8, 1.0}, std::tuple{"both", 0.9, 1.1}, std::tuple{"outside", 1.0, 1.2}}) {
     CAPTURE(side);
     const SharedMesh wall =
-        graph_of(
-            {{"ball", ball}, {"wall", make("thicken", {{"shape", from("ball")}, {"thickness", 0.2}, {"side", side}})}})
+        graph_of({{"ball", coarse_ball},
+                  {"wall", make("thicken", {{"shape", from("ball")}, {"thickness", 0.2}, {"side", side}})}})
             .one<SharedMesh>("wall");
     for (std::size_t i = 0; i < wall->positions.size(); ++i) {
       const double radius = length(to_vector(wall->positions[i]));
@@ -127,7 +126,7 @@ TEST_CASE("A field takes the wall from one thickness to the other") {
     const double expected = 0.1 + 0.3 * way * way * (3 - 2 * way);
     CHECK(std::abs(wall->positions[i].z) == Approx(expected).epsilon(1e-12));
   }
-  CHECK(measure(*wall, never).closed);
+  CHECK(measure(*wall, never_stopped).closed);
 }
 
 TEST_CASE("Numbers over a mesh make its wall as thick as they say, at each vertex and all around") {
@@ -193,17 +192,17 @@ TEST_CASE("Numbers over a mesh that make no wall are refused where they are") {
 }
 
 TEST_CASE("A family of thicknesses makes a family of walls") {
-  CatalogueGraph graph = graph_of({{"ball", ball},
+  CatalogueGraph graph = graph_of({{"ball", coarse_ball},
                                    {"t", make("list", {{"items", {0.1, 0.2, 0.3}}})},
                                    {"walls", make("thicken", {{"shape", from("ball")}, {"thickness", from("t")}})}});
   const std::vector<SharedMesh> walls = graph.all<SharedMesh>("walls");
   REQUIRE(walls.size() == 3);
-  CHECK(measure(*walls[2], never).volume > measure(*walls[0], never).volume);
+  CHECK(measure(*walls[2], never_stopped).volume > measure(*walls[0], never_stopped).volume);
 }
 
 TEST_CASE("Offset moves along normals and back, and far meshes refuse what their coordinates cannot tell") {
   CatalogueGraph graph =
-      graph_of({{"ball", ball},
+      graph_of({{"ball", coarse_ball},
                 {"grown", make("offset", {{"shape", from("ball")}, {"distance", 0.5}})},
                 {"still", make("offset", {{"shape", from("ball")}, {"distance", 0}})},
                 {"away", make("sphere_mesh", {{"center", {1e9, 0, 0}}, {"segments", 8}, {"rings", 4}})},
@@ -286,7 +285,7 @@ TEST_CASE("The objects of the gallery are solids for random settings within thei
       require_solid(promise, mesh);
       // A wall that meets itself would have warned.
       for (const Warning& warning : graph.warnings()) FAIL_CHECK(warning.code << ": " << warning.detail);
-      if (promise.euler == 0) CHECK(contacts_of(welded(*mesh, never), 10, never).pairs == 0);
+      if (promise.euler == 0) CHECK(contacts_of(welded(*mesh, never_stopped), 10, never_stopped).pairs == 0);
     }
   }
 }
@@ -303,6 +302,6 @@ TEST_CASE("The pendant of the gallery is one solid for random settings within it
     const SharedMesh pendant = graph.one<SharedMesh>("pendant");
     require_solid({"object_pendant", "pendant", {}}, pendant);
     CHECK(graph.warnings().empty());
-    CHECK(soundness_of(welded(*pendant, never), never).components == 1);
+    CHECK(soundness_of(welded(*pendant, never_stopped), never_stopped).components == 1);
   }
 }

@@ -7,6 +7,7 @@
 
 #include "tests/support/catalogue.h"
 #include "tests/support/close.h"
+#include "tests/support/triple.h"
 
 namespace dini::support {
 
@@ -52,8 +53,6 @@ inline Json value(const Json& nodes, const std::string& place = "n") {
 }
 inline Point point(const Json& nodes, const std::string& place = "n") { return graph_of(nodes).one<Point>(place); }
 inline std::size_t triangles(const Json& nodes) { return value(nodes)["triangles"]; }
-
-inline Vector triple(const Json& json) { return {json[0], json[1], json[2]}; }
 
 inline void require_line(const Json& circle, const Vector& place, const Vector& direction) {
   REQUIRE(circle.value("line", false));

@@ -30,7 +30,7 @@ const std::vector<Case>& cases() {
   return all;
 }
 
-Json scene() {
+Json transform_scene() {
   return {
       {"pair", make("point_pair", {{"position", {2, 1, -1}}, {"direction", {0.3, 0.2, 0.5}}})},
       {"lone", make("point_pair", {{"position", {-2, 0, 3}}, {"direction", {0.1, 0.4, 0}}, {"split", 0.2}})},
@@ -42,7 +42,7 @@ Json scene() {
 }
 
 /// The scene and a case applied to the node `shape`, as the node "moved".
-Json moving(const Case& one, const std::string& shape, Json nodes = scene()) {
+Json moving(const Case& one, const std::string& shape, Json nodes = transform_scene()) {
   nodes["moved"] = make(one.type, one.inputs);
   nodes["moved"]["inputs"]["shape"] = from(shape);
   return nodes;
@@ -50,7 +50,7 @@ Json moving(const Case& one, const std::string& shape, Json nodes = scene()) {
 
 /// The image of a point.
 Point image(const Case& one, const Point& p) {
-  Json nodes = scene();
+  Json nodes = transform_scene();
   nodes["p"] = make("point", {{"position", {p.x, p.y, p.z}}});
   return graph_of(moving(one, "p", nodes)).one<Point>("moved");
 }
@@ -66,7 +66,7 @@ double distance_to(const CircleCoordinates& circle, const Point& p) {
 TEST_CASE("A transformed circle holds the transformed points, in the same order") {
   for (const Case& one : cases()) {
     CAPTURE(one.type);
-    Json nodes = scene();
+    Json nodes = transform_scene();
     nodes["points"] = make("sample", {{"shape", from("ring")}, {"count", 24}});
     const std::vector<Point> points = graph_of(moving(one, "points", nodes)).all<Point>("moved");
     const auto circle = coordinates(graph_of(moving(one, "ring")).one<Circle>("moved"));
@@ -129,7 +129,7 @@ TEST_CASE("Transforms do what their names say") {
   const Point p = {2, 1, 3};
   CHECK(image({"translate", {{"vector", {1, 2, 3}}}}, p) == Point{3, 3, 6});
   require_close(image({"scale", {{"center", {1, 1, 1}}, {"factor", 3}}}, p), Point{4, 1, 7});
-  Json straight = scene();
+  Json straight = transform_scene();
   straight["axis"] = make("line", {{"point", {1, 1, 0}}, {"direction", {0, 0, 4}}});
   straight["p"] = make("point", {{"position", {2, 1, 3}}});
   const auto about = [&](const Case& one) { return graph_of(moving(one, "p", straight)).one<Point>("moved"); };
@@ -139,7 +139,7 @@ TEST_CASE("Transforms do what their names say") {
 }
 
 TEST_CASE("Powers of a twist between lines compose, and the whole power takes one line to the other") {
-  Json nodes = scene();
+  Json nodes = transform_scene();
   const auto power = [](const std::string& shape, double amount) {
     return make("twist_between",
                 {{"shape", from(shape)}, {"from", from("axis")}, {"to", from("other")}, {"amount", amount}});
@@ -163,11 +163,11 @@ TEST_CASE("Powers of a twist between lines compose, and the whole power takes on
 
 TEST_CASE("Axes that are no lines are degenerate") {
   for (const auto& [type, port] : {std::pair{"twist", "axis"}, {"rotate", "axis"}}) {
-    Json nodes = scene();
+    Json nodes = transform_scene();
     nodes["n"] = make(type, {{"shape", from("pair")}, {port, from("ring")}});
     CHECK(codes(graph_of(nodes).problems("n")) == std::multiset<std::string>{"degenerate n.axis"});
   }
-  Json nodes = scene();
+  Json nodes = transform_scene();
   nodes["n"] = make("twist_between", {{"shape", from("pair")}, {"from", from("ring")}, {"to", from("axis")}});
   CHECK(graph_of(nodes).problems("n").front().code == "degenerate");
 }

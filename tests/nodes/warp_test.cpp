@@ -8,7 +8,7 @@ using namespace dini::support;
 
 namespace {
 
-Json scene() {
+Json warp_scene() {
   return {{"a", make("point_pair", {{"position", {1, 0.5, 0}}, {"direction", {0.2, 0.3, 0.5}}})},
           {"b", make("point_pair", {{"position", {-1, 0, 0.5}}, {"direction", {0, -0.4, 0.1}}})},
           {"c", make("point_pair", {{"position", {0, -1.5, 1}}, {"direction", {0.3, 0, 0}}, {"split", 0.2}})},
@@ -18,7 +18,7 @@ Json scene() {
 const Json three = {from("a"), from("b"), from("c")};
 
 /// The points under a warp with these inputs.
-std::vector<Point> warped(Json inputs, Json nodes = scene()) {
+std::vector<Point> warped(Json inputs, Json nodes = warp_scene()) {
   inputs["shape"] = from("points");
   nodes["warped"] = make("warp", std::move(inputs));
   return graph_of(nodes).all<Point>("warped");
@@ -32,7 +32,7 @@ void require_same(const std::vector<Point>& values, const std::vector<Point>& ex
 }  // namespace
 
 TEST_CASE("A point at a generator of a warp stays, whatever the rule, the method and the softening") {
-  Json nodes = scene();
+  Json nodes = warp_scene();
   nodes["points"] = make("list", {{"items", {{1, 0.5, 0}, {-1, 0, 0.5}}}});
   for (const char* rule : {"exact", "paper"}) {
     for (const double softening : {0.0, 1e-6}) {
@@ -55,7 +55,7 @@ TEST_CASE("A point at a generator of a warp stays, whatever the rule, the method
 }
 
 TEST_CASE("A warp by one generator is a boost with the weight of its distance") {
-  Json nodes = scene();
+  Json nodes = warp_scene();
   for (const double power : {0.0, 1.0, 2.0, 3.0}) {
     nodes["offset"] = make("expression", {{"formula", "hypot(hypot(0.8, 0.4), 0.3) ^ x"}, {"x", power}});
     nodes["amount"] = make("expression", {{"formula", "0.7 / (x + 0.5)"}, {"x", from("offset")}});
@@ -69,7 +69,7 @@ TEST_CASE("A warp by one generator is a boost with the weight of its distance") 
 }
 
 TEST_CASE("Summed displacements are those of each generator alone, added up") {
-  const std::vector<Point> still = graph_of(scene()).all<Point>("points");
+  const std::vector<Point> still = graph_of(warp_scene()).all<Point>("points");
   const std::vector<Point> together =
       warped({{"generators", three}, {"softening", 0.3}, {"method", "sum_displacements"}});
   std::vector<Point> expected = still;
@@ -83,7 +83,7 @@ TEST_CASE("Summed displacements are those of each generator alone, added up") {
 }
 
 TEST_CASE("Generators as links and as one family over any axis warp alike") {
-  Json nodes = scene();
+  Json nodes = warp_scene();
   nodes["family"] = make("list", {{"items", three}, {"axis", "g"}});
   nodes["k"] = make("range", {{"from", 0.5}, {"to", 1}, {"count", 2}});
   nodes["stronger"] = make("boost", {{"shape", from("family")}, {"generator", from("a")}, {"amount", from("k")}});
@@ -94,7 +94,7 @@ TEST_CASE("Generators as links and as one family over any axis warp alike") {
 }
 
 TEST_CASE("A mesh is warped vertex by vertex, with normals made anew") {
-  Json nodes = scene();
+  Json nodes = warp_scene();
   nodes["ball"] = make("sphere_mesh", {{"radius", 0.5}, {"segments", 16}, {"rings", 8}});
   nodes["moved"] = make("warp", {{"shape", from("ball")}, {"generators", three}, {"softening", 0.4}});
   CatalogueGraph graph = graph_of(nodes);
@@ -102,14 +102,14 @@ TEST_CASE("A mesh is warped vertex by vertex, with normals made anew") {
   CHECK(after->triangles == before->triangles);
   REQUIRE(after->normals.size() == after->positions.size());
   for (std::size_t i = 0; i < after->normals.size(); ++i) CHECK(length(after->normals[i]) == Approx(1));
-  Json single = scene();
+  Json single = warp_scene();
   const Point vertex = before->positions[40];
   single["points"] = make("point", {{"position", {vertex.x, vertex.y, vertex.z}}});
   require_close(after->positions[40], warped({{"generators", three}, {"softening", 0.4}}, single)[0]);
 }
 
 TEST_CASE("A zero generator does nothing and a pure direction has no place to warp from") {
-  Json nodes = scene();
+  Json nodes = warp_scene();
   nodes["zero"] = make("point_pair", {{"direction", {0, 0, 0}}});
   nodes["direction"] = make("direction");
   CHECK(warped({{"generators", {from("zero")}}}, nodes) == graph_of(nodes).all<Point>("points"));

@@ -10,8 +10,6 @@ using support::Fleet;
 
 namespace {
 
-const std::string toy = DINI_TOY;
-
 std::optional<support::Answer> evaluate(const Fleet& fleet) {
   static int count = 0;
   return support::post(fleet.port(), "/v1/evaluate", support::toy_body({{"bytes", 1000 + ++count}}));
@@ -46,7 +44,7 @@ void check_recovery(const Fleet& fleet) {
 }  // namespace
 
 TEST_CASE("A server goes on while Redis hangs") {
-  Fleet fleet(toy, 1);
+  Fleet fleet(support::toy_program, 1);
   fleet.redis().signal(SIGSTOP);
   CHECK(evaluate(fleet)->status == 200);
   check_trouble(fleet);
@@ -55,7 +53,7 @@ TEST_CASE("A server goes on while Redis hangs") {
 }
 
 TEST_CASE("A server goes on while Redis is gone, and when it comes back empty") {
-  Fleet fleet(toy, 1);
+  Fleet fleet(support::toy_program, 1);
   fleet.redis().end();
   check_trouble(fleet);
   fleet.redis().start();
@@ -63,7 +61,7 @@ TEST_CASE("A server goes on while Redis is gone, and when it comes back empty") 
 }
 
 TEST_CASE("A server goes on while Redis has no memory") {
-  Fleet fleet(toy, 1);
+  Fleet fleet(support::toy_program, 1);
   fleet.redis().call({"CONFIG", "SET", "maxmemory", "1"});
   check_trouble(fleet);
   fleet.redis().call({"CONFIG", "SET", "maxmemory", "0"});
@@ -71,7 +69,7 @@ TEST_CASE("A server goes on while Redis has no memory") {
 }
 
 TEST_CASE("A server goes on while Redis does not take its password") {
-  Fleet fleet(toy, 1);
+  Fleet fleet(support::toy_program, 1);
   fleet.redis().call({"CONFIG", "SET", "requirepass", "another"});
   queue::Address address = fleet.redis().address();
   address.password = "another";
@@ -85,14 +83,14 @@ TEST_CASE("A server goes on while Redis does not take its password") {
 TEST_CASE("A server starts without its Redis, and finds it later") {
   support::RedisServer redis;
   redis.end();
-  support::ServingProgram serving({"--queue", redis.url()}, toy);
+  support::ServingProgram serving({"--queue", redis.url()}, support::toy_program);
   CHECK(support::get(serving.port(), "/readyz")->json()["degraded"] == Json{"queue"});
   redis.start();
   CHECK(support::eventually([&] { return !support::get(serving.port(), "/readyz")->json().contains("degraded"); }));
 }
 
 TEST_CASE("A job goes on after all connections were cut and after Redis began anew without anything") {
-  Fleet fleet(toy, 2);
+  Fleet fleet(support::toy_program, 2);
   const auto begun = support::post(fleet.port(), "/v1/jobs", support::toy_sweep(300, 10).dump());
   REQUIRE(begun->status == 202);
   const std::string address = begun->json()["address"];

@@ -11,6 +11,9 @@
 
 namespace dini::support {
 
+/// The program over the toy engine; the build says where it is.
+inline const std::string toy_program = DINI_TOY;
+
 /// A worker that others take for lost after three seconds.
 class WorkingProgram {
  public:

@@ -12,8 +12,6 @@ using support::Fleet;
 
 namespace {
 
-const std::string toy = DINI_TOY;
-
 Json example_sweep() {
   std::ifstream file(std::string(DINI_EXAMPLES) + "/fig04_boosted_ring.json");
   Json graph = Json::parse(file);
@@ -98,7 +96,7 @@ TEST_CASE("Workers are given the mesh files that a graph names") {
 }
 
 TEST_CASE("A job is computed by workers, also one that waited for them") {
-  Fleet fleet(toy, 0);
+  Fleet fleet(support::toy_program, 0);
   const auto begun = support::post(fleet.port(), "/v1/jobs", support::toy_sweep(40, 1).dump());
   REQUIRE(begun);
   REQUIRE(begun->status == 202);
@@ -109,7 +107,7 @@ TEST_CASE("A job is computed by workers, also one that waited for them") {
 }
 
 TEST_CASE("Without a worker a sweep is refused at once, and told when to come again") {
-  Fleet fleet(toy, 0);
+  Fleet fleet(support::toy_program, 0);
   const auto answer = support::post(fleet.port(), "/v1/sweeps", support::toy_sweep(2, 1).dump());
   REQUIRE(answer);
   CHECK(answer->status == 503);
@@ -118,7 +116,7 @@ TEST_CASE("Without a worker a sweep is refused at once, and told when to come ag
 }
 
 TEST_CASE("A sweep is complete though a worker is killed and another one hangs") {
-  Fleet fleet(toy, 3);
+  Fleet fleet(support::toy_program, 3);
   Asked asked(fleet.port(), support::toy_sweep(300, 20));
   REQUIRE(support::eventually([&] { return fleet.metric("dini_queue_lines_total") > 20; }));
   fleet.workers().front().signal(SIGKILL);
@@ -129,7 +127,7 @@ TEST_CASE("A sweep is complete though a worker is killed and another one hangs")
 }
 
 TEST_CASE("A variant that ends its workers is told as failed, and all others as they are") {
-  Fleet fleet(toy, 5);
+  Fleet fleet(support::toy_program, 5);
   Json body = support::toy_sweep(0, 1);
   body.erase("grid");
   for (int i = 0; i < 20; ++i) body["list"].push_back({{"reach", i}, {"fatal", i == 7 ? 1 : 0}});
@@ -142,17 +140,19 @@ TEST_CASE("A variant that ends its workers is told as failed, and all others as 
   CHECK(lines[7]["parameters"]["reach"] == 7);
   CHECK(fleet.metric("dini_queue_dead") == 1);
 
-  const auto told = support::Program({toy, "queue", "dead", "--queue", fleet.redis().url()}).wait();
+  const auto told = support::Program({support::toy_program, "queue", "dead", "--queue", fleet.redis().url()}).wait();
   CHECK(told.code == 0);
   CHECK(told.out.find("variant 7 of sweep") != std::string::npos);
   const std::string entry = told.out.substr(0, told.out.find(' '));
-  CHECK(support::Program({toy, "queue", "drop", entry, "--queue", fleet.redis().url()}).wait().code == 0);
-  CHECK(support::Program({toy, "queue", "drop", entry, "--queue", fleet.redis().url()}).wait().code == 2);
-  CHECK(support::Program({toy, "queue", "dead", "--queue", fleet.redis().url()}).wait().out.empty());
+  CHECK(support::Program({support::toy_program, "queue", "drop", entry, "--queue", fleet.redis().url()}).wait().code ==
+        0);
+  CHECK(support::Program({support::toy_program, "queue", "drop", entry, "--queue", fleet.redis().url()}).wait().code ==
+        2);
+  CHECK(support::Program({support::toy_program, "queue", "dead", "--queue", fleet.redis().url()}).wait().out.empty());
 }
 
 TEST_CASE("A client that leaves and a job that is canceled leave nothing to compute") {
-  Fleet fleet(toy, 1);
+  Fleet fleet(support::toy_program, 1);
   const auto begun = support::post(fleet.port(), "/v1/jobs", support::toy_sweep(1000, 20).dump());
   const std::string address = begun->json()["address"];
   {
@@ -167,12 +167,12 @@ TEST_CASE("A client that leaves and a job that is canceled leave nothing to comp
 }
 
 TEST_CASE("An answer comes whole that is larger than its client takes at once") {
-  Fleet fleet(toy, 2);
+  Fleet fleet(support::toy_program, 2);
   check_complete(support::post(fleet.port(), "/v1/sweeps", support::toy_sweep(6000, 0).dump()), 6000);
 }
 
 TEST_CASE("A damaged line is seen, counted and computed again") {
-  Fleet fleet(toy, 1);
+  Fleet fleet(support::toy_program, 1);
   const auto begun = support::post(fleet.port(), "/v1/jobs", support::toy_sweep(200, 10).dump());
   const std::string address = begun->json()["address"];
   // Between a worker and the server somebody writes into what lies there.
@@ -188,7 +188,7 @@ TEST_CASE("A damaged line is seen, counted and computed again") {
 }
 
 TEST_CASE("A worker tells Prometheus what it does") {
-  Fleet fleet(toy, 0);
+  Fleet fleet(support::toy_program, 0);
   const int port = support::free_port();
   fleet.add_worker({"--threads", "1", "--metrics", std::to_string(port)});
   REQUIRE(support::eventually([&] { return fleet.live_workers() == 1; }));
@@ -206,7 +206,7 @@ TEST_CASE("A worker tells Prometheus what it does") {
 TEST_CASE("A worker says why it cannot tell Prometheus anything") {
   support::RedisServer redis;
   const auto said = [&](const std::string& address) {
-    return support::Program({toy, "worker", "--queue", redis.url(), "--metrics", address}).wait();
+    return support::Program({support::toy_program, "worker", "--queue", redis.url(), "--metrics", address}).wait();
   };
   for (const char* wrong : {"", "here", "127.0.0.1:", "127.0.0.1:99999", "80a"}) {
     CAPTURE(wrong);
@@ -222,13 +222,14 @@ TEST_CASE("A worker says why it cannot tell Prometheus anything") {
 TEST_CASE("A worker ends by what it was told: 0 by a signal, 2 for what is wrong, 75 for what may pass") {
   support::RedisServer redis({"--requirepass", "right"});
   const std::string host = "127.0.0.1:" + std::to_string(redis.port());
-  CHECK(support::Program({toy, "worker"}).wait().code == 2);
-  CHECK(support::Program({toy, "worker", "--queue", "http://" + host}).wait().code == 2);
-  const auto denied = support::Program({toy, "worker", "--queue", "redis://:wrong-one@" + host}).wait();
+  CHECK(support::Program({support::toy_program, "worker"}).wait().code == 2);
+  CHECK(support::Program({support::toy_program, "worker", "--queue", "http://" + host}).wait().code == 2);
+  const auto denied =
+      support::Program({support::toy_program, "worker", "--queue", "redis://:wrong-one@" + host}).wait();
   CHECK(denied.code == 2);
   CHECK(denied.err.find("WRONGPASS") != std::string::npos);
   CHECK(denied.err.find("wrong-one") == std::string::npos);
-  support::WorkingProgram worker(toy, "redis://:right@" + host);
+  support::WorkingProgram worker(support::toy_program, "redis://:right@" + host);
   queue::Address address = redis.address();
   address.password = "right";
   queue::Connection connection(address, {});
@@ -239,5 +240,5 @@ TEST_CASE("A worker ends by what it was told: 0 by a signal, 2 for what is wrong
   CHECK(worker.wait().code == 0);
   CHECK(connection.call({"KEYS", "dini:*:workers"})->list.empty());
   redis.end();
-  CHECK(support::Program({toy, "worker", "--queue", "redis://:right@" + host}).wait().code == 75);
+  CHECK(support::Program({support::toy_program, "worker", "--queue", "redis://:right@" + host}).wait().code == 75);
 }

@@ -1,9 +1,10 @@
 #include "tests/server/fixture.h"
 #include "tests/support/documents.h"
 
-namespace {
-
+using namespace dini;
 using namespace dini::support;
+
+namespace {
 
 std::string upload(const std::string& bytes, const std::string& type = "application/octet-stream") {
   return "POST /v1/assets HTTP/1.1\r\nHost: localhost\r\nContent-Type: " + type +

@@ -2,7 +2,10 @@
 
 #include <catch2/catch.hpp>
 
-using namespace dini::server;
+using namespace dini;
+using server::BodyReader;
+using server::BodyStream;
+using server::make_body_stream;
 
 TEST_CASE("What is added is taken in its order, and the end after it") {
   BodyStream stream = make_body_stream();

@@ -72,6 +72,9 @@ std::optional<Answer> get(int port, const std::string& path, const std::string& 
 std::optional<Answer> head(int port, const std::string& path);
 std::optional<Answer> post(int port, const std::string& path, const std::string& body, const std::string& headers = "");
 
+/// What a raw request says of the host that it asks.
+inline const std::string host_line = "Host: localhost\r\n";
+
 /// The bytes of a POST of JSON.
 std::string post_text(const std::string& path, const std::string& body, const std::string& headers = "");
 

@@ -4,20 +4,18 @@
 
 #include "tests/server/fixture.h"
 
+using namespace dini;
+using namespace dini::support;
+
 namespace {
 
-using namespace dini::support;
-using dini::Json;
-
-dini::toy::Counters& counters() { return dini::toy::counters(); }
-
-bool all_finished() { return counters().started == counters().finished; }
+bool all_finished() { return toy::counters().started == toy::counters().finished; }
 
 }  // namespace
 
 TEST_CASE("A hundred identical requests are one evaluation in one place") {
   const Running server;  // one slot, one place in the queue
-  const std::size_t before = counters().started;
+  const std::size_t before = toy::counters().started;
   const std::string bytes = post_text("/v1/evaluate", toy_body({{"milliseconds", 300}, {"bytes", 9}}));
   std::vector<std::unique_ptr<Client>> clients;
   for (int i = 0; i < 100; ++i) {
@@ -30,18 +28,18 @@ TEST_CASE("A hundred identical requests are one evaluation in one place") {
     CHECK(answer->status == 200);
     CHECK(answer->body == "ggggggggg");
   }
-  CHECK(counters().started == before + 1);
+  CHECK(toy::counters().started == before + 1);
 }
 
 TEST_CASE("What is known is answered while every place is taken") {
   const Running server;
   const std::string known = toy_body({{"bytes", 5}});
   REQUIRE(post(server.port(), "/v1/evaluate", known)->status == 200);
-  const std::size_t before = counters().started;
+  const std::size_t before = toy::counters().started;
   Client running(server.port()), waiting(server.port());
   running.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 60'000}, {"bytes", 1}})));
   waiting.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 60'000}, {"bytes", 2}})));
-  REQUIRE(eventually([&] { return counters().started > before; }));
+  REQUIRE(eventually([&] { return toy::counters().started > before; }));
   REQUIRE(eventually([&] { return get(server.port(), "/readyz")->status == 503; }));  // the queue is full
   for (int i = 0; i < 20; ++i) {
     CHECK(post(server.port(), "/v1/evaluate", known)->status == 200);
@@ -51,14 +49,14 @@ TEST_CASE("What is known is answered while every place is taken") {
 
 TEST_CASE("A newer request that is turned away leaves the older one alone, a wrong one does not") {
   const Running server;
-  const std::size_t before = counters().started;
+  const std::size_t before = toy::counters().started;
   const std::string key = "Supersede-Key: slider\r\n";
   Client running(server.port()), older(server.port()), newer(server.port());
   running.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 60'000}, {"bytes", 1}})));
-  REQUIRE(eventually([&] { return counters().started > before; }));
-  const std::size_t prepared = counters().prepared;
+  REQUIRE(eventually([&] { return toy::counters().started > before; }));
+  const std::size_t prepared = toy::counters().prepared;
   older.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 1}, {"bytes", 2}}), key));
-  REQUIRE(eventually([&] { return counters().prepared > prepared; }));
+  REQUIRE(eventually([&] { return toy::counters().prepared > prepared; }));
   // The one place in the queue is taken once others are refused.
   REQUIRE(eventually([&] {
     return post(server.port(), "/v1/evaluate", toy_body({{"milliseconds", 60'000}, {"bytes", 3}}))->status == 503;
@@ -69,9 +67,9 @@ TEST_CASE("A newer request that is turned away leaves the older one alone, a wro
   REQUIRE(answer);
   CHECK(answer->status == 200);
 
-  const std::size_t again = counters().started;
+  const std::size_t again = toy::counters().started;
   newer.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 60'000}, {"bytes", 5}}), key));
-  REQUIRE(eventually([&] { return counters().started > again; }));
+  REQUIRE(eventually([&] { return toy::counters().started > again; }));
   CHECK(post(server.port(), "/v1/evaluate", toy_body({{"invalid", "out-of-range"}}), key)->status == 422);
   CHECK(newer.receive()->status == 409);
 }
@@ -100,11 +98,11 @@ TEST_CASE("A deadline ends an evaluation with 504") {
 
 TEST_CASE("A newer request with the same key supersedes the older one") {
   const Running server;
-  const std::size_t before = counters().started;
+  const std::size_t before = toy::counters().started;
   auto older = std::async(std::launch::async, [&] {
     return post(server.port(), "/v1/evaluate", toy_body({{"milliseconds", 60'000}}), "Supersede-Key: drag\r\n");
   });
-  REQUIRE(eventually([&] { return counters().started > before; }));
+  REQUIRE(eventually([&] { return toy::counters().started > before; }));
   CHECK(post(server.port(), "/v1/evaluate", toy_body({{"bytes", 1}}), "Supersede-Key: drag\r\n")->status == 200);
   const auto answer = older.get();
   REQUIRE(answer);
@@ -114,10 +112,10 @@ TEST_CASE("A newer request with the same key supersedes the older one") {
 
 TEST_CASE("Evaluations beyond slots and queue are refused at once") {
   const Running server;  // one slot, one place in the queue
-  const std::size_t before = counters().started;
+  const std::size_t before = toy::counters().started;
   Client running(server.port());
   running.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 60'000}})));
-  REQUIRE(eventually([&] { return counters().started > before; }));
+  REQUIRE(eventually([&] { return toy::counters().started > before; }));
   std::vector<std::future<std::optional<Answer>>> more;
   for (int i = 0; i < 2; ++i) {
     more.push_back(std::async(std::launch::async, [&server, i] {
@@ -160,13 +158,13 @@ TEST_CASE("A client that has only finished sending still gets its answer") {
 
 TEST_CASE("A client that leaves stops its evaluation") {
   const Running server;
-  const std::size_t canceled = counters().canceled;
-  const std::size_t started = counters().started;
+  const std::size_t canceled = toy::counters().canceled;
+  const std::size_t started = toy::counters().started;
   Client client(server.port());
   client.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 60'000}})));
-  REQUIRE(eventually([&] { return counters().started > started; }));
+  REQUIRE(eventually([&] { return toy::counters().started > started; }));
   client.close();
-  CHECK(eventually([&] { return counters().canceled > canceled; }));
+  CHECK(eventually([&] { return toy::counters().canceled > canceled; }));
   CHECK(eventually(all_finished));
 }
 
@@ -175,10 +173,10 @@ TEST_CASE("Stopping the server lets a running request finish and closes idle con
   Client idle(server.port());
   idle.send("GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n");
   REQUIRE(idle.receive());
-  const std::size_t before = counters().started;
+  const std::size_t before = toy::counters().started;
   Client busy(server.port());
   busy.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 300}, {"bytes", 2}})));
-  REQUIRE(eventually([&] { return counters().started > before; }));
+  REQUIRE(eventually([&] { return toy::counters().started > before; }));
   server.stop();
   const auto answer = busy.receive();
   REQUIRE(answer);
@@ -191,10 +189,10 @@ TEST_CASE("What still runs at the drain deadline is stopped and told so") {
   auto settings = quick_settings();
   settings.drain_deadline = std::chrono::milliseconds(100);
   Running server(settings);
-  const std::size_t before = counters().started;
+  const std::size_t before = toy::counters().started;
   Client busy(server.port());
   busy.send(post_text("/v1/evaluate", toy_body({{"milliseconds", 60'000}})));
-  REQUIRE(eventually([&] { return counters().started > before; }));
+  REQUIRE(eventually([&] { return toy::counters().started > before; }));
   server.stop();
   const auto answer = busy.receive();
   REQUIRE(answer);
@@ -206,12 +204,12 @@ TEST_CASE("Where memory runs out, what could be made again is let go of, and the
   const Running server;
   const std::string known = toy_body({{"bytes", 7}});
   REQUIRE(post(server.port(), "/v1/evaluate", known)->status == 200);
-  const std::size_t before = counters().started;
+  const std::size_t before = toy::counters().started;
   REQUIRE(post(server.port(), "/v1/evaluate", known)->status == 200);
-  CHECK(counters().started == before);
+  CHECK(toy::counters().started == before);
   const auto refused = post(server.port(), "/v1/evaluate", toy_body({{"memory", true}}));
   CHECK(refused->status == 503);
   CHECK(refused->code() == "out-of-memory");
   CHECK(post(server.port(), "/v1/evaluate", known)->status == 200);
-  CHECK(counters().started == before + 2);
+  CHECK(toy::counters().started == before + 2);
 }

@@ -8,10 +8,10 @@
 #include "tests/server/fixture.h"
 #include "tests/support/damage.h"
 
-namespace {
-
+using namespace dini;
 using namespace dini::support;
-using dini::Json;
+
+namespace {
 
 /// A document that is refused, as the text of a body of /v1/evaluate.
 struct Refused {
@@ -20,7 +20,7 @@ struct Refused {
   std::string code;
 };
 
-std::string repeated(const std::string& text, std::size_t count) {
+std::string repeated_text(const std::string& text, std::size_t count) {
   std::string all;
   for (std::size_t i = 0; i < count; ++i) all += text;
   return all;
@@ -48,10 +48,10 @@ std::vector<Refused> texts() {
       {"NUL behind it", good + std::string(1, '\0') + "[2]", "not-json"},
       {"bytes that are no UTF-8", ball_of("\"\xff\xfe\""), "not-json"},
       {"an overlong UTF-8", ball_of("\"\xc0\xaf\""), "not-json"},
-      {"one level too deep", repeated("[", 33) + repeated("]", 33), "not-json"},
-      {"a million levels", repeated("[", 1'000'000), "not-json"},
-      {"objects of great depth", repeated("{\"a\":", 100'000), "not-json"},
-      {"too many values", "[" + repeated("0,", 200'000) + "0]", "limit-exceeded"},
+      {"one level too deep", repeated_text("[", 33) + repeated_text("]", 33), "not-json"},
+      {"a million levels", repeated_text("[", 1'000'000), "not-json"},
+      {"objects of great depth", repeated_text("{\"a\":", 100'000), "not-json"},
+      {"too many values", "[" + repeated_text("0,", 200'000) + "0]", "limit-exceeded"},
       {"a text of 1 MB", ball_of("\"" + std::string(1'000'000, 'x') + "\""), "limit-exceeded"},
       {"a name twice", R"({"graph": {}, "graph": {}})", "not-json"},
       {"NaN", ball_of("NaN"), "not-json"},

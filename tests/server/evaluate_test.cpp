@@ -3,14 +3,8 @@
 
 #include "tests/server/fixture.h"
 
-namespace {
-
+using namespace dini;
 using namespace dini::support;
-using dini::Json;
-
-dini::toy::Counters& counters() { return dini::toy::counters(); }
-
-}  // namespace
 
 TEST_CASE("The model comes as GLB by default, with its tag, times and name") {
   const Running server;
@@ -54,7 +48,7 @@ TEST_CASE("A client that has the result gets 304 and nothing is evaluated") {
   const Running server;
   const std::string body = toy_body({{"bytes", 6}});
   const std::string tag = post(server.port(), "/v1/evaluate", body)->header("etag");
-  const std::size_t before = counters().started;
+  const std::size_t before = toy::counters().started;
   for (const std::string& known : {tag, "\"other\", " + tag, "W/" + tag}) {
     const auto answer = post(server.port(), "/v1/evaluate", body, "If-None-Match: " + known + "\r\n");
     REQUIRE(answer);
@@ -63,7 +57,7 @@ TEST_CASE("A client that has the result gets 304 and nothing is evaluated") {
     CHECK(answer->header("etag") == tag);
   }
   CHECK(post(server.port(), "/v1/evaluate", body, "If-None-Match: \"other\"\r\n")->status == 200);
-  CHECK(counters().started == before);
+  CHECK(toy::counters().started == before);
   // On a POST a star says nothing about a result.
   CHECK(post(server.port(), "/v1/evaluate", body, "If-None-Match: *\r\n")->status == 200);
   CHECK(post(server.port(), "/v1/evaluate", toy_body({{"problem", "check-failed"}}), "If-None-Match: *\r\n")->status ==
@@ -77,15 +71,15 @@ TEST_CASE("Everybody gets a report of their own, with a tag of its own, though t
     const Json out = {{"type", "toy"}, {"inputs", {{"bytes", 77}, {"milliseconds", milliseconds}}}};
     return Json{{"graph", {{"format", 1}, {"nodes", {{"out", out}, {id, {{"type", "toy"}}}}}}}}.dump();
   };
-  const std::size_t before = counters().started;
+  const std::size_t before = toy::counters().started;
   auto first =
       std::async(std::launch::async, [&] { return post(server.port(), "/v1/evaluate", body("first", 300), accept); });
-  REQUIRE(eventually([&] { return counters().started > before; }));
+  REQUIRE(eventually([&] { return toy::counters().started > before; }));
   const auto second = post(server.port(), "/v1/evaluate", body("second", 300), accept);
   const auto third = post(server.port(), "/v1/evaluate", body("third", 0), accept);
   const auto answer = first.get();
   REQUIRE((answer && second && third));
-  CHECK(counters().started == before + 1);
+  CHECK(toy::counters().started == before + 1);
   CHECK(answer->json()["nodes"].contains("first"));
   CHECK(second->json()["nodes"].contains("second"));
   CHECK(third->json()["nodes"].contains("third"));
@@ -237,13 +231,13 @@ TEST_CASE("A drag that never rests shows frames when it asks for what runs to be
   auto settings = quick_settings();
   settings.compute_queue = 4;
   const Running server(settings);
-  const std::size_t before = dini::toy::counters().started;
+  const std::size_t before = toy::counters().started;
   std::vector<std::unique_ptr<Client>> drag;
   for (int i = 0; i < 30; ++i) {
     drag.push_back(std::make_unique<Client>(server.port()));
     drag.back()->send(post_text("/v1/evaluate", toy_body({{"milliseconds", 100 + i}, {"bytes", 100 + i}}),
                                 "Supersede-Key: slider\r\nSupersede: after-current\r\n"));
-    REQUIRE(eventually([&] { return i > 0 || dini::toy::counters().started > before; }));
+    REQUIRE(eventually([&] { return i > 0 || toy::counters().started > before; }));
   }
   int shown = 0, replaced = 0;
   for (auto& client : drag) {

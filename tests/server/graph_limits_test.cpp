@@ -86,13 +86,13 @@ std::string uploaded(int port) {
   return answer->status == 200 ? "done" : answer->code();
 }
 
-struct Row {
+struct EvaluationRow {
   std::uint64_t value;
   Said said;
   std::string expected;  ///< empty: anything but what is said without the limit
 };
 
-std::map<std::string, Row> rows() {
+std::map<std::string, EvaluationRow> evaluation_rows() {
   const Said evaluated = asking("/v1/evaluate");
   return {
       {"body_bytes", {100, evaluated, "body-too-large"}},
@@ -126,7 +126,7 @@ std::map<std::string, Row> rows() {
 }  // namespace
 
 TEST_CASE("Every limit of graphs, evaluations and files is met where it is set, and nowhere else") {
-  const auto table = rows();
+  const auto table = evaluation_rows();
   CHECK(table.size() == evaluation_limits().size());
   const RunningReal usual;
   for (const Limit<Limits>& limit : evaluation_limits()) {

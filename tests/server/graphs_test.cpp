@@ -9,7 +9,7 @@ using namespace dini::support;
 namespace {
 
 /// A ball whose radius varies, under a title.
-Json ball(double radius = 1) {
+Json titled_ball(double radius = 1) {
   Json graph =
       document({{"ball", make("sphere_mesh", {{"radius", {{"parameter", "radius"}}}, {"segments", 8}, {"rings", 4}})},
                 {"out", make("export", {{"model", from("ball")}})}});
@@ -38,23 +38,23 @@ std::optional<Answer> replace(int port, const std::string& id, const Json& graph
 
 TEST_CASE("A graph is created, read, replaced and deleted, and every version stays") {
   const RunningReal server;
-  const auto created = create(server.port(), "ball", ball());
+  const auto created = create(server.port(), "ball", titled_ball());
   REQUIRE(created->status == 201);
   CHECK(created->header("location") == "/v1/graphs/ball");
   CHECK(created->json()["title"] == "A ball");
   const std::string tag = created->header("etag");
 
   const auto read = get(server.port(), "/v1/graphs/ball");
-  CHECK(read->body == ball().dump());
+  CHECK(read->body == titled_ball().dump());
   CHECK(read->header("etag") == tag);
   CHECK(get(server.port(), "/v1/graphs/ball", "If-None-Match: " + tag + "\r\n")->status == 304);
 
-  const auto replaced = replace(server.port(), "ball", ball(2), tag);
+  const auto replaced = replace(server.port(), "ball", titled_ball(2), tag);
   REQUIRE(replaced->status == 200);
   CHECK(replaced->json()["version"] == 2);
-  CHECK(get(server.port(), "/v1/graphs/ball@1")->body == ball().dump());
+  CHECK(get(server.port(), "/v1/graphs/ball@1")->body == titled_ball().dump());
   CHECK(get(server.port(), "/v1/graphs/ball@1")->header("cache-control").find("immutable") != std::string::npos);
-  CHECK(get(server.port(), "/v1/graphs/ball@2")->body == ball(2).dump());
+  CHECK(get(server.port(), "/v1/graphs/ball@2")->body == titled_ball(2).dump());
   CHECK(get(server.port(), "/v1/graphs/ball@3")->status == 404);
 
   CHECK(send(server.port(), "DELETE", "/v1/graphs/ball", "", "If-Match: " + tag + "\r\n")->status == 412);
@@ -67,41 +67,41 @@ TEST_CASE("A graph is created, read, replaced and deleted, and every version sta
 
 TEST_CASE("No write is lost to another one, and one that is sent again is answered as before") {
   const RunningReal server;
-  CHECK(send(server.port(), "PUT", "/v1/graphs/ball", ball().dump())->code() == "precondition-required");
-  CHECK(replace(server.port(), "ball", ball(), "*")->code() == "precondition-failed");
-  const std::string tag = create(server.port(), "ball", ball())->header("etag");
-  CHECK(create(server.port(), "ball", ball())->status == 200);
-  CHECK(create(server.port(), "ball", ball(2))->code() == "precondition-failed");
-  REQUIRE(replace(server.port(), "ball", ball(2), tag)->status == 200);
-  CHECK(replace(server.port(), "ball", ball(2), tag)->json()["version"] == 2);
-  const auto late = replace(server.port(), "ball", ball(3), tag);
+  CHECK(send(server.port(), "PUT", "/v1/graphs/ball", titled_ball().dump())->code() == "precondition-required");
+  CHECK(replace(server.port(), "ball", titled_ball(), "*")->code() == "precondition-failed");
+  const std::string tag = create(server.port(), "ball", titled_ball())->header("etag");
+  CHECK(create(server.port(), "ball", titled_ball())->status == 200);
+  CHECK(create(server.port(), "ball", titled_ball(2))->code() == "precondition-failed");
+  REQUIRE(replace(server.port(), "ball", titled_ball(2), tag)->status == 200);
+  CHECK(replace(server.port(), "ball", titled_ball(2), tag)->json()["version"] == 2);
+  const auto late = replace(server.port(), "ball", titled_ball(3), tag);
   CHECK(late->status == 412);
   CHECK(late->header("etag") != tag);
-  CHECK(replace(server.port(), "ball", ball(3), late->header("etag"))->json()["version"] == 3);
+  CHECK(replace(server.port(), "ball", titled_ball(3), late->header("etag"))->json()["version"] == 3);
 }
 
 TEST_CASE("Only documents are kept, under names that no address can mean otherwise") {
   const RunningReal server;
   for (const std::string id : {"..", "%2e%2e", "a.b", "1a", "a@1", "-", "%F0%9F%AA%91", "a%2Fb"}) {
     CAPTURE(id);
-    const auto answer = create(server.port(), id, ball());
+    const auto answer = create(server.port(), id, titled_ball());
     CHECK((answer->code() == "invalid-id" || answer->status == 404));
     CHECK(get(server.port(), "/v1/graphs/" + id)->status == 404);
   }
-  CHECK(create(server.port(), std::string(65, 'a'), ball())->code() == "invalid-id");
+  CHECK(create(server.port(), std::string(65, 'a'), titled_ball())->code() == "invalid-id");
   CHECK(create(server.port(), "a", Json::array())->status == 422);
   CHECK(create(server.port(), "a", {{"format", 1}})->status == 422);
   CHECK(send(server.port(), "PUT", "/v1/graphs/a", "{", "If-None-Match: *\r\n")->code() == "not-json");
   CHECK(get(server.port(), "/v1/graphs")->json()["graphs"].empty());
   // What a graph lacks may be added later.
-  Json unfinished = ball();
+  Json unfinished = titled_ball();
   unfinished["nodes"]["out"]["inputs"]["model"] = {{"from", "nowhere"}};
   CHECK(create(server.port(), "a", unfinished)->status == 201);
 }
 
 TEST_CASE("The list has pages, and unknown words of a query are told") {
   const RunningReal server;
-  for (const char* id : {"a", "b", "c"}) REQUIRE(create(server.port(), id, ball())->status == 201);
+  for (const char* id : {"a", "b", "c"}) REQUIRE(create(server.port(), id, titled_ball())->status == 201);
   const Json page = get(server.port(), "/v1/graphs?limit=2")->json();
   CHECK(page["graphs"].size() == 2);
   CHECK(page["next"] == "b");
@@ -118,11 +118,11 @@ TEST_CASE("The list has pages, and unknown words of a query are told") {
 
 TEST_CASE("A difference tells nodes, inputs and parameters that changed") {
   const RunningReal server;
-  Json other = ball(2);
+  Json other = titled_ball(2);
   other["nodes"]["ball"]["inputs"]["segments"] = 9;
   other["nodes"]["more"] = make("sphere_mesh");
   other["parameters"].erase("axis");
-  create(server.port(), "ball", ball());
+  create(server.port(), "ball", titled_ball());
   replace(server.port(), "ball", other, "*");
   const Json difference = get(server.port(), "/v1/graphs/ball/diff")->json();
   CHECK(difference["from"] == 1);
@@ -141,8 +141,8 @@ TEST_CASE("A difference tells nodes, inputs and parameters that changed") {
 
 TEST_CASE("An output has an address with the bytes of an evaluation") {
   const RunningReal server;
-  create(server.port(), "ball", ball());
-  const Json wanted = {{"graph", ball()}, {"parameters", {{"radius", 2.5}}}};
+  create(server.port(), "ball", titled_ball());
+  const Json wanted = {{"graph", titled_ball()}, {"parameters", {{"radius", 2.5}}}};
   const auto evaluated = post(server.port(), "/v1/evaluate", wanted.dump());
   const auto answer = get(server.port(), "/v1/graphs/ball/outputs/out.glb?radius=2.5");
   REQUIRE(answer->status == 200);
@@ -172,7 +172,7 @@ TEST_CASE("What a client has is answered 304 before anything is computed, on a s
   settings.data = folder.path() / "data";
   {
     const RunningReal server(settings);
-    create(server.port(), "ball", ball());
+    create(server.port(), "ball", titled_ball());
     tag = get(server.port(), "/v1/graphs/ball/outputs/out.glb?radius=3")->header("etag");
   }
   const RunningReal server(settings);
@@ -183,7 +183,7 @@ TEST_CASE("What a client has is answered 304 before anything is computed, on a s
 
 TEST_CASE("What is wrong with an address of an output is told with what would be right") {
   const RunningReal server;
-  create(server.port(), "ball", ball());
+  create(server.port(), "ball", titled_ball());
   const auto problem = [&](const std::string& address) {
     const auto answer = get(server.port(), "/v1/graphs/" + address);
     return std::pair(answer->code(), answer->json()["detail"].get<std::string>());
@@ -207,7 +207,7 @@ TEST_CASE("Words of SQL are kept and found as they are, and do nothing") {
   const std::vector<std::string> titles = {
       "'; DROP TABLE graphs; --", "%", "_", "a\\b", "\"quoted\"", "100 % _sure_", "'"};
   for (std::size_t i = 0; i < titles.size(); ++i) {
-    Json graph = ball();
+    Json graph = titled_ball();
     graph["meta"] = {{"title", titles[i]}, {"note", titles[titles.size() - 1 - i]}};
     const std::string id = "g" + std::to_string(i);
     REQUIRE(create(server.port(), id, graph)->status == 201);
@@ -232,7 +232,7 @@ TEST_CASE("Words of SQL are kept and found as they are, and do nothing") {
 
 TEST_CASE("A request may name a graph that is kept instead of bringing one") {
   const RunningReal server;
-  const std::string tag = create(server.port(), "ball", ball())->header("etag");
+  const std::string tag = create(server.port(), "ball", titled_ball())->header("etag");
   const auto ask_for = [&](const std::string& path, const Json& graph, Json more = Json::object(),
                            const std::string& headers = "") {
     more["graph"] = graph;
@@ -240,16 +240,16 @@ TEST_CASE("A request may name a graph that is kept instead of bringing one") {
   };
   const auto first = ask_for("/v1/evaluate", "ball");
   CHECK(first->status == 200);
-  CHECK(first->body == ask_for("/v1/evaluate", ball())->body);
+  CHECK(first->body == ask_for("/v1/evaluate", titled_ball())->body);
   CHECK(ask_for("/v1/evaluate", "ball", {{"parameters", {{"radius", 7}}}})->body ==
-        ask_for("/v1/evaluate", ball(), {{"parameters", {{"radius", 7}}}})->body);
+        ask_for("/v1/evaluate", titled_ball(), {{"parameters", {{"radius", 7}}}})->body);
 
   // The name means the current version each time, the number one version for ever.
-  CHECK(replace(server.port(), "ball", ball(2), tag)->status == 200);
-  CHECK(ask_for("/v1/evaluate", "ball")->body == ask_for("/v1/evaluate", ball(2))->body);
+  CHECK(replace(server.port(), "ball", titled_ball(2), tag)->status == 200);
+  CHECK(ask_for("/v1/evaluate", "ball")->body == ask_for("/v1/evaluate", titled_ball(2))->body);
   CHECK(ask_for("/v1/evaluate", "ball@1")->body == first->body);
   CHECK(ask_for("/v1/sweeps", "ball", {{"list", {Json::object()}}})->lines()[0]["model"]["sha256"] ==
-        ask_for("/v1/sweeps", ball(2), {{"list", {Json::object()}}})->lines()[0]["model"]["sha256"]);
+        ask_for("/v1/sweeps", titled_ball(2), {{"list", {Json::object()}}})->lines()[0]["model"]["sha256"]);
 
   CHECK(ask_for("/v1/validate", "ball")->json()["valid"] == true);
   CHECK(ask_for("/v1/explain", "ball")->status == 200);
@@ -271,7 +271,7 @@ TEST_CASE("A request may name a graph that is kept instead of bringing one") {
 
 TEST_CASE("The interface of a graph is a schema of its parameters") {
   const RunningReal server;
-  create(server.port(), "ball", ball());
+  create(server.port(), "ball", titled_ball());
   const Json interface = get(server.port(), "/v1/graphs/ball/interface")->json();
   CHECK(interface["outputs"] == Json{"out"});
   CHECK(interface["parameters"]["properties"]["radius"] ==
@@ -289,8 +289,8 @@ TEST_CASE("A server whose data folder cannot be used starts only when it may kee
   CHECK_FALSE(server::Server::start(*engine, settings));
   settings.needs_data = false;
   const RunningReal server(settings);
-  const auto refused = create(server.port(), "ball", ball());
+  const auto refused = create(server.port(), "ball", titled_ball());
   CHECK(refused->status == 503);
   CHECK(refused->code() == "storage-failed");
-  CHECK(post(server.port(), "/v1/evaluate", Json{{"graph", ball()}}.dump())->status == 200);
+  CHECK(post(server.port(), "/v1/evaluate", Json{{"graph", titled_ball()}}.dump())->status == 200);
 }

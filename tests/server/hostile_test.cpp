@@ -6,22 +6,20 @@
 #include "server/answer_writer.h"
 #include "tests/server/fixture.h"
 
-namespace {
-
+using namespace dini;
 using namespace dini::support;
-using dini::Json;
+
+namespace {
 
 constexpr std::size_t megabyte = 1 << 20;
 constexpr long memory_slack_kib = 8 * 1024;  // of an allocator that keeps what it freed; the attacks send far more
-
-const std::string host = "Host: localhost\r\n";
 
 }  // namespace
 
 TEST_CASE("A body over the limit is refused without being read") {
   const Running server;
   Client client(server.port());
-  client.send("POST /v1/evaluate HTTP/1.1\r\n" + host + "Content-Length: 1048577\r\n\r\nx");
+  client.send("POST /v1/evaluate HTTP/1.1\r\n" + host_line + "Content-Length: 1048577\r\n\r\nx");
   const auto answer = client.receive();
   REQUIRE(answer);
   CHECK(answer->status == 413);
@@ -45,7 +43,7 @@ TEST_CASE("Chunks that are none or too large are refused") {
                                                                               {"100001\r\n", 413}}) {
     CAPTURE(chunk);
     Client client(server.port());
-    client.send("POST /v1/evaluate HTTP/1.1\r\n" + host + "Transfer-Encoding: chunked\r\n\r\n" + chunk);
+    client.send("POST /v1/evaluate HTTP/1.1\r\n" + host_line + "Transfer-Encoding: chunked\r\n\r\n" + chunk);
     const auto answer = client.receive();
     REQUIRE(answer);
     CHECK(answer->status == status);
@@ -59,7 +57,7 @@ TEST_CASE("Bodies without a length, and chunks without an end, cost no memory") 
   const std::string endless_line(megabyte, 'x');
   const auto flood = [&](const std::string& opening, const std::string& piece) {
     Client client(server.port());
-    client.send("POST /v1/evaluate HTTP/1.1\r\n" + host + "Transfer-Encoding: chunked\r\n\r\n" + opening);
+    client.send("POST /v1/evaluate HTTP/1.1\r\n" + host_line + "Transfer-Encoding: chunked\r\n\r\n" + opening);
     client.flood(piece, 64 * megabyte);
     const auto answer = client.receive();
     return answer ? answer->status : 0;
@@ -68,7 +66,7 @@ TEST_CASE("Bodies without a length, and chunks without an end, cost no memory") 
   CHECK(flood("ffffffff\r\n", endless_line) == 413);
   CHECK(flood("0\r\n", "Trailer: of a body\r\n") == 400);
   Client endless(server.port());
-  endless.send("POST /v1/evaluate HTTP/1.1\r\n" + host + "\r\n");
+  endless.send("POST /v1/evaluate HTTP/1.1\r\n" + host_line + "\r\n");
   endless.flood(endless_line, 64 * megabyte);
   const auto answer = endless.receive();
   REQUIRE(answer);
@@ -81,7 +79,7 @@ TEST_CASE("Bodies without a length, and chunks without an end, cost no memory") 
 TEST_CASE("Endless headers and addresses cost no memory") {
   const Running server;
   const long before = resident_kib();
-  const std::string start = "GET / HTTP/1.1\r\n" + host;
+  const std::string start = "GET / HTTP/1.1\r\n" + host_line;
   const auto flood = [&](const std::string& opening, const std::string& piece) {
     Client client(server.port());
     client.send(opening);
@@ -99,7 +97,7 @@ TEST_CASE("Endless headers and addresses cost no memory") {
 
 TEST_CASE("A HEAD that is refused before it is complete is answered without a body too") {
   const Running server;
-  const std::string start = "HEAD /healthz HTTP/1.1\r\n" + host;
+  const std::string start = "HEAD /healthz HTTP/1.1\r\n" + host_line;
   for (const auto& [bytes, status] :
        std::vector<std::pair<std::string, std::string>>{{start + "X: " + std::string(100'000, 'a'), "431"},
                                                         {"HEAD /" + std::string(100'000, 'a'), "414"},
@@ -115,12 +113,12 @@ TEST_CASE("A HEAD that is refused before it is complete is answered without a bo
 
 TEST_CASE("A second request inside a body is never answered") {
   const Running server;
-  const std::string inner = "GET /version HTTP/1.1\r\n" + host + "\r\n";
+  const std::string inner = "GET /version HTTP/1.1\r\n" + host_line + "\r\n";
   const std::string length = "Content-Length: " + std::to_string(inner.size()) + "\r\n";
   for (const std::string outer : {"GET /healthz", "HEAD /healthz", "GET /nowhere", "GET /", "OPTIONS /v1/nodes"}) {
     CAPTURE(outer);
     Client client(server.port());
-    client.send(outer + " HTTP/1.1\r\n" + host + length + "\r\n");
+    client.send(outer + " HTTP/1.1\r\n" + host_line + length + "\r\n");
     const auto answer = client.receive(outer.starts_with("HEAD"));
     REQUIRE(answer);
     CHECK(answer->status == 400);
@@ -128,7 +126,7 @@ TEST_CASE("A second request inside a body is never answered") {
     CHECK(client.closed());
   }
   Client client(server.port());
-  client.send("POST /nowhere HTTP/1.1\r\n" + host + length + "\r\n" + inner);
+  client.send("POST /nowhere HTTP/1.1\r\n" + host_line + length + "\r\n" + inner);
   const auto answer = client.receive();
   REQUIRE(answer);
   CHECK(answer->status == 404);
@@ -139,7 +137,7 @@ TEST_CASE("Pipelined requests get one answer and a closed connection") {
   const Running server;
   Client client(server.port());
   std::string requests;
-  for (int i = 0; i < 100; ++i) requests += "GET /healthz HTTP/1.1\r\n" + host + "\r\n";
+  for (int i = 0; i < 100; ++i) requests += "GET /healthz HTTP/1.1\r\n" + host_line + "\r\n";
   client.send(requests);
   const auto answer = client.receive();
   REQUIRE(answer);
@@ -180,8 +178,8 @@ TEST_CASE("Hidden line ends are refused and cannot forge a line of the log") {
   CHECK(get(server.port(), "/a%00b")->status == 400);
   CHECK(get(server.port(), "/?a=%0a")->status == 400);
   CHECK(get(server.port(), "/", "X: a%0d%0ab: c\r\n")->status == 400);
-  CHECK(ask(server.port(), "GET /\x1b[31mred HTTP/1.1\r\n" + host + "\r\n")->status == 400);
-  CHECK(ask(server.port(), "GET /\nforged HTTP/1.1\r\n" + host + "\r\n")->status == 400);
+  CHECK(ask(server.port(), "GET /\x1b[31mred HTTP/1.1\r\n" + host_line + "\r\n")->status == 400);
+  CHECK(ask(server.port(), "GET /\nforged HTTP/1.1\r\n" + host_line + "\r\n")->status == 400);
   server.stop();
   CHECK(server.log().find('\x1b') == std::string::npos);
   CHECK(server.log().find("\nforged") == std::string::npos);
@@ -213,7 +211,7 @@ TEST_CASE("Only JSON is taken as a body") {
   const Running server;
   for (const std::string type :
        {"multipart/form-data; boundary=x", "application/x-www-form-urlencoded", "text/plain"}) {
-    const auto answer = ask(server.port(), "POST /v1/evaluate HTTP/1.1\r\n" + host + "Content-Type: " + type +
+    const auto answer = ask(server.port(), "POST /v1/evaluate HTTP/1.1\r\n" + host_line + "Content-Type: " + type +
                                                "\r\nContent-Length: 2\r\n\r\n{}");
     REQUIRE(answer);
     CHECK(answer->status == 415);
@@ -223,7 +221,7 @@ TEST_CASE("Only JSON is taken as a body") {
 TEST_CASE("Other protocols and unknown methods end cleanly") {
   const Running server;
   const std::vector<std::pair<std::string, int>> table = {
-      {"BREW / HTTP/1.1\r\n" + host + "\r\n", 405},
+      {"BREW / HTTP/1.1\r\n" + host_line + "\r\n", 405},
       {"GET /\r\n\r\n", 400},
       {"PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n", 505},
       {std::string("\x16\x03\x01\x02\x00\x01\x00\x01\xfc\x03\x03", 11), 400},
@@ -261,7 +259,7 @@ TEST_CASE("A token is looked at before a body is read") {
   const Running server(settings);
   const std::string length = "Content-Length: 16000000\r\n";
   Client without(server.port());
-  without.send("POST /v1/assets HTTP/1.1\r\n" + host + length + "\r\n");
+  without.send("POST /v1/assets HTTP/1.1\r\n" + host_line + length + "\r\n");
   const auto refused = without.receive();
   REQUIRE(refused);
   CHECK(refused->status == 401);
@@ -278,7 +276,7 @@ TEST_CASE("An unknown address and a wrong method are answered before a body is r
   const Running server;
   for (const auto& [line, status] : {std::pair("POST /nowhere", 404), std::pair("POST /healthz", 405)}) {
     Client client(server.port());
-    client.send(std::string(line) + " HTTP/1.1\r\n" + host + "Content-Length: 1000\r\n\r\n");
+    client.send(std::string(line) + " HTTP/1.1\r\n" + host_line + "Content-Length: 1000\r\n\r\n");
     const auto answer = client.receive();
     REQUIRE(answer);
     CHECK(answer->status == status);
@@ -292,13 +290,13 @@ TEST_CASE("What the standard allows is answered") {
   const std::vector<std::string> heads = {
       "GET /healthz HTTP/1.0\r\n",
       "GET http://localhost:" + port + "/healthz HTTP/1.1\r\nHost: ignored.example\r\n",
-      "GET HTTP://127.0.0.1/healthz HTTP/1.1\r\n" + host,
-      "GET /healthz?" + std::string(8100, '?') + " HTTP/1.1\r\n" + host,
-      "GET /healthz HTTP/1.1\r\n" + host + "Cookie: other=a%0Ab; more=%00\r\n",
-      "GET /healthz HTTP/1.1\r\n" + host + "Referer: http://localhost/?x=%0A\r\n",
-      "\r\nGET /healthz HTTP/1.1\r\n" + host,
+      "GET HTTP://127.0.0.1/healthz HTTP/1.1\r\n" + host_line,
+      "GET /healthz?" + std::string(8100, '?') + " HTTP/1.1\r\n" + host_line,
+      "GET /healthz HTTP/1.1\r\n" + host_line + "Cookie: other=a%0Ab; more=%00\r\n",
+      "GET /healthz HTTP/1.1\r\n" + host_line + "Referer: http://localhost/?x=%0A\r\n",
+      "\r\nGET /healthz HTTP/1.1\r\n" + host_line,
       "GET /healthz HTTP/1.1\r\nhOST: LOCALHOST\r\nConnection: Upgrade, HTTP2-Settings\r\nUpgrade: h2c\r\n",
-      "GET /%68ealthz HTTP/1.1\r\n" + host,
+      "GET /%68ealthz HTTP/1.1\r\n" + host_line,
   };
   for (const std::string& head : heads) {
     CAPTURE(head.substr(0, 80));
@@ -312,26 +310,26 @@ TEST_CASE("What the standard allows is answered") {
 TEST_CASE("Refusals are problems with all headers, whatever is refused") {
   const Running server;
   const std::vector<std::pair<std::string, int>> table = {
-      {"GET http:///healthz HTTP/1.1\r\n" + host, 400},
-      {"GET http://a@localhost/healthz HTTP/1.1\r\n" + host, 400},
-      {"GET http://evil.example/version HTTP/1.1\r\n" + host, 421},
-      {"GET http://localhost/healthz HTTP/1.1\r\n" + host + host, 400},
-      {"GET /healthz HTTP/1.1\r\n" + host + host, 400},
+      {"GET http:///healthz HTTP/1.1\r\n" + host_line, 400},
+      {"GET http://a@localhost/healthz HTTP/1.1\r\n" + host_line, 400},
+      {"GET http://evil.example/version HTTP/1.1\r\n" + host_line, 421},
+      {"GET http://localhost/healthz HTTP/1.1\r\n" + host_line + host_line, 400},
+      {"GET /healthz HTTP/1.1\r\n" + host_line + host_line, 400},
       {"GET /healthz HTTP/1.1\r\n", 400},
-      {"GET * HTTP/1.1\r\n" + host, 400},
-      {"GET healthz HTTP/1.1\r\n" + host, 400},
-      {"GET /%zz HTTP/1.1\r\n" + host, 400},
+      {"GET * HTTP/1.1\r\n" + host_line, 400},
+      {"GET healthz HTTP/1.1\r\n" + host_line, 400},
+      {"GET /%zz HTTP/1.1\r\n" + host_line, 400},
       {"GET /healthz HTTP/1.1\nHost: localhost\n", 400},
-      {"GET /healthz HTTP/1.1\r\n" + host + "X: a\r\n folded\r\n", 400},
-      {"GET /healthz HTTP/1.1\r\n" + host + "X : a\r\n", 400},
-      {"POST /v1/validate HTTP/1.1\r\n" + host + "Content-Length: 1\r\nContent-Length: 1\r\n", 400},
-      {"POST /v1/validate HTTP/1.1\r\n" + host + "Content-Length: -1\r\n", 400},
-      {"POST /v1/validate HTTP/1.1\r\n" + host + "Content-Length: 99999999999999999999\r\n", 400},
-      {"POST /v1/validate HTTP/1.1\r\n" + host + "Content-Length: 1e3\r\n", 400},
-      {"POST /v1/validate HTTP/1.1\r\n" + host + "Expect: something\r\nContent-Length: 2\r\n", 417},
+      {"GET /healthz HTTP/1.1\r\n" + host_line + "X: a\r\n folded\r\n", 400},
+      {"GET /healthz HTTP/1.1\r\n" + host_line + "X : a\r\n", 400},
+      {"POST /v1/validate HTTP/1.1\r\n" + host_line + "Content-Length: 1\r\nContent-Length: 1\r\n", 400},
+      {"POST /v1/validate HTTP/1.1\r\n" + host_line + "Content-Length: -1\r\n", 400},
+      {"POST /v1/validate HTTP/1.1\r\n" + host_line + "Content-Length: 99999999999999999999\r\n", 400},
+      {"POST /v1/validate HTTP/1.1\r\n" + host_line + "Content-Length: 1e3\r\n", 400},
+      {"POST /v1/validate HTTP/1.1\r\n" + host_line + "Expect: something\r\nContent-Length: 2\r\n", 417},
       {"GET /version HTTP/1.1\r\nHost: 127.evil.example\r\n", 421},
       {"GET /version HTTP/1.1\r\nHost: localhost.evil.example\r\n", 421},
-      {"GET /healthz HTTP/3\r\n" + host, 505},
+      {"GET /healthz HTTP/3\r\n" + host_line, 505},
   };
   for (const auto& [head, status] : table) {
     CAPTURE(head);
@@ -362,7 +360,8 @@ TEST_CASE("Names with ports, proxies and the ports that schemes have are underst
   CHECK(status("model.example:80", "http://model.example") == 200);
   CHECK(status("named.example:8443", "https://named.example:8443") == 200);
   CHECK(status("named.example:9000", "https://named.example:9000") == 421);
-  CHECK(status("127.0.0.1:8080", "https://model.example") == 200);  // a proxy that passes on its own idea of a host
+  CHECK(status("127.0.0.1:8080", "https://model.example") ==
+        200);  // a proxy that passes on its own idea of a host_line
   CHECK(status("127.0.0.1:8080", "https://evil.example") == 403);
   CHECK(status("127.0.0.1:8080", "http://127.0.0.1:3000") == 403);
   CHECK(status("127.0.0.1:8080", "http://127.0.0.1:8080") == 200);

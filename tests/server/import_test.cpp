@@ -3,11 +3,10 @@
 #include "tests/server/fixture.h"
 #include "tests/support/import_bytes.h"
 
-namespace {
+using namespace dini;
+using namespace dini::support;
 
-using namespace dini::support;
-using namespace dini::support;
-using dini::Json;
+namespace {
 
 std::optional<Answer> upload(int port, std::string_view bytes) {
   return ask(port,

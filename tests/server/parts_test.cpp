@@ -6,10 +6,13 @@
 #include "server/text.h"
 #include "service/requests/excerpt.h"
 
-namespace {
-
 using namespace dini;
-using namespace dini::server;
+using server::carries_hash;
+using server::choose_type;
+using server::escape_controls;
+using server::names_tag;
+
+namespace {
 
 constexpr std::array<std::string_view, 3> offers = {"model/gltf-binary", "application/json", "multipart/form-data"};
 

@@ -4,13 +4,8 @@
 
 #include "tests/server/fixture.h"
 
-namespace {
-
+using namespace dini;
 using namespace dini::support;
-
-const std::string host = "Host: localhost\r\n";
-
-}  // namespace
 
 TEST_CASE("Slow headers are cut at the deadline and hold nobody up") {
   const Running server;
@@ -31,7 +26,7 @@ TEST_CASE("Slow headers are cut at the deadline and hold nobody up") {
 TEST_CASE("A body that does not arrive is given up on") {
   const Running server;
   Client client(server.port());
-  client.send("POST /v1/evaluate HTTP/1.1\r\n" + host + "Content-Length: 10\r\n\r\nabc");
+  client.send("POST /v1/evaluate HTTP/1.1\r\n" + host_line + "Content-Length: 10\r\n\r\nabc");
   const auto answer = client.receive();
   REQUIRE(answer);
   CHECK(answer->status == 408);
@@ -42,7 +37,7 @@ TEST_CASE("A connection carries many requests one after the other") {
   const Running server;
   Client client(server.port());
   for (int i = 0; i < 50; ++i) {
-    client.send("GET /healthz HTTP/1.1\r\n" + host + "\r\n");
+    client.send("GET /healthz HTTP/1.1\r\n" + host_line + "\r\n");
     const auto answer = client.receive();
     REQUIRE(answer);
     CHECK(answer->status == 200);
@@ -52,7 +47,7 @@ TEST_CASE("A connection carries many requests one after the other") {
 TEST_CASE("A client that expects to be told so may send its body") {
   const Running server;
   Client client(server.port());
-  client.send("POST /v1/validate HTTP/1.1\r\n" + host +
+  client.send("POST /v1/validate HTTP/1.1\r\n" + host_line +
               "Content-Type: application/json\r\nExpect: 100-continue\r\nContent-Length: 22\r\n\r\n");
   const auto go_on = client.receive();
   REQUIRE(go_on);
@@ -80,8 +75,9 @@ TEST_CASE("A hundred who only connect, and a thousand who drip, hold nobody up a
   std::vector<std::unique_ptr<Client>> slow;
   for (int i = 0; i < 1000; ++i) {
     slow.push_back(std::make_unique<Client>(server.port()));
-    if (i % 3 == 1) slow.back()->send("GET /healthz HTTP/1.1\r\n" + host);
-    if (i % 3 == 2) slow.back()->send("POST /v1/validate HTTP/1.1\r\n" + host + "Content-Length: 1000000\r\n\r\n ");
+    if (i % 3 == 1) slow.back()->send("GET /healthz HTTP/1.1\r\n" + host_line);
+    if (i % 3 == 2)
+      slow.back()->send("POST /v1/validate HTTP/1.1\r\n" + host_line + "Content-Length: 1000000\r\n\r\n ");
   }
   for (int i = 0; i < 20; ++i) {
     const auto answer = get(server.port(), "/healthz");
@@ -100,12 +96,12 @@ TEST_CASE("Who has been idle longest makes room when every place is taken") {
   std::vector<std::unique_ptr<Client>> idle;
   for (int i = 0; i < 4; ++i) {
     idle.push_back(std::make_unique<Client>(server.port()));
-    idle.back()->send("GET /healthz HTTP/1.1\r\n" + host + "\r\n");
+    idle.back()->send("GET /healthz HTTP/1.1\r\n" + host_line + "\r\n");
     REQUIRE(idle.back()->receive());
   }
   CHECK(get(server.port(), "/healthz")->status == 200);
   CHECK(idle.front()->closed());
-  idle.back()->send("GET /healthz HTTP/1.1\r\n" + host + "\r\n");
+  idle.back()->send("GET /healthz HTTP/1.1\r\n" + host_line + "\r\n");
   CHECK(idle.back()->receive()->status == 200);
 }
 
@@ -115,7 +111,7 @@ TEST_CASE("Bodies that arrive share a budget of memory") {
   settings.body_deadline = std::chrono::seconds(10);
   const Running server(settings);
   const std::string head =
-      "POST /v1/validate HTTP/1.1\r\n" + host + "Content-Type: application/json\r\nContent-Length: 100001\r\n\r\n";
+      "POST /v1/validate HTTP/1.1\r\n" + host_line + "Content-Type: application/json\r\nContent-Length: 100001\r\n\r\n";
   Client first(server.port()), second(server.port());
   first.send(head + std::string(100'000, ' '));
   // Once the first one's bytes are here, the second one's find no room.
@@ -138,7 +134,7 @@ TEST_CASE("A reader that takes nothing is cut") {
   Client client(server.port());
   client.send(post_text("/v1/evaluate", toy_body({{"bytes", 50'000'000}})));
   Client other(server.port());
-  other.send("GET /healthz HTTP/1.1\r\n" + host + "\r\n");
+  other.send("GET /healthz HTTP/1.1\r\n" + host_line + "\r\n");
   CHECK(other.receive()->status == 200);
   REQUIRE(eventually([&] { return server.log().find("/v1/evaluate 200") != std::string::npos; }));
   CHECK(client.rest().size() < 50'000'000);
@@ -148,7 +144,7 @@ TEST_CASE("A thousand who connect at once are all answered") {
   const Running server;
   std::vector<std::unique_ptr<Client>> clients;
   for (int i = 0; i < 1000; ++i) clients.push_back(std::make_unique<Client>(server.port()));
-  for (const auto& client : clients) client->send("GET /healthz HTTP/1.1\r\n" + host + "\r\n");
+  for (const auto& client : clients) client->send("GET /healthz HTTP/1.1\r\n" + host_line + "\r\n");
   for (const auto& client : clients) {
     const auto answer = client->receive();
     REQUIRE(answer);
@@ -161,7 +157,7 @@ TEST_CASE("Who has connected before the server stops is answered") {
   std::vector<std::unique_ptr<Client>> clients;
   for (int i = 0; i < 400; ++i) {
     clients.push_back(std::make_unique<Client>(server.port()));
-    clients.back()->send("GET /v1/nodes HTTP/1.1\r\n" + host + "\r\n");
+    clients.back()->send("GET /v1/nodes HTTP/1.1\r\n" + host_line + "\r\n");
   }
   server.stop();
   for (const auto& client : clients) {

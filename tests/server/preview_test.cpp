@@ -3,20 +3,19 @@
 #include "tests/server/fixture.h"
 #include "tests/support/documents.h"
 
+using namespace dini;
+using namespace dini::support;
+
 namespace {
 
-using namespace dini::support;
-using namespace dini::support;
-using dini::Json;
-
-const Json graph = document({{"ring", make("circle", {{"radius", 2}})},
-                             {"tau", make("point_pair", {{"split", 0.5}})},
-                             {"skin", make("tube", {{"shape", from("ring")}, {"radius", 0.1}})},
-                             {"out", make("export", {{"model", from("skin")}})},
-                             {"loose", make("boost", {{"shape", from("skin")}})}});
+const Json tube_graph = document({{"ring", make("circle", {{"radius", 2}})},
+                                  {"tau", make("point_pair", {{"split", 0.5}})},
+                                  {"skin", make("tube", {{"shape", from("ring")}, {"radius", 0.1}})},
+                                  {"out", make("export", {{"model", from("skin")}})},
+                                  {"loose", make("boost", {{"shape", from("skin")}})}});
 
 std::string body_with(const Json& more) {
-  Json body = {{"graph", graph}};
+  Json body = {{"graph", tube_graph}};
   body.update(more);
   return body.dump();
 }
@@ -87,7 +86,7 @@ TEST_CASE("Wrong previews and budgets are problems at their place, and their lim
 
 TEST_CASE("Only nodes behind the ones to blame are blocked") {
   const RunningReal server;
-  Json broken = graph;
+  Json broken = tube_graph;
   broken["nodes"]["ring"]["inputs"]["radius"] = -1;
   broken["nodes"]["lost"] = make("translate", {{"shape", from("loose")}});
   const auto answer = post(server.port(), "/v1/evaluate", Json{{"graph", broken}}.dump());
@@ -98,7 +97,7 @@ TEST_CASE("Only nodes behind the ones to blame are blocked") {
 
 TEST_CASE("Validation tells every wire it can, and fixes") {
   const RunningReal server;
-  Json broken = graph;
+  Json broken = tube_graph;
   broken["nodes"]["ring"]["inputs"]["radius"] = -1;
   const Json verdict = post(server.port(), "/v1/validate", Json{{"graph", broken}}.dump())->json();
   CHECK(verdict["valid"] == false);

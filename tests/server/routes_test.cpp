@@ -2,10 +2,10 @@
 
 #include "tests/server/fixture.h"
 
-namespace {
-
+using namespace dini;
 using namespace dini::support;
-using dini::Json;
+
+namespace {
 
 std::optional<Answer> get_as(int port, const std::string& path, const std::string& host) {
   return ask(port, "GET " + path + " HTTP/1.1\r\nHost: " + host + "\r\n\r\n");

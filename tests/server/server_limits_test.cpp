@@ -231,13 +231,13 @@ std::string in_memory(const Settings& settings) {
   return eventually(one_waits) ? "one waits" : "both run";
 }
 
-struct Row {
+struct ServerRow {
   std::uint64_t value;
   Met met;
   std::string expected;
 };
 
-std::map<std::string, Row> rows() {
+std::map<std::string, ServerRow> server_rows() {
   return {
       {"connections", {1, crowded, "closed"}},
       {"answer_threads", {9, threads, "8"}},
@@ -280,7 +280,7 @@ std::map<std::string, Row> rows() {
 }  // namespace
 
 TEST_CASE("Every limit of connections, requests, jobs and what is kept is met where it is set") {
-  const auto table = rows();
+  const auto table = server_rows();
   CHECK(table.size() == server::server_limits().size());
   for (const Limit<Settings>& limit : server::server_limits()) {
     const std::string name(limit.name);

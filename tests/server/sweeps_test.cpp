@@ -13,7 +13,7 @@ using namespace dini::support;
 namespace {
 
 /// A ball whose radius varies, with its volume measured.
-Json ball() {
+Json measured_ball() {
   Json graph =
       document({{"ball", make("sphere_mesh", {{"radius", {{"parameter", "radius"}}}, {"segments", 8}, {"rings", 4}})},
                 {"size", make("measure", {{"model", from("ball")}})},
@@ -25,7 +25,7 @@ Json ball() {
 
 /// The ball, and a box that ends to be one at a radius of 3.
 Json two_outputs() {
-  Json graph = ball();
+  Json graph = measured_ball();
   graph["nodes"]["left"] = make("expression", {{"formula", "3 - x"}, {"x", {{"parameter", "radius"}}}});
   graph["nodes"]["edges"] = make("vector", {{"x", from("left")}, {"y", 1}, {"z", 1}});
   graph["nodes"]["box"] = make("box_mesh", {{"size", from("edges")}});
@@ -40,7 +40,7 @@ Json radii(int count) {
 }
 
 Json sweep_of(const Json& axes) {
-  Json body = {{"graph", ball()}};
+  Json body = {{"graph", measured_ball()}};
   body.update(axes);
   return body;
 }
@@ -67,7 +67,7 @@ TEST_CASE("A sweep answers a line for every variant, with the bytes of single ev
     const double radius = static_cast<double>(i + 1);
     CHECK(lines[i]["measures"]["size.volume"].get<double>() / (radius * radius * radius) ==
           Approx(lines[0]["measures"]["size.volume"].get<double>()));
-    const Json single = {{"graph", ball()}, {"parameters", {{"radius", i + 1}}}};
+    const Json single = {{"graph", measured_ball()}, {"parameters", {{"radius", i + 1}}}};
     const auto file = get(server.port(), lines[i]["model"]["address"]);
     REQUIRE(file);
     CHECK(file->body == post(server.port(), "/v1/evaluate", single.dump())->body);

@@ -10,7 +10,7 @@ using namespace dini::support;
 
 namespace {
 
-const Engine& engine() {
+const Engine& examples_engine() {
   static const std::unique_ptr<Engine> one = example_engine();
   return *one;
 }
@@ -42,7 +42,7 @@ Asked draft_of(Json graph, std::optional<std::int64_t> budget) {
 }
 
 std::size_t triangles_of(const Asked& request) {
-  const Result<Answered> answer = answered(engine(), request);
+  const Result<Answered> answer = answered(examples_engine(), request);
   require_none(answer ? Problems{} : answer.problems());
   return answer->report()["model"]["triangles"];
 }
@@ -65,7 +65,7 @@ TEST_CASE("Every example keeps to the budget of its draft, or says by how much i
   for (const auto& [id, graph] : all) {
     for (const std::int64_t budget : {100, 1000, 20'000}) {
       CAPTURE(id, budget);
-      const Result<Answered> answer = answered(engine(), draft_of(graph, budget));
+      const Result<Answered> answer = answered(examples_engine(), draft_of(graph, budget));
       require_none(answer ? Problems{} : answer.problems());
       const Json report = answer->report();
       const std::int64_t triangles = report["model"]["triangles"];
@@ -114,7 +114,7 @@ TEST_CASE("A draft that fits its budget is as fine as the final answer") {
 
 TEST_CASE("A budget outside its bounds, or for a final answer, is refused") {
   const auto refused = [](const Asked& request) {
-    const auto prepared = prepared_for(engine(), request);
+    const auto prepared = prepared_for(examples_engine(), request);
     REQUIRE_FALSE(prepared);
     CHECK(prepared.problems().front().code == "out-of-range");
     CHECK(prepared.problems().front().pointer == "/triangle_budget");
@@ -129,7 +129,7 @@ TEST_CASE("A budget outside its bounds, or for a final answer, is refused") {
 }
 
 TEST_CASE("The tag of a draft depends on its budget where that thins something") {
-  const auto tag = [](const Asked& request) { return (*prepared_for(engine(), request))->model_tag; };
+  const auto tag = [](const Asked& request) { return (*prepared_for(examples_engine(), request))->model_tag; };
   CHECK(tag(draft_of(large_graph(), 1000)) != tag(draft_of(large_graph(), 2000)));
   CHECK(tag(draft_of(large_graph(), 1000)) == tag(draft_of(large_graph(), 1000)));
 }

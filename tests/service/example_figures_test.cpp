@@ -4,6 +4,7 @@
 
 #include "algebra/vector.h"
 #include "tests/support/looked_up.h"
+#include "tests/support/triple.h"
 
 using namespace dini;
 using namespace dini::support;
@@ -11,8 +12,6 @@ using namespace dini::support;
 namespace {
 
 double at(const Json& answer, std::size_t index) { return answer["values"][index].get<double>(); }
-
-Vector triple(const Json& value) { return {value[0], value[1], value[2]}; }
 
 /// How often two closed curves wind around each other: the Gauss integral over polygons, a whole number up to
 /// round-off.

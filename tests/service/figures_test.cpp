@@ -6,16 +6,12 @@
 #include "tests/support/close.h"
 #include "tests/support/reference.h"
 #include "tests/support/requests.h"
+#include "tests/support/shared_engine.h"
 
 using namespace dini;
 using namespace dini::support;
 
 namespace {
-
-const Engine& engine() {
-  static const std::unique_ptr<Engine> one = make_engine();
-  return *one;
-}
 
 Vector vector_of(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
 

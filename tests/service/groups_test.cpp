@@ -5,16 +5,12 @@
 #include "service/graph_difference.h"
 #include "service/graph_merge.h"
 #include "tests/support/requests.h"
+#include "tests/support/shared_engine.h"
 
 using namespace dini;
 using namespace dini::support;
 
 namespace {
-
-const Engine& engine() {
-  static const std::unique_ptr<Engine> made = make_engine();
-  return *made;
-}
 
 /// Boosted rings within a frame that turns them: two groups, one in the other, the inner one standing twice.
 Json nested() {

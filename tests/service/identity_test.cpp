@@ -4,16 +4,12 @@
 #include <set>
 
 #include "tests/support/requests.h"
+#include "tests/support/shared_engine.h"
 
 using namespace dini;
 using namespace dini::support;
 
 namespace {
-
-const Engine& engine() {
-  static const std::unique_ptr<Engine> made = make_engine();
-  return *made;
-}
 
 Json graph() {
   Json json = document({{"ball", make("sphere_mesh", {{"radius", {{"parameter", "reach"}}}})},

@@ -3,23 +3,19 @@
 #include <catch2/catch.hpp>
 
 #include "tests/support/requests.h"
+#include "tests/support/shared_engine.h"
 
 using namespace dini;
 using namespace dini::support;
 
 namespace {
 
-const Engine& engine() {
-  static const std::unique_ptr<Engine> made = make_engine();
-  return *made;
-}
-
-const Json nodes = {{"radii", make("range", {{"from", 1}, {"to", 3}, {"count", 3}})},
-                    {"ring", make("circle", {{"radius", 2}})},
-                    {"ball", make("sphere_mesh", {{"radius", 1}})},
-                    {"size", make("measure", {{"model", from("ball")}})},
-                    {"held", make("check", {{"value", 1}, {"minimum", 0}})},
-                    {"out", make("export", {{"model", from("ball")}})}};
+const Json measured_nodes = {{"radii", make("range", {{"from", 1}, {"to", 3}, {"count", 3}})},
+                             {"ring", make("circle", {{"radius", 2}})},
+                             {"ball", make("sphere_mesh", {{"radius", 1}})},
+                             {"size", make("measure", {{"model", from("ball")}})},
+                             {"held", make("check", {{"value", 1}, {"minimum", 0}})},
+                             {"out", make("export", {{"model", from("ball")}})}};
 
 Json measured(const Asked& asked) {
   const Result<Answered> answer = answered(engine(), asked);
@@ -37,7 +33,7 @@ std::string refusal(const Asked& asked) {
 }  // namespace
 
 TEST_CASE("A measure is the value that inspect shows, bare where there are no axes") {
-  const Json graph = document(nodes);
+  const Json graph = document(measured_nodes);
   const Json told = measured({.graph = graph, .measures = {"radii", "ring", "size.volume", "radii"}});
   CHECK(told["radii"] == inspected(engine(), graph, "radii"));
   CHECK(told["ring"] == inspected(engine(), graph, "ring").front());
@@ -48,7 +44,7 @@ TEST_CASE("A measure is the value that inspect shows, bare where there are no ax
 
 TEST_CASE("Without an output only measures and checks are made") {
   const auto answer =
-      answered(engine(), {.graph = document(nodes), .measures = {"size.volume"}, .without_output = true});
+      answered(engine(), {.graph = document(measured_nodes), .measures = {"size.volume"}, .without_output = true});
   REQUIRE(answer);
   CHECK(answer->glb == nullptr);
   const Json report = answer->report();
@@ -58,7 +54,7 @@ TEST_CASE("Without an output only measures and checks are made") {
 }
 
 TEST_CASE("The measure of a bypassed node is what stands there, and has its own content") {
-  Json changed = nodes;
+  Json changed = measured_nodes;
   changed["moved"] = make("translate", {{"shape", from("ring")}, {"vector", {0, 0, 1}}});
   changed["moved"]["bypass"] = true;
   changed["other"] = changed["moved"];
@@ -74,10 +70,10 @@ TEST_CASE("The measure of a bypassed node is what stands there, and has its own 
 }
 
 TEST_CASE("A measure that is not there, or too large, is refused with its place") {
-  const Json graph = document(nodes);
+  const Json graph = document(measured_nodes);
   CHECK(refusal({.graph = graph, .measures = {"ring", "rin"}}) == "unknown-node /measures/1");
   CHECK(refusal({.graph = graph, .measures = {"size.volum"}}) == "unknown-port /measures/0");
-  Json large = nodes;
+  Json large = measured_nodes;
   large["radii"]["inputs"]["count"] = 10'001;
   CHECK(refusal({.graph = document(large), .measures = {"radii"}}) == "limit-exceeded /measures");
   CHECK(refusal({.graph = graph, .measures = std::vector<std::string>(257, "ring")}) == "limit-exceeded /measures");

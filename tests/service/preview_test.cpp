@@ -6,16 +6,12 @@
 #include "gltf/glb_container.h"
 #include "graph/wire.h"
 #include "tests/support/requests.h"
+#include "tests/support/shared_engine.h"
 
 using namespace dini;
 using namespace dini::support;
 
 namespace {
-
-const Engine& engine() {
-  static const std::unique_ptr<Engine> one = make_engine();
-  return *one;
-}
 
 Asked showing(Json nodes, std::vector<std::string> preview) {
   Asked request;

@@ -2,6 +2,7 @@
 
 #include "tests/support/dense.h"
 #include "tests/support/looked_up.h"
+#include "tests/support/triple.h"
 
 using namespace dini;
 using namespace dini::support;
@@ -37,8 +38,6 @@ Vector slow_warp(const std::vector<Pair>& pairs, const Vector& p, long double st
   const auto moved = dense::apply<long double>(rotor, p.x, p.y, p.z);
   return {static_cast<double>(moved[0]), static_cast<double>(moved[1]), static_cast<double>(moved[2])};
 }
-
-Vector triple(const Json& value) { return {value[0], value[1], value[2]}; }
 
 }  // namespace
 

@@ -9,6 +9,13 @@
 
 namespace dini::support {
 
+using PlaceList = std::vector<std::array<double, 3>>;
+using ColorList = std::vector<std::array<float, 4>>;
+using Sentences = std::vector<std::string>;
+
+/// Where the corners of the triangle are that most of the files hold.
+inline const PlaceList triangle_places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+
 /// A mesh that was read. Fails the test when the file was refused.
 struct ReadFile {
   Mesh mesh;
@@ -21,8 +28,8 @@ struct ReadFile {
     CHECK_FALSE(mesh_defect(mesh));
   }
 
-  std::vector<std::array<double, 3>> positions() const {
-    std::vector<std::array<double, 3>> found;
+  PlaceList positions() const {
+    PlaceList found;
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       found.push_back({mesh.positions[i].x, mesh.positions[i].y, mesh.positions[i].z});
     }
