@@ -168,7 +168,7 @@ TEST_CASE("Numbers over a mesh make its wall as thick as they say, at each verte
       CHECK(thickness_at(wall->positions[i]) == Approx(0.1 * (2 + skin->positions[i].z / 2 + mean)).epsilon(1e-12));
     }
   }
-  CHECK(measure(*wall, never).closed);
+  CHECK(measure(*wall, never_stopped).closed);
 }
 
 TEST_CASE("Numbers over a mesh that make no wall are refused where they are") {
@@ -183,10 +183,11 @@ TEST_CASE("Numbers over a mesh that make no wall are refused where they are") {
     return codes(graph.problems("wall"));
   };
   using Codes = std::multiset<std::string>;
-  CHECK(refused(ball, {{"factors", from("t")}}) == Codes{"out-of-range wall.factors"});
-  CHECK(refused(ball, {{"factors", -1}}) == Codes{"out-of-range wall.factors"});
-  CHECK(refused(ball, {{"factors", from("t")}, {"over", "s"}}) == Codes{"axis-mismatch wall.over"});
-  CHECK(refused(ball, {{"factors", from("t")}, {"over", "t"}, {"along", "t"}}) == Codes{"axis-mismatch wall.along"});
+  CHECK(refused(coarse_ball, {{"factors", from("t")}}) == Codes{"out-of-range wall.factors"});
+  CHECK(refused(coarse_ball, {{"factors", -1}}) == Codes{"out-of-range wall.factors"});
+  CHECK(refused(coarse_ball, {{"factors", from("t")}, {"over", "s"}}) == Codes{"axis-mismatch wall.over"});
+  CHECK(refused(coarse_ball, {{"factors", from("t")}, {"over", "t"}, {"along", "t"}}) ==
+        Codes{"axis-mismatch wall.along"});
   CHECK(refused(make("implicit", {{"field", from("solid")}, {"resolution", 8}}), {{"factors", 2}}) ==
         Codes{"degenerate wall.factors"});
 }
