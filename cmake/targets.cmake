@@ -65,18 +65,18 @@ function(dini_test_library name)
 endfunction()
 
 # dini_test(NAME SOURCES... LINK LIBRARIES... [ALONE SOURCES...] [THOROUGH]): one test program, every case a ctest of its own. What
-# is thorough takes so long that `scripts/test --quick` leaves it out. DINI_TOGETHER and ALONE as for a layer, but for the number of
-# sources: nearly all that compiling a test takes is the same for its neighbors. Two parts keep two processors busy to the end.
+# is thorough takes so long that `scripts/test --quick` leaves it out. DINI_TOGETHER and ALONE are those of a layer, but more sources are
+# compiled at once: nearly all of what a test takes is the same for its neighbors. Large programs have parts for two processors.
 function(dini_test name)
   cmake_parse_arguments(PARSE_ARGV 1 test "THOROUGH" "" "SOURCES;LINK;ALONE")
   add_executable(tests_${name} ${test_SOURCES})
   target_link_libraries(tests_${name} PRIVATE dini_test_main ${test_LINK})
   target_precompile_headers(tests_${name} REUSE_FROM dini_test_headers)
   list(LENGTH test_SOURCES count)
-  if(DINI_TOGETHER AND count GREATER 2)
+  if(DINI_TOGETHER AND count GREATER 1)
     set(most 10)
     math(EXPR parts "(${count} + ${most} - 1) / ${most}")
-    if(parts LESS 2)
+    if(parts EQUAL 1 AND count GREATER 6)
       set(parts 2)
     endif()
     math(EXPR size "(${count} + ${parts} - 1) / ${parts}")
