@@ -3,11 +3,13 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { copyText, paste, readClip } from "../src/model/clip";
+import { withPlaces } from "../src/model/clip_layout";
 import { emptyDocument, type GraphDocument, readDocument } from "../src/model/document";
 import type { Json, JsonObject } from "../src/model/json";
 import { type ParameterValues, parameterValue } from "../src/model/parameters";
 import { pastedText } from "../src/session/clipboard";
 import { randomFrom } from "./random";
+import { catalogue } from "./real";
 
 const SHIFT = { x: 10, y: 10 };
 
@@ -34,6 +36,27 @@ function carry(from: GraphDocument, fromValues: ParameterValues, to: GraphDocume
   const pasted = paste(to, clip, SHIFT, false, toValues);
   return { pasted, document: pasted.edit(to), values: { ...toValues, ...pasted.values } };
 }
+
+test("nodes without places are laid out along their wires, and those with places stay where they are", () => {
+  const nodes = {
+    radius: { type: "number", inputs: { value: 2 } },
+    ring: { type: "circle", inputs: { radius: { from: "radius" } } },
+    other: { type: "circle", inputs: { radius: { from: "radius" } } },
+    lifted: { type: "translate", inputs: { shape: { from: "ring" }, vector: [0, 0, 1] } },
+  };
+  const to = ring({}, { ring: { type: "circle", inputs: {} } });
+  const clip = readClip(JSON.stringify({ format: 1, nodes }));
+  assert.ok(clip);
+  const placed = withPlaces(clip, to, catalogue);
+  const at = (id: string): { x: number; y: number } => placed.places.get(id) ?? assert.fail(`${id} has no place`);
+  assert.ok(at("radius").x < at("ring").x && at("ring").x < at("lifted").x);
+  assert.ok(at("radius").x < at("other").x);
+  assert.notDeepEqual(at("other"), at("ring"));
+  assert.notDeepEqual(at("other"), at("lifted"));
+  const kept = readClip(JSON.stringify({ format: 1, nodes, ui: { nodes: { ring: { x: 7, y: 9 } } } }));
+  assert.ok(kept);
+  assert.deepEqual(withPlaces(kept, to, catalogue).places.get("ring"), { x: 7, y: 9 });
+});
 
 test("a parameter comes along with its value, and its default stays what it was", () => {
   const reach = { type: "number", default: 1, min: 0, max: 4, label: "Reach" };

@@ -27,6 +27,8 @@ export interface Clip {
   parameters: JsonObject;
   values: ParameterValues;
   places: ReadonlyMap<string, Position>;
+  /** Whether the text says of any node where it is. */
+  isPlaced: boolean;
   /** What the nodes look like, beside their places. */
   looks: ReadonlyMap<string, Look>;
   frames: readonly Frame[];
@@ -110,6 +112,7 @@ export function readClip(text: string): Clip | undefined {
     parameters,
     values: valuesIn(ui, read),
     places,
+    isPlaced: Object.keys(root["nodes"]).some((id) => asNumber(asObject(asObject(ui["nodes"])[id])["x"]) !== undefined),
     looks: new Map(Object.keys(root["nodes"]).map((id) => [id, lookIn(asObject(ui["nodes"])[id])])),
     frames: asArray(ui["frames"])
       .map(asObject)

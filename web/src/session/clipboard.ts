@@ -1,6 +1,7 @@
 // Copying and pasting nodes, frames and notes, as text that another page can take as well.
 
 import { type Clip, copyText, DUPLICATE_SHIFT, type Pasted, paste, readClip } from "../model/clip";
+import { withPlaces } from "../model/clip_layout";
 import type { GraphDocument } from "../model/document";
 import { literalText, plural } from "../model/format";
 import { viewGraph } from "../model/graph";
@@ -49,12 +50,13 @@ export async function pasteClipboard(editor: Editor, keepIncoming: boolean): Pro
 }
 
 export function pasteText(editor: Editor, text: string, keepIncoming: boolean): void {
-  const { document } = editor.session.store.get();
-  const clip = readClip(text);
-  if (!document || !clip) {
+  const { document, catalogue } = editor.session.store.get();
+  const read = readClip(text);
+  if (!document || !read) {
     editor.say("There are no nodes on the clipboard.", "refused");
     return;
   }
+  const clip = catalogue ? withPlaces(read, document, catalogue) : read;
   const corner = boundsOf(clipBoxes(clip)) ?? { x: 0, y: 0, width: 0, height: 0 };
   const canvas = editor.canvas;
   const wanted = canvas ? canvas.placeAt(canvas.pointer()) : corner;
