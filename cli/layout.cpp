@@ -10,7 +10,7 @@ namespace dini::cli {
 namespace {
 
 /// Characters of a line; the longest node of the examples has a little less.
-constexpr std::size_t width = 500;
+constexpr std::size_t widest_line = 500;
 
 using Kind = TextValue::Kind;
 
@@ -102,7 +102,7 @@ class Layout {
     if (shown.members.empty()) return has_names ? "{}" : in_one_line(shown, false);
     if (split <= 0 || !has_names) {
       std::string line = in_one_line(shown, is_node);
-      if (indent + line.size() <= width || (!has_names && is_flat(shown))) return line;
+      if (indent + line.size() <= widest_line || (!has_names && is_flat(shown))) return line;
     }
     std::vector<std::string> lines;
     for (const TextMember* member : members_of(shown, is_node)) {

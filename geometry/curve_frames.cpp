@@ -11,7 +11,7 @@ namespace dini {
 namespace {
 
 /// Below this sine two directions count as the same: round-off of points on a line stays far below.
-constexpr double straight = 1e-7;
+constexpr double least_bend = 1e-7;
 
 /// The curve without repeated points, and which of its points each one given is.
 struct DistinctCurve {
@@ -42,7 +42,7 @@ DistinctCurve distinct(const Polyline& curve, CancelEvery& looks) {
 /// What of `v` is perpendicular to a unit direction, of length 1; nothing where too little of it is.
 std::optional<Vector> across(const Vector& v, const Vector& unit) {
   const Vector rest = v - dot(v, unit) * unit;
-  if (!(length(rest) > straight * length(v))) return std::nullopt;
+  if (!(length(rest) > least_bend * length(v))) return std::nullopt;
   return normalized(rest - dot(rest, unit) * unit);
 }
 
@@ -68,7 +68,7 @@ std::optional<Vector> bend_at(const CurvePiece& piece, std::size_t i, const Vect
   const Vector before = normalized(piece.points[i] - piece.points[(i + count - 1) % count]);
   const Vector after = normalized(piece.points[(i + 1) % count] - piece.points[i]);
   const Vector bend = after - before;
-  if (!(length(bend) > straight)) return std::nullopt;
+  if (!(length(bend) > least_bend)) return std::nullopt;
   return across(bend, tangent);
 }
 

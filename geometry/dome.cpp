@@ -9,7 +9,7 @@ namespace dini {
 
 namespace {
 
-constexpr double steepest = 4;               ///< height of an apex in radii
+constexpr double steepest_apex = 4;          ///< height of an apex in radii
 constexpr double widest_angle = 5 * pi / 6;  ///< between a tangent and the way to the apex
 
 /// Twice the area of a loop, along its normal.
@@ -61,9 +61,9 @@ DomeShape dome_shape(const Rim& rim) {
   }
   // On a sphere the tangent and the way inward enclose twice the angle under which the apex is seen.
   const double enough = std::sqrt(upward * upward + inward * inward) + inward;
-  const double slope = std::abs(upward) < steepest * enough ? upward / enough
-                       : upward == 0                        ? 0
-                                                            : std::copysign(steepest, upward);
+  const double slope = std::abs(upward) < steepest_apex * enough ? upward / enough
+                       : upward == 0                             ? 0
+                                                                 : std::copysign(steepest_apex, upward);
   shape.apex = shape.middle + (around > 0 ? slope * radius / around : 0) * shape.normal;
   return shape;
 }

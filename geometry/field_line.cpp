@@ -13,7 +13,7 @@ constexpr double no_change = 1e-12;        ///< of directions, below which that 
 constexpr double least_cosine = 0.995;     ///< of the turn within a step: a tenth of a radian
 constexpr double smallest_step = 1e-7;     ///< of the largest
 constexpr double vanishing_step = 1e-5;    ///< of the way so far: the line runs into a fixed point
-constexpr double growth = 4;               ///< at most, from one step to the next
+constexpr double most_growth = 4;          ///< at most, from one step to the next
 constexpr double shortest_rest = 1e-8;     ///< of the largest step; less is round-off
 constexpr double steps_per_point = 4;      ///< at least
 constexpr double closing_distance = 0.02;  ///< of the way
@@ -81,7 +81,7 @@ class Tracer {
 
   /// A step as long as the field allows, at most `h`.
   std::optional<Step> step(const Vector& place, double h) {
-    for (double tried = std::min(h, growth * last_); taken_++ < most_steps_ && !cancel_.stopped(); tried /= 2) {
+    for (double tried = std::min(h, most_growth * last_); taken_++ < most_steps_ && !cancel_.stopped(); tried /= 2) {
       if (const std::optional<Vector> moved = step_of(place, tried)) {
         last_ = tried;
         gone_ += tried;

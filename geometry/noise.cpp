@@ -13,7 +13,7 @@ namespace {
 constexpr double farthest_cell = 1e12;
 
 /// One over the largest sum that corners can give (0.0130072, found by search), a little less: values stay in [-1, 1].
-constexpr double scale = 76.8;
+constexpr double noise_scale = 76.8;
 
 /// A corner of a cell by its integer coordinates.
 struct Lattice {
@@ -68,7 +68,7 @@ double simplex_noise(const Vector& place, std::uint64_t seed) {
     sum += part_of({base.x + corner.x, base.y + corner.y, base.z + corner.z}, offset, seed);
     shift += 1.0 / 6;
   }
-  return scale * sum;
+  return noise_scale * sum;
 }
 
 double layered_noise(const Vector& place, const NoiseSettings& settings) {

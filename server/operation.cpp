@@ -10,7 +10,7 @@
 namespace dini::server {
 namespace {
 
-constexpr std::array headers = {
+constexpr std::array known_headers = {
     AnswerHeader{"ETag", "A hash of everything that can influence the answer; weak (`W/`) for one that holds times."},
     AnswerHeader{"Cache-Control", "How long the answer may be kept, and whether it must be asked about."},
     AnswerHeader{"Content-Disposition", "The name that a file would be saved under."},
@@ -55,7 +55,7 @@ std::string_view name_of(Parameter::Place place) {
   return "header";
 }
 
-std::span<const AnswerHeader> answer_headers() { return headers; }
+std::span<const AnswerHeader> answer_headers() { return known_headers; }
 
 Parameter accept_header(std::string doc) {
   return {.place = Parameter::Place::header,

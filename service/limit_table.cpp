@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint64_t million = 1'000'000;
 
-constexpr std::array limits = {
+constexpr std::array all_limits = {
     Limit<Limits>{"body_bytes", "bytes", &Limits::body_bytes, "of a JSON body"},
     Limit<Limits>{"json_depth", "levels", &Limits::json_depth, "of nesting in a JSON body", 4, 256},
     Limit<Limits>{"json_values", "values", &Limits::json_values, "in a JSON body"},
@@ -46,7 +46,7 @@ constexpr std::array limits = {
                   "of memory for all uploaded meshes; the least recently used go first", 0},
 };
 
-static_assert(limits.size() == field_count<Limits>(), "every member of Limits is in the table");
+static_assert(all_limits.size() == field_count<Limits>(), "every member of Limits is in the table");
 
 }  // namespace
 
@@ -62,6 +62,6 @@ std::string variable_of(std::string_view limit) {
   return variable;
 }
 
-std::span<const Limit<Limits>> evaluation_limits() { return limits; }
+std::span<const Limit<Limits>> evaluation_limits() { return all_limits; }
 
 }  // namespace dini
