@@ -23,7 +23,7 @@ std::string padded(std::string text, std::size_t width) {
   return text;
 }
 
-std::string milliseconds_of(double nanoseconds) {
+std::string work_text(double nanoseconds) {
   std::ostringstream text;
   text << std::fixed << std::setprecision(2) << nanoseconds / 1e6 << " ms";
   return text.str();
@@ -31,7 +31,7 @@ std::string milliseconds_of(double nanoseconds) {
 
 /// A line for the whole, and one for each node with what it would take, by id.
 void print_explained(const Json& explained) {
-  std::cout << explained["runs"] << " nodes run, about " << milliseconds_of(explained["work"].get<double>())
+  std::cout << explained["runs"] << " nodes run, about " << work_text(explained["work"].get<double>())
             << " of one processor and at most " << explained["bytes"] << " bytes\n";
   std::size_t id_width = 0, type_width = 0;
   for (const auto& [id, node] : explained["nodes"].items()) {
@@ -42,7 +42,7 @@ void print_explained(const Json& explained) {
     const std::string state = node.value("state", "");
     std::cout << padded(printable(id), id_width) << "  " << padded(node.value("type", ""), type_width) << "  " << state;
     if (state == "runs") {
-      std::cout << "  " << milliseconds_of(node["work"].get<double>()) << "  " << node["bytes"] << " bytes";
+      std::cout << "  " << work_text(node["work"].get<double>()) << "  " << node["bytes"] << " bytes";
     }
     std::cout << "\n";
   }

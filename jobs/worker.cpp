@@ -21,7 +21,7 @@ namespace {
 constexpr queue::Patience worker_patience{std::chrono::milliseconds(1000), std::chrono::milliseconds(5000)};
 constexpr std::chrono::milliseconds beat_pause{1000};
 constexpr std::chrono::milliseconds idle_wait{1000};
-constexpr std::chrono::milliseconds worker_pause{200};
+constexpr std::chrono::milliseconds away_pause{200};  ///< before Redis is asked again that did not answer
 constexpr std::size_t most_known = 16;
 /// How often a variant is computed again whose mesh files had to make room meanwhile.
 constexpr int most_tries = 3;
@@ -96,7 +96,7 @@ void Worker::work() {
     const auto task = taker.take(idle_wait);
     if (!task) {
       if (!std::exchange(is_away, true)) spdlog::warn("queue: {}", task.error().detail);
-      pause(worker_pause);
+      pause(away_pause);
       continue;
     }
     is_away = false;
@@ -185,7 +185,7 @@ bool Worker::tell(queue::TaskTaker& taker, const queue::Task& task, const Job& j
     const auto finished = taker.finish(task, line);
     if (finished) return *finished == queue::TaskTaker::Finished::counted;
     if (is_stopped()) return false;
-    pause(worker_pause);
+    pause(away_pause);
   }
   return false;
 }

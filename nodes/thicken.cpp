@@ -28,19 +28,20 @@ std::size_t most_vertices_of_wall(const Literals&, std::size_t given) {
 
 Attempt<std::tuple<SharedMesh, double>> thickened(const Context& context, const SharedMesh& shape,
                                                   const ThickenInputs& in) {
-  const WallSurface surface = wall_surface(*shape, context.cancel());
-  if (context.cancel().stopped()) return std::tuple(shape, 0.0);
-  if (surface.fault) return Failure{"degenerate", "no wall can stand along this mesh: " + *surface.fault, "shape"};
-  auto shares = shares_of_wall(in, surface, context.cancel());
-  if (!shares) return shares.error();
-  const auto thinnest = std::min_element(shares->begin(), shares->end());
+  const auto thinnest = least_thickness(in, context.cancel());
+  if (!thinnest) return thinnest.error();
   const double least = least_change(*shape, context.cancel());
-  if (in.thickness * (thinnest == shares->end() ? 1 : *thinnest) < least) {
+  if (*thinnest < least) {
     return Failure{"out-of-range",
                    "the mesh reaches so far from the origin that its coordinates tell no wall below " +
                        short_text(least) + " m from none",
                    "thickness"};
   }
+  const WallSurface surface = wall_surface(*shape, context.cancel());
+  if (context.cancel().stopped()) return std::tuple(shape, 0.0);
+  if (surface.fault) return Failure{"degenerate", "no wall can stand along this mesh: " + *surface.fault, "shape"};
+  auto shares = shares_of_wall(in, surface, context.cancel());
+  if (!shares) return shares.error();
   const double front = in.side == WallSide::inside ? 0 : in.side == WallSide::both ? 0.5 : 1;
   const Wall wall{front * in.thickness, (1 - front) * in.thickness, *std::move(shares)};
   auto mesh = std::make_shared<const Mesh>(wall_along(surface, wall, context.cancel()));

@@ -36,29 +36,28 @@ double factor_at(const Block<double, 2>& factors, const std::array<double, 2>& u
                    std::lerp(factors(u.second, v.first), factors(u.second, v.second), v.way), u.way);
 }
 
-std::optional<Failure> fault_of(const Block<double, 2>& factors, const Mesh& mesh, const Cancel& cancel) {
+}  // namespace
+
+Attempt<double> least_thickness(const WallThickness& in, const Cancel& cancel) {
+  const double even = std::min(in.thickness, in.field ? in.far_thickness : in.thickness);
+  if (!in.factors) return even;
+  const Block<double, 2>& factors = *in.factors;
+  double least = factors(0, 0);
   CancelEvery steps(cancel);
   for (std::size_t i = 0; i < factors.size(0) && !steps.stopped(); ++i) {
-    for (std::size_t j = 0; j < factors.size(1); ++j) {
-      if (factors(i, j) > 0) continue;
-      return Failure{"out-of-range", "a factor is " + to_text(factors(i, j)) + ", all have to be above 0", "factors"};
-    }
+    for (std::size_t j = 0; j < factors.size(1); ++j) least = std::min(least, factors(i, j));
   }
-  if (mesh.uvs.empty() && !mesh.triangles.empty()) {
+  if (least > 0) return least * even;
+  return Failure{"out-of-range", "a factor is " + to_text(least) + ", all have to be above 0", "factors"};
+}
+
+Attempt<std::vector<double>> shares_of_wall(const WallThickness& in, const WallSurface& surface, const Cancel& cancel) {
+  if (!in.field && !in.factors) return std::vector<double>{};
+  if (in.factors && surface.mesh.uvs.empty() && !surface.mesh.triangles.empty()) {
     return Failure{"degenerate",
                    "the mesh has no uv that would tell where each factor is; a surface, a tube, a sphere mesh or a "
                    "torus mesh has, or take a field",
                    "factors"};
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
-Attempt<std::vector<double>> shares_of_wall(const WallThickness& in, const WallSurface& surface, const Cancel& cancel) {
-  if (!in.field && !in.factors) return std::vector<double>{};
-  if (in.factors) {
-    if (std::optional<Failure> fault = fault_of(*in.factors, surface.mesh, cancel)) return *std::move(fault);
   }
   const std::vector<Vector>& positions = surface.welded.positions;
   std::vector<std::size_t> vertices;

@@ -20,9 +20,13 @@ struct WallThickness {
   std::optional<Block<double, 2>> factors;  ///< of the thickness, over the uv of the mesh
 };
 
-/// Factors of the thickness for each distinct position of a surface, all above 0; none where the wall is even. Factors
-/// are linear between their samples: the first axis runs along u and the second along v, closed ones all around. A
-/// failure where a factor is not above 0, or the mesh has no uv to find them by. Stopped early: meaningless.
+/// The least thickness that a wall may have at any place, in meters. A failure where a factor is not above 0. Stopped
+/// early: that of some factors.
+Attempt<double> least_thickness(const WallThickness& in, const Cancel& cancel);
+
+/// Factors of the thickness for each distinct position of a surface; none where the wall is even. What is given as
+/// `factors` is linear between its samples: the first axis runs along u and the second along v, closed ones all around.
+/// A failure where the mesh has no uv to find them by. Stopped early: meaningless.
 Attempt<std::vector<double>> shares_of_wall(const WallThickness& in, const WallSurface& surface, const Cancel& cancel);
 
 }  // namespace dini

@@ -4,21 +4,16 @@ import type { Catalogue } from "./catalogue";
 import { type Clip, paste } from "./clip";
 import type { GraphDocument } from "./document";
 import { viewGraph } from "./graph";
-import { layeredLayout } from "./layout";
+import { layeredLayout, partOf } from "./layout";
 
 /** The clip with its nodes from left to right as their wires go, unless its text says where any of them is. */
 export function withPlaces(clip: Clip, document: GraphDocument, catalogue: Catalogue): Clip {
   if (clip.isPlaced) return clip;
   const { edit, ids } = paste(document, clip, { x: 0, y: 0 }, false);
-  const view = viewGraph(edit(document), catalogue);
-  const added = new Set(ids);
-  const places = layeredLayout({
-    nodes: view.nodes.filter(({ id }) => added.has(id)),
-    wires: view.wires.filter(({ from, to }) => added.has(from) && added.has(to)),
-  });
+  const part = partOf(viewGraph(edit(document), catalogue), new Set(ids));
+  const places = layeredLayout(part);
   const placed = Object.keys(clip.nodes).map((id, index) => {
-    const place = places.get(ids[index] ?? "") ?? clip.places.get(id);
-    return [id, place ?? { x: 0, y: 0 }] as const;
+    return [id, places.get(ids[index] ?? "") ?? { x: 0, y: 0 }] as const;
   });
   return { ...clip, places: new Map(placed), isPlaced: true };
 }

@@ -55,6 +55,14 @@ export function fullHeight(node: ViewNode): number {
   return nodeHeight({ ...node, inputs: [...node.inputs, ...node.folded] });
 }
 
+/** These nodes of a graph and the wires among them. */
+export function partOf({ nodes, wires }: Drawn, ids: ReadonlySet<string>): Drawn {
+  return {
+    nodes: nodes.filter(({ id }) => ids.has(id)),
+    wires: wires.filter(({ from, to }) => ids.has(from) && ids.has(to)),
+  };
+}
+
 /** A position for every node; no two nodes overlap. Cycles do no harm. */
 export function layeredLayout(graph: Drawn, heightOf = nodeHeight): Map<string, Position> {
   const columns = columnsOf(graph);

@@ -5,7 +5,7 @@ import { type Edit, inOrder, moveNodes, removeNodes, setBypass } from "../model/
 import { addFrame, addNote, changeFrame, freeName, removeFrame, removeNote, setFlag, setMark } from "../model/edit_ui";
 import { disconnect, removeAndHeal } from "../model/edit_wires";
 import { plural } from "../model/format";
-import { layeredLayout, NODE_WIDTH, nodeHeight, nodeWidth, roomFor } from "../model/layout";
+import { layeredLayout, NODE_WIDTH, nodeHeight, nodeWidth, partOf, roomFor } from "../model/layout";
 import { boundsOf, freePlace } from "../model/place";
 import { type Box, FRAME_COLORS, frameKey, noteKey, type Position } from "../model/ui";
 import type { Editor } from "./editor";
@@ -120,12 +120,7 @@ export function layout(editor: Editor): void {
   if (!document || !view || view.nodes.length === 0) return;
   const chosen = selection.size > 1 ? selection : new Set(document.nodes.keys());
   const boxes = editor.canvas?.boxes() ?? new Map<string, Box>();
-  const part = {
-    ...view,
-    nodes: view.nodes.filter((node) => chosen.has(node.id)),
-    wires: view.wires.filter((wire) => chosen.has(wire.from) && chosen.has(wire.to)),
-  };
-  const places = layeredLayout(part, (node) => boxes.get(node.id)?.height ?? nodeHeight(node));
+  const places = layeredLayout(partOf(view, chosen), (node) => boxes.get(node.id)?.height ?? nodeHeight(node));
   const [before, after] = [boundsOf(boxesAt(document.positions, chosen)), boundsOf(boxesAt(places, chosen))];
   if (!before || !after) return;
   const shifted = new Map(

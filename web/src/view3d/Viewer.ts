@@ -21,7 +21,7 @@ import { ModelLook } from "./model_look";
 import { pointsInward } from "./orientation";
 import { cellSize } from "./overlays";
 import { onGround, pictureOf } from "./pictures";
-import { fineRatio, Rest, setRatio } from "./rest";
+import { Redraw } from "./redraw";
 import { CameraRig, directionOf, type StandardView } from "./rig";
 import { type Section, SectionPlane } from "./section";
 import { ShownModels } from "./shown_models";
@@ -52,16 +52,12 @@ export class Viewer {
   private readonly observer: ResizeObserver;
   private readonly inView = new InView();
   private outOfView: OutOfView = "";
-  private readonly rest: Rest;
-  /** Pixels of a drawing to one of the page while things move. */
-  private readonly ratio: number;
+  private readonly redraw: Redraw;
   private readonly models: ShownModels;
   private control: ControlGeometry | undefined;
   private readonly homeView: HomeView;
   private center = new Vector3();
   private radius = 1;
-  private requested = 0;
-  private isNextFine = false;
   private frames = 0;
   private settings = PLAIN;
 
@@ -84,13 +80,7 @@ export class Viewer {
     this.look = new ModelLook(this.materials);
     this.models = new ShownModels(this.scene, this.look, host);
     const canvas = this.renderer.domElement;
-    this.ratio = this.renderer.getPixelRatio();
-    this.rest = new Rest(this.isSoftware && !smooth, {
-      setTimeout: (run, milliseconds) => window.setTimeout(run, milliseconds),
-      clearTimeout: (timer) => window.clearTimeout(timer),
-      drawFine: () => this.request(true),
-      mark: (isStill) => (canvas.dataset["still"] = String(isStill)),
-    });
+    this.redraw = new Redraw(this.renderer, this.isSoftware && !smooth, (fine) => this.render(fine));
     const isDamped = !this.isSoftware && !matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.rig = new CameraRig(canvas, isDamped, () => this.draw());
     this.homeView = new HomeView(this.rig);
@@ -169,7 +159,7 @@ export class Viewer {
 
   /** An evaluation is under way: the next picture is near. */
   setBusy(busy: boolean): void {
-    this.rest.setBusy(busy);
+    this.redraw.setBusy(busy);
   }
 
   compare(other: DecodedModel | null, how: ComparedHow): void {
@@ -281,8 +271,7 @@ export class Viewer {
   }
 
   dispose(): void {
-    cancelAnimationFrame(this.requested);
-    this.rest.stop();
+    this.redraw.stop();
     this.observer.disconnect();
     this.clear();
     this.ground.clear();
@@ -323,25 +312,14 @@ export class Viewer {
   }
 
   private draw(): void {
-    this.rest.changed();
-    this.request(false);
-  }
-
-  /** Draws with the next frame of the page. What moves is drawn quickly, also if it was to be drawn finely before. */
-  private request(fine: boolean): void {
-    this.isNextFine = fine;
-    if (this.requested) return;
-    this.requested = requestAnimationFrame(() => {
-      this.requested = 0;
-      this.render(this.isNextFine);
-    });
+    this.redraw.draw();
   }
 
   private render(fine = false): void {
     this.rig.update();
     this.gizmos.update();
     const { clientWidth, clientHeight } = this.container;
-    setRatio(this.renderer, fine ? Math.max(this.ratio, fineRatio(clientWidth, clientHeight)) : this.ratio);
+    this.redraw.begin(fine, clientWidth, clientHeight);
     this.models.render(this.renderer, this.rig.camera, clientWidth, clientHeight);
     const occluded = this.occlusion !== undefined && this.models.isPlain(this.settings);
     if (occluded) this.occlusion?.apply(this.renderer, this.scene, this.rig.camera, this.radius);
@@ -351,7 +329,7 @@ export class Viewer {
     const { geometries, textures } = this.renderer.info.memory;
     const eye = this.rig.perspective.position.toArray().map((value) => value.toPrecision(5));
     Object.assign(this.renderer.domElement.dataset, { frames: ++this.frames, geometries, textures, eye, occluded });
-    this.rest.drawn(fine);
+    this.redraw.drawn(fine);
   }
 
   /** Half a view shows less: the model is framed in it, and seen from where it was when the view is whole again. */
