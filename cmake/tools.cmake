@@ -7,5 +7,7 @@ if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif()
 find_program(DINI_MOLD mold)
 if(DINI_MOLD)
-  add_link_options(-fuse-ld=mold)
+  # Code on pages of its own, as the usual linker has it: mold 1.10 may otherwise let the part that is read-only after relocation begin
+  # in the last bytes of a page that is not mapped, and the program does not start.
+  add_link_options(-fuse-ld=mold -Wl,-z,separate-code)
 endif()
