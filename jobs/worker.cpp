@@ -92,7 +92,7 @@ void Worker::work() {
   queue::TaskTaker taker = this->taker();
   tbb::task_arena alone(1);
   bool is_away = false;
-  while (!is_stopped()) {
+  while (taker.has_next() || !is_stopped()) {
     const auto task = taker.take(idle_wait);
     if (!task) {
       if (!std::exchange(is_away, true)) spdlog::warn("queue: {}", task.error().detail);
@@ -182,7 +182,8 @@ std::optional<std::string> Worker::line_of(queue::TaskTaker& taker, const queue:
 /// Tells a line, however long that takes, unless others have the variant by then; whether it was the first.
 bool Worker::tell(queue::TaskTaker& taker, const queue::Task& task, const Job& job, const std::string& line) {
   while (!job.cancel.stopped()) {
-    const auto finished = taker.finish(task, line);
+    const auto then = is_stopped() ? queue::TaskTaker::Then::rest : queue::TaskTaker::Then::take;
+    const auto finished = taker.finish(task, line, then);
     if (finished) return *finished == queue::TaskTaker::Finished::counted;
     if (is_stopped()) return false;
     pause(away_pause);

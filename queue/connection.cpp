@@ -75,6 +75,18 @@ Script::Script(std::string text) : text_(std::move(text)) {
   }
 }
 
+std::vector<std::string> Script::words(const std::vector<std::string>& keys,
+                                       const std::vector<std::string>& arguments) const {
+  std::vector<std::string> words = {"EVALSHA", hash_, std::to_string(keys.size())};
+  words.insert(words.end(), keys.begin(), keys.end());
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return words;
+}
+
+bool Script::is_unknown(const Answered<Reply>& answered) {
+  return !answered && answered.error().detail.starts_with("NOSCRIPT");
+}
+
 Connection::Connection(Address address, const Patience& patience) : address_(std::move(address)), patience_(patience) {}
 Connection::~Connection() = default;
 Connection::Connection(Connection&&) noexcept = default;
@@ -113,14 +125,25 @@ Answered<bool> Connection::connect() {
 }
 
 Answered<Reply> Connection::send(const std::vector<std::string>& words) {
+  append(words);
+  return receive();
+}
+
+/// Only memory can lack here; the answer is missing then, and the connection with it.
+void Connection::append(const std::vector<std::string>& words) {
   std::vector<const char*> starts;
   std::vector<std::size_t> sizes;
   for (const std::string& word : words) {
     starts.push_back(word.data());
     sizes.push_back(word.size());
   }
-  const std::unique_ptr<redisReply, Free> raw(static_cast<redisReply*>(
-      redisCommandArgv(context_->context, static_cast<int>(words.size()), starts.data(), sizes.data())));
+  redisAppendCommandArgv(context_->context, static_cast<int>(words.size()), starts.data(), sizes.data());
+}
+
+Answered<Reply> Connection::receive() {
+  void* answer = nullptr;
+  redisGetReply(context_->context, &answer);
+  const std::unique_ptr<redisReply, Free> raw(static_cast<redisReply*>(answer));
   if (raw == nullptr)
     return lost(context_->context->err == REDIS_ERR_IO ? "no answer in time" : context_->context->errstr);
   if (raw->type == REDIS_REPLY_ERROR) {
@@ -144,13 +167,20 @@ Answered<Reply> Connection::wait(const std::vector<std::string>& words, std::chr
   return answered;
 }
 
+std::vector<Answered<Reply>> Connection::call_all(const std::vector<std::vector<std::string>>& commands) {
+  if (auto connected = connect(); !connected) return {commands.size(), std::move(connected).error()};
+  for (const auto& words : commands) append(words);
+  std::vector<Answered<Reply>> answers;
+  while (answers.size() < commands.size() && context_ != nullptr) answers.push_back(receive());
+  while (answers.size() < commands.size()) answers.push_back(answers.back());
+  return answers;
+}
+
 Answered<Reply> Connection::run(const Script& script, const std::vector<std::string>& keys,
                                 const std::vector<std::string>& arguments) {
-  std::vector<std::string> words = {"EVALSHA", script.hash(), std::to_string(keys.size())};
-  words.insert(words.end(), keys.begin(), keys.end());
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  auto answered = call(words);
-  if (answered || !answered.error().detail.starts_with("NOSCRIPT")) return answered;
+  auto answered = call(script.words(keys, arguments));
+  if (!Script::is_unknown(answered)) return answered;
+  std::vector<std::string> words = script.words(keys, arguments);
   words[0] = "EVAL";
   words[1] = script.text();
   return call(words);

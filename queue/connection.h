@@ -50,6 +50,11 @@ class Script {
   const std::string& text() const { return text_; }
   const std::string& hash() const { return hash_; }  ///< SHA-1, in hexadecimal
 
+  /// The command that runs it by its hash.
+  std::vector<std::string> words(const std::vector<std::string>& keys, const std::vector<std::string>& arguments) const;
+  /// Whether Redis has not seen the script: nothing was done, and it has to be sent whole.
+  static bool is_unknown(const Answered<Reply>& answered);
+
  private:
   std::string text_;
   std::string hash_;
@@ -65,6 +70,9 @@ class Connection {
   Connection& operator=(Connection&&) = delete;
 
   Answered<Reply> call(const std::vector<std::string>& words);
+  /// Several commands in one go, and an answer for each; none is left out when another fails. Who sends one after the
+  /// other sleeps as often, and a thread that slept finds its processor slow.
+  std::vector<Answered<Reply>> call_all(const std::vector<std::vector<std::string>>& commands);
   /// A command that waits by itself for so long at Redis.
   Answered<Reply> wait(const std::vector<std::string>& words, std::chrono::milliseconds longer);
   Answered<Reply> run(const Script& script, const std::vector<std::string>& keys,
@@ -79,6 +87,8 @@ class Connection {
   struct Context;
 
   Answered<Reply> send(const std::vector<std::string>& words);
+  void append(const std::vector<std::string>& words);
+  Answered<Reply> receive();
   Fault lost(const std::string& detail);
 
   Address address_;

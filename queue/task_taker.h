@@ -45,7 +45,11 @@ class TaskTaker {
   Answered<std::optional<TaskedSweep>> find(const std::string& sweep);
 
   enum class Finished { counted, twice, unwanted };
-  Answered<Finished> finish(const Task& task, const std::string& line);
+  enum class Then { rest, take };
+  /// Tells the line of a variant, and in the same breath asks for the next one, which `take` then has.
+  Answered<Finished> finish(const Task& task, const std::string& line, Then then = Then::rest);
+  /// Whether a variant was given that `take` has not handed out yet.
+  bool has_next() const { return ahead_.has_value(); }
 
   /// Tells that the worker is well and computes these; answers the entries of those that it is to stop.
   Answered<std::vector<std::string>> beat(const std::vector<Task>& running);
@@ -59,9 +63,12 @@ class TaskTaker {
   Answered<bool> connect() { return connection_.connect(); }
 
  private:
+  std::vector<std::string> take_words() const;
+
   Connection connection_;
   Terms terms_;
   std::string base_;
+  std::optional<Task> ahead_;
 };
 
 }  // namespace dini::queue

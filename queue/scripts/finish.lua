@@ -1,9 +1,14 @@
 -- Keeps what came of a variant, unless somebody else was quicker, and ends the entry.
 -- base, lane, entry, sweep, variant, line; instead of a long line, which lies there already, "long".
--- "counted", "twice", or "unwanted" when the sweep is not there any more.
+-- "counted", "twice", "unwanted" when the sweep is not there any more, or "absent", with nothing done, when Redis had no
+-- memory for the long line.
 local base, lane, entry, id, index, line = unpack(ARGV)
 local stream, sweep = base .. ':' .. lane, base .. ':sweep:' .. id
 local lines, place = sweep .. ':lines', sweep .. ':line:' .. index
+if line == 'long' and redis.call('EXISTS', place) == 0 and redis.call('GETBIT', sweep .. ':seen', index) == 0 and
+  redis.call('EXISTS', sweep) == 1 then
+  return 'absent'
+end
 local outcome = 'unwanted'
 if redis.call('EXISTS', sweep) == 1 then
   outcome = 'twice'

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "queue/dead_tasks.h"
+#include "queue/scripts.h"
 #include "queue/task_taker.h"
 #include "tests/support/redis_server.h"
 
@@ -225,6 +226,43 @@ TEST_CASE("A line that got lost is told as one, and made again when it is asked 
   CHECK_FALSE(lost.front().is_dead);
   REQUIRE(bench.tasks.redo("s", 0));
   REQUIRE(worker.finish(*take(worker), long_line));
+  CHECK(bench.collect("s").front().line == long_line);
+}
+
+TEST_CASE("Whoever tells a line can have the next variant with the same answer") {
+  Bench bench;
+  auto worker = bench.worker("one");
+  bench.submit("s", 3);
+  using Then = queue::TaskTaker::Then;
+  bench.redis.call({"SCRIPT", "FLUSH"});
+  CHECK(*worker.finish(*take(worker), "line", Then::take) == Finished::counted);
+  CHECK(*worker.finish(*take(worker), long_line, Then::take) == Finished::counted);
+  REQUIRE(worker.has_next());
+  const auto last = take(worker);
+  REQUIRE(last);
+  CHECK(last->index == 2);
+  CHECK_FALSE(worker.has_next());
+  CHECK(*worker.finish(*last, "line", Then::take) == Finished::counted);
+  CHECK_FALSE(worker.has_next());
+  CHECK(bench.collect("s").size() == 3);
+}
+
+TEST_CASE("A long line that Redis had no memory for is not counted") {
+  Bench bench;
+  auto worker = bench.worker("one");
+  bench.submit("s", 1);
+  const auto task = take(worker);
+  bench.redis.call({"CONFIG", "SET", "maxmemory", "1"});
+  const auto refused = worker.finish(*task, long_line);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().kind == queue::Fault::Kind::full);
+  bench.redis.call({"CONFIG", "SET", "maxmemory", "0"});
+  queue::Connection connection(bench.redis.address(), {});
+  const auto without =
+      connection.run(queue::scripts::finish, {}, {"dini:1-a", task->lane, task->entry, "s", "0", "long"});
+  CHECK(without->text == "absent");
+  CHECK(bench.collect("s").empty());
+  CHECK(*worker.finish(*task, long_line) == Finished::counted);
   CHECK(bench.collect("s").front().line == long_line);
 }
 
