@@ -8,21 +8,28 @@
 #include <numeric>
 #include <utility>
 
+#include "draco/occurring.h"
+
 namespace dini {
 namespace {
 
 constexpr std::uint32_t states_per_share = 4;  // a state is at least this often the precision
 constexpr std::uint32_t byte_values = 256;
 
+/// Shares with the sum that they have.
+struct Shares {
+  std::vector<std::uint32_t> values;
+  std::uint32_t total = 0;
+};
+
 // The shares when each is rounded by itself.
-std::vector<std::uint32_t> rounded_shares(std::span<const std::uint32_t> frequencies, std::uint32_t precision) {
+Shares rounded_shares(std::span<const std::uint32_t> frequencies, std::uint32_t precision) {
   const auto total = std::accumulate(frequencies.begin(), frequencies.end(), std::uint64_t{0});
-  std::vector<std::uint32_t> shares(frequencies.size(), 0);
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    if (frequencies[i] == 0) continue;
-    const double share = static_cast<double>(frequencies[i]) / static_cast<double>(total);
-    shares[i] = std::max(1u, static_cast<std::uint32_t>(share * precision + 0.5));
-  }
+  Shares shares{std::vector<std::uint32_t>(frequencies.size(), 0)};
+  for_each_that_occurs(frequencies, [&](std::size_t i, std::uint32_t frequency) {
+    const double share = static_cast<double>(frequency) / static_cast<double>(total);
+    shares.total += shares.values[i] = std::max(1u, static_cast<std::uint32_t>(share * precision + 0.5));
+  });
   return shares;
 }
 
@@ -43,22 +50,21 @@ void take_excess(std::vector<std::uint32_t>& shares, const std::vector<std::uint
 }
 
 std::vector<std::uint32_t> shares_of(std::span<const std::uint32_t> frequencies, std::uint32_t precision) {
-  std::vector<std::uint32_t> shares = rounded_shares(frequencies, precision);
-  const std::uint32_t total = std::accumulate(shares.begin(), shares.end(), 0u);
-  if (total == precision) return shares;
-  // Tables are wide and few symbols occur in small tiles: of the others the first one stands for all.
+  auto [shares, total] = rounded_shares(frequencies, precision);
+  if (total == precision) return std::move(shares);
+  // Of the symbols that do not occur the first one stands for all.
   std::vector<std::uint32_t> by_size;
-  bool has_none = false;
-  for (std::uint32_t i = 0; i < shares.size(); ++i) {
-    if (shares[i] > 0 || !std::exchange(has_none, true)) by_size.push_back(i);
-  }
-  std::stable_sort(by_size.begin(), by_size.end(), [&](auto a, auto b) { return shares[a] < shares[b]; });
+  const auto none = std::find(shares.begin(), shares.end(), 0u);
+  if (none != shares.end()) by_size.push_back(static_cast<std::uint32_t>(none - shares.begin()));
+  for_each_that_occurs(shares, [&](std::size_t i, std::uint32_t) { by_size.push_back(static_cast<std::uint32_t>(i)); });
+  const std::uint32_t* const values = shares.data();
+  std::stable_sort(by_size.begin(), by_size.end(), [values](auto a, auto b) { return values[a] < values[b]; });
   if (total < precision) {
     shares[by_size.back()] += precision - total;
   } else {
     take_excess(shares, by_size, precision, total - precision);
   }
-  return shares;
+  return std::move(shares);
 }
 
 // What a stream ends with: how far its state is above the least one, with the number of its bytes in its two highest
@@ -131,39 +137,34 @@ std::string put_rows(const RansInput& input) {
 
 }  // namespace
 
-RansTable::RansTable(std::span<const std::uint32_t> frequencies, int bits) : bits_(bits) {
-  const std::vector<std::uint32_t> shares = shares_of(frequencies, 1u << bits);
-  symbols_.resize(shares.size());
+RansTable::RansTable(std::span<const std::uint32_t> frequencies, int bits)
+    : bits_(bits),
+      shares_(shares_of(frequencies, 1u << bits)),
+      symbols_(std::make_unique_for_overwrite<RansSymbol[]>(shares_.size())) {
   std::uint32_t cumulative = 0;
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    const std::uint32_t share = shares[i];
-    RansSymbol& symbol = symbols_[i];
-    symbol.probability = share;
-    symbol.cumulative = cumulative;
-    cumulative += share;
-    if (share == 0) continue;
+  for_each_that_occurs(shares_, [&](std::size_t i, std::uint32_t share) {
     // Division by multiplication (Alverson 1991), exact for states below 2^31.
-    symbol.shift = static_cast<std::uint32_t>(std::bit_width(share - 1));
-    symbol.reciprocal = static_cast<std::uint32_t>(((std::uint64_t{1} << (31 + symbol.shift)) + share - 1) / share);
-  }
+    const auto shift = static_cast<std::uint32_t>(std::bit_width(share - 1));
+    const std::uint64_t reciprocal = ((std::uint64_t{1} << (31 + shift)) + share - 1) / share;
+    symbols_[i] = {share, cumulative, static_cast<std::uint32_t>(reciprocal), shift};
+    cumulative += share;
+  });
 }
 
 void RansTable::write(ByteWriter& bytes) const {
   constexpr std::size_t longest_run = 64;
-  bytes.varint(static_cast<std::uint32_t>(symbols_.size()));
-  for (std::size_t i = 0; i < symbols_.size(); ++i) {
-    const std::uint32_t share = symbols_[i].probability;
-    if (share == 0) {
-      std::size_t run = 1;
-      while (run < longest_run && symbols_[i + run].probability == 0) ++run;
+  bytes.varint(static_cast<std::uint32_t>(shares_.size()));
+  std::size_t next = 0;
+  for_each_that_occurs(shares_, [&](std::size_t i, std::uint32_t share) {
+    for (std::size_t run; next < i; next += run) {
+      run = std::min(i - next, longest_run);
       bytes.byte(static_cast<std::uint8_t>((run - 1) << 2 | 3));
-      i += run - 1;
-      continue;
     }
     const unsigned extra = share < 1u << 6 ? 0 : share < 1u << 14 ? 1 : 2;
     bytes.byte(static_cast<std::uint8_t>(share << 2 | extra));
     for (unsigned byte = 0; byte < extra; ++byte) bytes.byte(static_cast<std::uint8_t>(share >> (8 * byte + 6)));
-  }
+    next = i + 1;
+  });
 }
 
 std::string rans_bytes(const RansInput& input) {

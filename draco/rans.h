@@ -3,6 +3,7 @@
 // Range asymmetric numeral systems (Duda 2013) as in Draco streams: what is written first is read last.
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,10 +14,10 @@ namespace dini {
 
 /// What the coder needs to know of a symbol.
 struct RansSymbol {
-  std::uint32_t probability = 0;  ///< share of the precision
-  std::uint32_t cumulative = 0;   ///< of all symbols before it
-  std::uint32_t reciprocal = 0;   ///< with `shift`, divides any state by `probability`
-  std::uint32_t shift = 0;
+  std::uint32_t probability;  ///< share of the precision
+  std::uint32_t cumulative;   ///< of all symbols before it
+  std::uint32_t reciprocal;   ///< with `shift`, divides any state by `probability`
+  std::uint32_t shift;
 };
 
 /// How often each symbol is expected, in whole shares of 2^bits.
@@ -28,14 +29,18 @@ class RansTable {
   RansTable(std::span<const std::uint32_t> frequencies, int bits);
 
   int bits() const { return bits_; }
+  /// Of a symbol that occurs.
   const RansSymbol& operator[](std::uint32_t symbol) const { return symbols_[symbol]; }
+  /// Of each symbol, 0 for those that do not occur.
+  std::span<const std::uint32_t> shares() const { return shares_; }
 
   /// The shares, as decoders read them.
   void write(ByteWriter& bytes) const;
 
  private:
-  std::vector<RansSymbol> symbols_;
   int bits_;
+  std::vector<std::uint32_t> shares_;
+  std::unique_ptr<RansSymbol[]> symbols_;  ///< written only where symbols occur
 };
 
 /// Small whole numbers in rows, as a stream holds them one after another.

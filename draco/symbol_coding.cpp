@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "draco/bit_writer.h"
+#include "draco/occurring.h"
 
 namespace dini {
 namespace {
@@ -20,24 +21,6 @@ using Frequencies = std::vector<std::uint32_t>;
 
 std::uint32_t bit_length(std::uint32_t value) { return static_cast<std::uint32_t>(std::bit_width(value | 1)); }
 
-/// Calls visit(frequency) for each number that occurs, in their order. Most numbers of a wide table do not.
-template <class Visit>
-void for_each_that_occurs(const Frequencies& frequencies, const Visit& visit) {
-  constexpr std::size_t together = 8;
-  std::size_t i = 0;
-  for (; i + together <= frequencies.size(); i += together) {
-    std::uint32_t any = 0;
-    for (std::size_t k = 0; k < together; ++k) any |= frequencies[i + k];
-    if (any == 0) continue;
-    for (std::size_t k = 0; k < together; ++k) {
-      if (frequencies[i + k] > 0) visit(frequencies[i + k]);
-    }
-  }
-  for (; i < frequencies.size(); ++i) {
-    if (frequencies[i] > 0) visit(frequencies[i]);
-  }
-}
-
 /// How many different numbers there are, and bits that all take with ideal probabilities.
 struct Information {
   std::size_t different = 0;
@@ -48,7 +31,7 @@ Information information(const Frequencies& frequencies, std::size_t count) {
   Information result;
   double bits = 0;
   const auto total = static_cast<double>(count);
-  for_each_that_occurs(frequencies, [&](std::uint32_t frequency) {
+  for_each_that_occurs(frequencies, [&](std::size_t, std::uint32_t frequency) {
     bits += frequency * std::log2(static_cast<double>(frequency) / total);
     ++result.different;
   });

@@ -25,7 +25,7 @@ std::vector<std::uint32_t> decoded(const std::string& bytes, const RansTable& ta
     while (state < 4 * precision && left > 0) state = state << 8 | at(--left);
     const std::uint32_t rest = state % precision;
     std::uint32_t symbol = symbols - 1;
-    while (table[symbol].probability == 0 || table[symbol].cumulative > rest) --symbol;
+    while (table.shares()[symbol] == 0 || table[symbol].cumulative > rest) --symbol;
     state = state / precision * table[symbol].probability + rest - table[symbol].cumulative;
     values.push_back(symbol);
   }
@@ -47,8 +47,8 @@ TEST_CASE("What is coded is decoded again, however rare or frequent symbols are"
   const auto size = static_cast<std::uint32_t>(frequencies.size());
   std::uint32_t total = 0;
   for (std::uint32_t symbol = 0; symbol < size; ++symbol) {
-    CHECK((table[symbol].probability > 0) == (frequencies[symbol] > 0));
-    total += table[symbol].probability;
+    CHECK((table.shares()[symbol] > 0) == (frequencies[symbol] > 0));
+    total += table.shares()[symbol];
   }
   CHECK(total == 1u << bits);
   const int columns = GENERATE(1, 2, 3, 4);
