@@ -69,18 +69,37 @@ bool stands_before(std::string_view a, std::string_view b) {
   return at_a >= a.size() && at_b < b.size();
 }
 
+/// Most texts are names and stand as they are.
+bool needs_escape(char c) { return c < ' ' || c > '~' || c == '"' || c == '\\'; }
+
 void write_text(std::string& out, const std::string& text) {
-  out += Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (std::ranges::any_of(text, needs_escape)) {
+    out += Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+    return;
+  }
+  out += '"';
+  out += text;
+  out += '"';
+}
+
+/// Whether the order of bytes, which members have, may not be that of UTF-16 code units: from the bytes that begin
+/// U+E000.
+bool may_be_reordered(const std::string& name) {
+  return std::ranges::any_of(name, [](char c) { return static_cast<unsigned char>(c) >= 0xEE; });
 }
 
 void write(std::string& out, const Json& json, std::span<const std::string_view> left_out);
 
 void write_object(std::string& out, const Json& json, std::span<const std::string_view> left_out) {
   std::vector<std::pair<const std::string*, const Json*>> members;
+  bool is_ordered = true;
   for (const auto& [name, value] : json.get_ref<const Json::object_t&>()) {
     if (std::ranges::find(left_out, name) == left_out.end()) members.emplace_back(&name, &value);
+    is_ordered = is_ordered && !may_be_reordered(name);
   }
-  std::ranges::sort(members, [](const auto& a, const auto& b) { return stands_before(*a.first, *b.first); });
+  if (!is_ordered) {
+    std::ranges::sort(members, [](const auto& a, const auto& b) { return stands_before(*a.first, *b.first); });
+  }
   out += '{';
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (i > 0) out += ',';

@@ -182,8 +182,8 @@ class Checker {
   void plan(const std::string& id, const NodeEntry& entry) {
     if (broken_.contains(id)) return;
     bool doubtful = false;
-    for (const std::string& source : sources_of(entry)) {
-      const auto found = report_.plan.index.find(source);
+    for (const std::string* source : sources_of(entry)) {
+      const auto found = report_.plan.index.find(*source);
       if (found == report_.plan.index.end()) return;
       doubtful = doubtful || report_.plan.nodes[found->second].doubtful;
     }

@@ -1,12 +1,15 @@
 #include "graph/digest.h"
 
-#include <openssl/sha.h>
+#include <new>
+#include <openssl/evp.h>
 
 namespace dini {
 
 Digest sha256(std::string_view bytes) {
+  // Looked up once: OpenSSL's one-shot function does it at each call, which takes as long as the digest of a node.
+  static const EVP_MD* const algorithm = EVP_MD_fetch(nullptr, "SHA256", nullptr);
   Digest digest;
-  SHA256(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), digest.data());
+  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), nullptr, algorithm, nullptr) != 1) throw std::bad_alloc();
   return digest;
 }
 
@@ -40,8 +43,9 @@ DigestBuilder& DigestBuilder::text(std::string_view value) {
 }
 
 DigestBuilder& DigestBuilder::integer(std::uint64_t value) {
-  bytes_ += 'i';
-  for (int shift = 0; shift < 64; shift += 8) bytes_ += static_cast<char>(value >> shift & 255);
+  char piece[9] = {'i'};
+  for (int byte = 0; byte < 8; ++byte) piece[byte + 1] = static_cast<char>(value >> (8 * byte) & 255);
+  bytes_.append(piece, sizeof piece);
   return *this;
 }
 

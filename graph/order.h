@@ -21,7 +21,7 @@ Order evaluation_order(const Document& document);
 /// The nodes that `targets` depend on, those themselves included. Links to nodes that do not exist are ignored.
 std::set<std::string> needed_for(const Document& document, const std::vector<std::string>& targets);
 
-/// The nodes that `node` links to, each once, in order of its ports.
-std::vector<std::string> sources_of(const NodeEntry& node);
+/// The nodes that `node` links to, one for each link, in order of its ports.
+std::vector<const std::string*> sources_of(const NodeEntry& node);
 
 }  // namespace dini

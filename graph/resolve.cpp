@@ -10,13 +10,13 @@ namespace dini {
 namespace {
 
 /// Something given to an input, before its type is settled: a wire, a literal of the document or the default of the
-/// card, or a parameter. `pointer` is its place in the document; a default has none.
+/// card, or a parameter. `item` is its place in the list of its input; a default has none.
 struct Given {
   std::optional<PlannedItem> wire = {};
   const Json* written = nullptr;
   const Readings* readings = nullptr;
   const std::pair<const std::string, Parameter>* parameter = nullptr;
-  std::string pointer = {};
+  std::optional<std::size_t> item = {};
 };
 
 std::string names_of(const std::vector<WireType>& types) {
@@ -52,6 +52,12 @@ class Resolver {
       pass_on(best);
       return best;
     }
+    // Where wires fit, most often nothing is wrong, and of the others no problem has to be written.
+    for (const Overload& overload : type_.overloads) {
+      if (!wires_fit(overload)) continue;
+      best = read_as(overload);
+      if (best.problems.empty()) return best;
+    }
     // The overload with the fewest problems is the one that was meant; the first one on a tie.
     for (std::size_t k = 0; k < type_.overloads.size(); ++k) {
       Resolved candidate = read_as(type_.overloads[k]);
@@ -81,10 +87,9 @@ class Resolver {
       if (entry == entry_.inputs.end()) continue;
       const InputEntry& input = entry->second;
       listed_[port] = input.list;
-      for (const InputItem& item : input.items) given_[port].push_back(look_up(item, port));
-      const std::string place = input_pointer(id_, type_.inputs[port].name);
-      for (std::size_t item = 0; item < given_[port].size(); ++item) {
-        given_[port][item].pointer = place + (listed_[port] ? "/" + std::to_string(item) : "");
+      for (const InputItem& item : input.items) {
+        given_[port].push_back(look_up(item, port));
+        given_[port].back().item = given_[port].size() - 1;
       }
     }
   }
@@ -184,14 +189,28 @@ class Resolver {
     take_literal(overload, port, {.written = &card.spec.default_value, .readings = &card.usual}, resolved);
   }
 
+  /// Whether a wire of this type is what an input takes.
+  bool takes(const Overload& overload, std::size_t port, WireType type) const {
+    const InputSlot& slot = overload.inputs[port];
+    return slot.is_mixed() ? std::ranges::find(type_.inputs[port].types, type) != type_.inputs[port].types.end()
+                           : type == slot.type;
+  }
+
+  bool wires_fit(const Overload& overload) const {
+    for (std::size_t port = 0; port < given_.size(); ++port) {
+      for (const Given& item : given_[port]) {
+        if (item.wire && !takes(overload, port, item.wire->shape.type)) return false;
+      }
+    }
+    return true;
+  }
+
   void read_wire(const Overload& overload, std::size_t port, const PlannedItem& item, Resolved& resolved) const {
     const InputPort& card = type_.inputs[port];
     const WireType wanted = overload.inputs[port].type;
     const WireType type = item.shape.type;
     const bool literal_only = !overload.inputs[port].is_mixed() && info(wanted).literal_only;
-    const bool fits = overload.inputs[port].is_mixed()
-                          ? std::find(card.types.begin(), card.types.end(), type) != card.types.end()
-                          : type == wanted;
+    const bool fits = takes(overload, port, type);
     if (literal_only) {
       add(resolved, card.name, [&] {
         return problem("type-mismatch", card.name,
@@ -232,9 +251,10 @@ class Resolver {
     if (!read) {
       const LiteralProblem& wrong = read.error();
       add(resolved, card.name, [&] {
-        const bool written_here = given.parameter == nullptr && !given.pointer.empty();
-        return problem(wrong.code, card.name, card.name + driver_text(given) + ": " + wrong.detail,
-                       written_here ? acceptable_literal(given.pointer, wrong.code, *given.written, card) : Json());
+        const bool written_here = given.parameter == nullptr && given.item;
+        return problem(
+            wrong.code, card.name, card.name + driver_text(given) + ": " + wrong.detail,
+            written_here ? acceptable_literal(place_of(port, *given.item), wrong.code, *given.written, card) : Json());
       });
       stand_in(port, wanted, resolved);
       return;
@@ -257,6 +277,10 @@ class Resolver {
     if (given.parameter != nullptr) input.parameters.insert(given.parameter->first);
     if (const auto* literal = std::get_if<Literal>(&argument)) resolved.node.literals[card.name] = *literal;
     input.items.push_back({std::move(argument), {wanted, {}, 0}});
+  }
+
+  std::string place_of(std::size_t port, std::size_t item) const {
+    return input_pointer(id_, type_.inputs[port].name) + (listed_[port] ? "/" + std::to_string(item) : "");
   }
 
   /// The default in place of a literal that was refused, so that types and axes of the outputs can still be told.
