@@ -91,7 +91,7 @@ function(dini_test name)
   if(test_THOROUGH)
     set(labels thorough)
   endif()
-  catch_discover_tests(tests_${name} TEST_PREFIX "${name}: " DISCOVERY_MODE PRE_TEST PROPERTIES LABELS ${labels})
+  catch_discover_tests(tests_${name} TEST_PREFIX "${name}: " PROPERTIES LABELS ${labels})
   add_custom_command(
     TARGET tests_${name} POST_BUILD
     COMMAND ${CMAKE_COMMAND} -DLISTS=${CMAKE_CURRENT_BINARY_DIR}/tests_${name}_tests -P ${PROJECT_SOURCE_DIR}/cmake/tests_found.cmake VERBATIM)

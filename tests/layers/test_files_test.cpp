@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cctype>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include "tests/layers/source_tree.h"
@@ -45,6 +46,20 @@ TEST_CASE("Files with test cases, and no others, end in _test.cpp") {
   for (const SourceFile& file : test_sources()) {
     CAPTURE(file.path);
     CHECK(file.path.ends_with("_test.cpp") == !titles_of(file.text).empty());
+  }
+}
+
+TEST_CASE("Every file with test cases is built into a test program") {
+  std::set<std::string> built;
+  for (const SourceFile& file : read_source_files(DINI_SOURCE_DIR, "tests")) {
+    if (!file.path.ends_with("CMakeLists.txt")) continue;
+    const std::string folder = file.path.substr(0, file.path.rfind('/') + 1);
+    std::istringstream words(file.text);
+    for (std::string word; words >> word;) built.insert(folder + word);
+  }
+  for (const SourceFile& file : test_sources()) {
+    CAPTURE(file.path);
+    if (file.path.ends_with("_test.cpp")) CHECK(built.contains(file.path));
   }
 }
 
