@@ -34,12 +34,18 @@ struct Sweeps : Folder {
     return all;
   }
   Outcome sweep(const std::vector<std::string>& more) const { return Program(words(more)).wait(); }
+  /// Names of all models in a folder.
+  std::set<std::string> names(const std::string& folder) const {
+    std::set<std::string> found;
+    for (const auto& entry : std::filesystem::directory_iterator(path() / folder)) {
+      if (entry.path().extension() == ".glb") found.insert(entry.path().filename().string());
+    }
+    return found;
+  }
   /// Names and bytes of all models in a folder.
   std::map<std::string, std::string> models(const std::string& folder) const {
     std::map<std::string, std::string> found;
-    for (const auto& entry : std::filesystem::directory_iterator(path() / folder)) {
-      if (entry.path().extension() == ".glb") found[entry.path().filename().string()] = contents(entry.path());
-    }
+    for (const std::string& name : names(folder)) found[name] = contents(path() / folder / name);
     return found;
   }
 };
@@ -115,14 +121,19 @@ TEST_CASE("Four processes that are killed in the middle and started again make t
     }
     return parts;
   };
-  {
-    const auto parts = start_parts();
-    REQUIRE(eventually([&] {
-      return std::filesystem::exists(sweeps.at("parts/.dini-sweep.jsonl")) && sweeps.models("parts").size() > 8;
-    }));
-    for (const auto& part : parts) part->signal(SIGKILL);
+  // Where the machine wakes this test late they have made everything by then, and begin anew.
+  std::size_t left_behind = 200;
+  for (int tries = 0; left_behind == 200 && tries < 8; ++tries) {
+    std::filesystem::remove_all(sweeps.at("parts"));
+    {
+      const auto parts = start_parts();
+      REQUIRE(eventually([&] {
+        return std::filesystem::exists(sweeps.at("parts/.dini-sweep.jsonl")) && sweeps.names("parts").size() > 8;
+      }));
+      for (const auto& part : parts) part->signal(SIGKILL);
+    }
+    left_behind = sweeps.names("parts").size();
   }
-  const std::size_t left_behind = sweeps.models("parts").size();
   CAPTURE(left_behind);
   REQUIRE(left_behind < 200);
   std::size_t lines = 0;
@@ -173,7 +184,7 @@ TEST_CASE("A sweep that was killed goes on where it was, and ends with the same 
   {
     const Program program(sweeps.words(killed));
     REQUIRE(eventually([&] {
-      return std::filesystem::exists(sweeps.at("killed/.dini-sweep.jsonl")) && !sweeps.models("killed").empty();
+      return std::filesystem::exists(sweeps.at("killed/.dini-sweep.jsonl")) && !sweeps.names("killed").empty();
     }));
     program.signal(SIGKILL);
   }
