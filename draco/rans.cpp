@@ -28,7 +28,8 @@ Shares rounded_shares(std::span<const std::uint32_t> frequencies, std::uint32_t 
   Shares shares{std::vector<std::uint32_t>(frequencies.size(), 0)};
   for_each_that_occurs(frequencies, [&](std::size_t i, std::uint32_t frequency) {
     const double share = static_cast<double>(frequency) / static_cast<double>(total);
-    shares.total += shares.values[i] = std::max(1u, static_cast<std::uint32_t>(share * precision + 0.5));
+    shares.values[i] = std::max(1u, static_cast<std::uint32_t>(share * precision + 0.5));
+    shares.total += shares.values[i];
   });
   return shares;
 }

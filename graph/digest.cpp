@@ -4,10 +4,20 @@
 #include <openssl/evp.h>
 
 namespace dini {
+namespace {
+
+const EVP_MD* found_sha256() {
+  const EVP_MD* const found = EVP_MD_fetch(nullptr, "SHA256", nullptr);
+  if (found == nullptr) throw std::bad_alloc();
+  return found;
+}
+
+}  // namespace
 
 Digest sha256(std::string_view bytes) {
   // Looked up once: OpenSSL's one-shot function does it at each call, which takes as long as the digest of a node.
-  static const EVP_MD* const algorithm = EVP_MD_fetch(nullptr, "SHA256", nullptr);
+  // Where memory lacked for that, it is looked up again.
+  static const EVP_MD* const algorithm = found_sha256();
   Digest digest;
   if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), nullptr, algorithm, nullptr) != 1) throw std::bad_alloc();
   return digest;

@@ -1,6 +1,7 @@
 #include "graph/order.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <optional>
 #include <queue>

@@ -178,9 +178,9 @@ std::vector<Answered<Reply>> Connection::call_all(const std::vector<std::vector<
 
 Answered<Reply> Connection::run(const Script& script, const std::vector<std::string>& keys,
                                 const std::vector<std::string>& arguments) {
-  auto answered = call(script.words(keys, arguments));
-  if (!Script::is_unknown(answered)) return answered;
   std::vector<std::string> words = script.words(keys, arguments);
+  auto answered = call(words);
+  if (!Script::is_unknown(answered)) return answered;
   words[0] = "EVAL";
   words[1] = script.text();
   return call(words);

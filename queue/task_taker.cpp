@@ -65,9 +65,10 @@ Answered<TaskTaker::Finished> TaskTaker::finish(const Task& task, const std::str
                         std::to_string(sweep_time_to_live.count())});
   }
   commands.push_back(scripts::finish.words({}, arguments));
-  if (then == Then::take && !ahead_) commands.push_back(scripts::take.words({}, take_words()));
+  const bool takes = then == Then::take && !ahead_;
+  if (takes) commands.push_back(scripts::take.words({}, take_words()));
   const auto replies = connection_.call_all(commands);
-  if (then == Then::take && !ahead_ && replies.back()) ahead_ = task_of(*replies.back());
+  if (takes && replies.back()) ahead_ = task_of(*replies.back());
   if (is_long && !replies[0]) return replies[0].error();
   auto reply = replies[is_long ? 1 : 0];
   if (Script::is_unknown(reply)) reply = connection_.run(scripts::finish, {}, arguments);

@@ -1,5 +1,6 @@
 #include "graph/order.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <random>
 
